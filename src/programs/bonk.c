@@ -16,7 +16,7 @@
 #define PROGRAM "bonk"
 
 /* The command line as it was given. */
-struct settings {
+static struct {
     const char *scene;
     double until;     /* time at which to stop, s */
     double tolerance; /* largest error, a fraction of the scale */
@@ -25,7 +25,10 @@ struct settings {
     const char *observe, *model;
     bool explain;
     const char *chart, *output, *summary, *command;
-};
+} given = {.budget = CHOOSE_BUDGET,
+           .until = NAN,
+           .tolerance = NAN,
+           .summary = "/dev/null"};
 
 /* Sixteen rows show where a run went wrong and can still be compared at a
    glance. They are also the least number of times at which errors are
@@ -47,7 +50,6 @@ struct mean {
 
 /* A request and its answer: either a run (choice) or averages (mean). */
 struct run {
-    const struct settings *s;
     struct scene scene;
     struct observables asked;
     struct choose_request request;
@@ -64,11 +66,11 @@ struct run {
 static void read_observe(struct run *r)
 {
     char message[OBSERVABLES_MESSAGE];
-    const char *text = r->s->observe;
+    const char *text = given.observe;
     if (!text)
         return;
     if (!observables_read(&r->asked, text, r->scene.bodies, message))
-        program_refuse(PROGRAM, "--observe: %s", message);
+        program_refuse("--observe: %s", message);
     r->request.asked = &r->asked;
 }
 
@@ -82,22 +84,20 @@ static void read_observe(struct run *r)
    quotient is exact in binary, and 0.3 must be refused. */
 static void set_rows(struct run *r)
 {
-    const struct settings *s = r->s;
-    const double length = s->until - r->scene.time;
+    const double length = given.until - r->scene.time;
     if (!(length > 0))
         program_refuse(
-            PROGRAM, "--until: %.15g is not after the scene's time, %.15g",
-            s->until, r->scene.time);
-    const double every = s->every > 0 ? s->every : length / ROWS;
+            "--until: %.15g is not after the scene's time, %.15g",
+            given.until, r->scene.time);
+    const double every = given.every > 0 ? given.every : length / ROWS;
     const double rows = length / every;
     if (!(rows <= ROWS_MOST))
-        program_refuse(PROGRAM, "--every: %g makes %.3g rows, more than %d",
-                       every, rows, ROWS_MOST);
+        program_refuse("--every: %g makes %.3g rows, more than %d", every,
+                       rows, ROWS_MOST);
     if (rows < 0.5 || fabs(rows - floor(rows + 0.5)) > 1e-9 * rows)
-        program_refuse(PROGRAM,
-                       "--every: the time from %.10g to %.10g is no whole "
+        program_refuse("--every: the time from %.10g to %.10g is no whole "
                        "number of rows of %.10g",
-                       r->scene.time, s->until, every);
+                       r->scene.time, given.until, every);
     r->judged = rows < ROWS - 0.5 ? (size_t)ceil(ROWS / rows - 1e-9) : 1;
     r->request.every = every / (double)r->judged;
 }
@@ -108,14 +108,14 @@ static void set_rows(struct run *r)
 static void read_model(struct run *r)
 {
     char message[MODELS_MESSAGE];
-    if (!r->s->model)
+    if (!given.model)
         return;
-    if (!models_read(&r->plan, r->s->model, message))
-        program_refuse(PROGRAM, "--model: %s", message);
+    if (!models_read(&r->plan, given.model, message))
+        program_refuse("--model: %s", message);
     const char *why = models_refuse(&r->plan, &r->scene);
     if (why)
-        program_refuse(PROGRAM, "--model: %s does not suit this scene: %s",
-                       r->s->model, why);
+        program_refuse("--model: %s does not suit this scene: %s",
+                       given.model, why);
     r->request.only = &r->plan;
 }
 
@@ -125,29 +125,26 @@ static void read_model(struct run *r)
 static void read_means(struct run *r)
 {
     char message[AVERAGES_TEXT], name[64];
-    for (const char *at = r->s->observe; *at;) {
+    for (const char *at = given.observe; *at;) {
         const size_t n = strcspn(at, ",");
         if (strncmp(at, mean_prefix, PREFIX) != 0)
-            program_refuse(PROGRAM,
-                           "--observe: averages (mean:...) and values "
+            program_refuse("--observe: averages (mean:...) and values "
                            "cannot be asked for together, found '%.*s'",
                            (int)n, at);
         snprintf(name, sizeof name, "%.*s", (int)(n - PREFIX), at + PREFIX);
         if (r->means == MEANS_MOST)
-            program_refuse(PROGRAM, "--observe: more than %d averages",
-                           MEANS_MOST);
+            program_refuse("--observe: more than %d averages", MEANS_MOST);
         if (!averages_read(&r->mean[r->means].quantity, name, &r->scene,
                            message))
-            program_refuse(PROGRAM, "--observe: mean:%s: %s", name,
-                           message);
+            program_refuse("--observe: mean:%s: %s", name, message);
         ++r->means;
         at += n + (at[n] == ',');
     }
 }
 
-static bool asks_for_means(const struct settings *s)
+static bool asks_for_means(void)
 {
-    return s->observe && strstr(s->observe, mean_prefix) != NULL;
+    return given.observe && strstr(given.observe, mean_prefix) != NULL;
 }
 
 /* Reads the scene. Leapfrog can run any scene, so motion_view sets it up
@@ -156,15 +153,14 @@ static bool asks_for_means(const struct settings *s)
 static void read_scene(struct run *r)
 {
     struct motion m;
-    if (!scene_read(&r->scene, PROGRAM, r->s->scene) ||
+    if (!scene_read(&r->scene, PROGRAM, given.scene) ||
         !motion_view(&m, PROGRAM, &r->scene))
         exit(OPTIONS_FAILURE);
     motion_end(&m);
     if (r->scene.law != SCENE_SUDDEN)
-        program_refuse(PROGRAM,
-                       "%s: contacts that are springs are for step "
-                       "alone: no line linear or hertz",
-                       r->s->scene);
+        program_refuse("%s: contacts that are springs are for step alone: "
+                       "no line linear or hertz",
+                       given.scene);
 }
 
 /* Shows how much of what is reasonable has been spent; choose() calls it
@@ -180,17 +176,16 @@ static void show_progress(void *with, double spent)
    a model that does not suit). Exits with 2 before any work is done. */
 static void begin_run(struct run *r)
 {
-    const struct settings *s = r->s;
     read_scene(r);
     r->request = (struct choose_request){.scene = &r->scene,
                                          .program = PROGRAM,
-                                         .until = s->until,
-                                         .tolerance = s->tolerance,
-                                         .budget = s->budget,
+                                         .until = given.until,
+                                         .tolerance = given.tolerance,
+                                         .budget = given.budget,
                                          .watch = show_progress,
                                          .with = &r->progress};
     set_rows(r);
-    if (asks_for_means(s)) {
+    if (asks_for_means()) {
         read_means(r);
         return;
     }
@@ -203,18 +198,18 @@ static void begin_run(struct run *r)
    where the table does not, so that neither gets into the other. */
 static void open_outputs(struct run *r)
 {
-    const struct settings *s = r->s;
-    r->explanation = s->output && strcmp(s->output, "-") ? stdout : stderr;
-    r->out = program_table(PROGRAM, s->output);
-    r->summary = program_table(PROGRAM, s->summary);
-    r->chart = s->chart ? program_table(PROGRAM, s->chart) : NULL;
+    r->explanation =
+        given.output && strcmp(given.output, "-") ? stdout : stderr;
+    r->out = program_table(PROGRAM, given.output);
+    r->summary = program_table(PROGRAM, given.summary);
+    r->chart = given.chart ? program_table(PROGRAM, given.chart) : NULL;
 }
 
 /* Prints a piece of the explanation, if --explain asks for it. */
 static void explain(const struct run *r, const char *format, ...)
 {
     va_list values;
-    if (!r->s->explain)
+    if (!given.explain)
         return;
     va_start(values, format);
     vfprintf(r->explanation, format, values);
@@ -249,7 +244,7 @@ static void explain_request(const struct run *r)
     explain(
         r,
         "asked for: %s within %.3g of %.6g, in %zu rows up to t = %.10g\n",
-        c->judged, r->s->tolerance, c->scale, c->rows, r->s->until);
+        c->judged, given.tolerance, c->scale, c->rows, given.until);
     if (c->reference.model) {
         models_write(&c->reference, plan);
         explain(r, "compared with: %s, sure to %.1e\n", plan, c->doubt);
@@ -285,7 +280,7 @@ static void explain_taken(const struct run *r)
 {
     const struct choose_choice *c = &r->choice;
     char text[CHOOSE_SENTENCE];
-    choose_sentence(c, r->s->tolerance, text);
+    choose_sentence(c, given.tolerance, text);
     explain(r, "taken %s\n", text);
     explain(r,
             "found: error %.2e, cost %.2e s\n"
@@ -323,8 +318,8 @@ static void write_head(struct run *r)
 {
     char plan[MODELS_TEXT], command[8192];
     models_write(&r->choice.run.plan, plan);
-    snprintf(command, sizeof command, "%s%s%s", r->s->command,
-             r->s->model ? "" : " --model ", r->s->model ? "" : plan);
+    snprintf(command, sizeof command, "%s%s%s", given.command,
+             given.model ? "" : " --model ", given.model ? "" : plan);
     table_begin(r->out, command, 0);
     table_print(r->out, "# model: %s\n", plan);
     table_column(r->out, "t", "time", "time, in the units of the scene");
@@ -360,14 +355,14 @@ static void write_point(const struct run *r, struct models_plan plan,
 
 static void write_chart_head(const struct run *r, const char *refusal)
 {
-    table_begin(r->chart, r->s->command, 0);
-    table_print(r->chart, "# tolerance: %.17g\n", r->s->tolerance);
+    table_begin(r->chart, given.command, 0);
+    table_print(r->chart, "# tolerance: %.17g\n", given.tolerance);
     if (refusal)
         table_print(r->chart, "# refused: %s\n", refusal);
-    table_column(r->chart, "error", "", "fraction of the scale");
-    table_column(r->chart, "cost", "s", "by the price list");
-    table_column(r->chart, "taken", "", "1: this one, and where it stands");
-    table_column(r->chart, "plan", "", "its model, and what it leaves out");
+    TABLE_COLUMNS(r->chart, {"error", "", "fraction of the scale"},
+                  {"cost", "s", "by the price list"},
+                  {"taken", "", "1: this one, and where it stands"},
+                  {"plan", "", "its model, and what it leaves out"});
 }
 
 /* Writes the chart of error against cost. Consecutive runs of a model with
@@ -404,17 +399,14 @@ static void summarise(const struct run *r, const char *refusal)
         models_write(&c->run.plan, plan);
     table_text(t, "end", refusal ? "refused" : "whole");
     table_text(t, "model", plan);
-    table_real(t, "tolerance", r->s->tolerance);
+    table_real(t, "tolerance", given.tolerance);
     table_text(t, "judged", c->judged);
-    table_real(t, "scale", c->scale);
-    table_real(t, "error_found",
-               refusal ? INFINITY : c->candidate[c->taken].error);
-    table_real(t, "cost", c->run.cost);
-    table_real(t, "deciding", c->spent - c->run.cost);
-    table_real(t, "doubt", c->doubt);
-    table_real(t, "rounding", c->rounding);
-    table_real(t, "horizon", c->horizon);
-    table_real(t, "seconds", c->run.seconds);
+    TABLE_RESULTS(
+        t, {"scale", c->scale},
+        {"error_found", refusal ? INFINITY : c->candidate[c->taken].error},
+        {"cost", c->run.cost}, {"deciding", c->spent - c->run.cost},
+        {"doubt", c->doubt}, {"rounding", c->rounding},
+        {"horizon", c->horizon}, {"seconds", c->run.seconds});
 }
 
 static char model_help[128 * STEPPING_MOST] =
@@ -486,66 +478,59 @@ static bool same_file(const char *a, const char *b)
 /* Refuses a command that lacks something or contradicts itself. The
    tolerance has no default on purpose: people would not change it, and how
    wrong an answer may be is the one thing that no program can find out. */
-static void check_settings(struct options *o, const struct settings *s)
+static void check_settings(struct options *o)
 {
-    const char *output = s->output ? s->output : "-";
-    if (!s->scene)
+    const char *output = given.output ? given.output : "-";
+    if (!given.scene)
         options_fail(o, "a scene is needed, as in build/bin/scene "
                         "sun-earth | bonk - --until 365 --tolerance 1e-3");
-    if (isnan(s->until))
+    if (isnan(given.until))
         options_fail(o, "--until is needed: the time at which to stop");
-    if (isnan(s->tolerance))
+    if (isnan(given.tolerance))
         options_fail(o, "--tolerance is needed: how wrong may it be?");
-    if (asks_for_means(s))
+    if (asks_for_means())
         options_refuse(o, "every", "with an average, which has no rows");
-    if (same_file(s->summary, output) || same_file(s->chart, output) ||
-        same_file(s->chart, s->summary))
+    if (same_file(given.summary, output) ||
+        same_file(given.chart, output) ||
+        same_file(given.chart, given.summary))
         options_fail(o, "the table, --summary and --chart need files of "
                         "their own");
 }
 
 /* A time may be negative, since the scene's clock may stand before zero. */
-static void take_option(struct options *o, struct settings *s, int option)
+static void take_option(struct options *o, int option)
 {
     switch (option) {
     case OPTIONS_ARGUMENT:
-        s->scene = options_only(o, s->scene, "scene");
+        given.scene = options_only(o, given.scene, "scene");
         break;
-    case 't': s->until = options_real(o, -INFINITY, INFINITY); break;
-    case 'e':
-        s->tolerance = options_real(o, OPTIONS_POSITIVE, INFINITY);
-        break;
-    case 'd': s->every = options_real(o, OPTIONS_POSITIVE, INFINITY); break;
-    case 'O': s->observe = options_text(o); break;
-    case 'm': s->model = options_text(o); break;
-    case 'r':
-        s->budget = options_real(o, OPTIONS_POSITIVE, INFINITY);
-        break;
-    case 'x': s->explain = true; break;
-    case 'c': s->chart = options_text(o); break;
-    case 'o': s->output = options_text(o); break;
-    case 'S': s->summary = options_text(o); break;
+    case 't': given.until = options_real(o, -INFINITY, INFINITY); break;
+    case 'e': given.tolerance = options_positive(o, INFINITY); break;
+    case 'd': given.every = options_positive(o, INFINITY); break;
+    case 'O': given.observe = options_text(o); break;
+    case 'm': given.model = options_text(o); break;
+    case 'r': given.budget = options_positive(o, INFINITY); break;
+    case 'x': given.explain = true; break;
+    case 'c': given.chart = options_text(o); break;
+    case 'o': given.output = options_text(o); break;
+    case 'S': given.summary = options_text(o); break;
     }
 }
 
-static void read_settings(struct settings *s, int argc, char *argv[])
+static void read_settings(int argc, char *argv[])
 {
     struct options o;
     int option;
     list_models();
-    *s = (struct settings){.budget = CHOOSE_BUDGET,
-                           .until = NAN,
-                           .tolerance = NAN,
-                           .summary = "/dev/null"};
     options_begin(&o, PROGRAM,
                   "Carry a scene through time at the least cost that holds "
                   "a tolerance.",
                   entries, argc, argv);
     options_keys(&o, keys);
     while ((option = options_next(&o)) != -1)
-        take_option(&o, s, option);
-    s->command = options_command(&o);
-    check_settings(&o, s);
+        take_option(&o, option);
+    given.command = options_command(&o);
+    check_settings(&o);
 }
 
 /* Returns the diagonal of the box that contains all bodies in all rows of
@@ -575,14 +560,12 @@ static void warn_of_scale(const struct run *r)
     const struct choose_choice *c = &r->choice;
     if (!c->run.value || r->request.asked)
         return;
-    const double size = size_of_run(r), e = r->s->tolerance;
+    const double size = size_of_run(r), e = given.tolerance;
     if (size > 10 * c->scale)
-        fprintf(stderr,
-                PROGRAM
-                ": %s: note: %g is a fraction of %.6g, the size of the "
-                "scene at the start; in the run it becomes %.6g, "
-                "and that fraction of it is --tolerance %.2g\n",
-                r->s->scene, e, c->scale, size, e * size / c->scale);
+        program_say("%s: note: %g is a fraction of %.6g, the size of the "
+                    "scene at the start; in the run it becomes %.6g, and "
+                    "that fraction of it is --tolerance %.2g",
+                    given.scene, e, c->scale, size, e * size / c->scale);
 }
 
 /* Notes that one body far away has made the scale so large that the
@@ -592,23 +575,21 @@ static void warn_of_scale(const struct run *r)
 static void warn_of_hidden_pair(const struct run *r)
 {
     const struct choose_hidden *h = &r->choice.hidden;
-    const double e = r->s->tolerance;
+    const double e = given.tolerance;
     if (h->a == h->b)
         return;
-    fprintf(stderr,
-            PROGRAM ": %s: note: %g of the scale, %.6g, is more than what "
-                    "bodies %zu and %zu are apart at the start, %.3g; "
-                    "without body %zu the scale would be %.3g: --tolerance "
-                    "%.2g\n",
-            r->s->scene, e, r->choice.scale, h->a, h->b, h->distance,
-            h->far, h->without, e * h->without / r->choice.scale);
+    program_say("%s: note: %g of the scale, %.6g, is more than what bodies "
+                "%zu and %zu are apart at the start, %.3g; without body "
+                "%zu the scale would be %.3g: --tolerance %.2g",
+                given.scene, e, r->choice.scale, h->a, h->b, h->distance,
+                h->far, h->without, e * h->without / r->choice.scale);
 }
 
 /* Chooses a model and runs the scene with it. Returns NULL, or why there is
    no run. */
 static const char *choose_run(struct run *r)
 {
-    progress_begin(&r->progress, PROGRAM, (uint64_t)(1e3 * r->s->budget),
+    progress_begin(&r->progress, PROGRAM, (uint64_t)(1e3 * given.budget),
                    "ms by the price list");
     if (!choose(&r->choice, &r->request))
         program_leave(EXIT_FAILURE);
@@ -624,7 +605,7 @@ static const char *choose_run(struct run *r)
 static bool write_run(struct run *r, const char *refusal)
 {
     if (refusal) {
-        fprintf(stderr, PROGRAM ": %s: %s\n", r->s->scene, refusal);
+        program_say("%s: %s", given.scene, refusal);
         table_discard(r->out);
         return true;
     }
@@ -658,15 +639,13 @@ static void explain_mean(const struct run *r, const struct mean *m)
    the energy by a law and the pressure by events. */
 static const char *find_mean(struct run *r, struct mean *m)
 {
-    const struct settings *s = r->s;
     const struct averages_request q = {.scene = &r->scene,
                                        .quantity = m->quantity,
-                                       .until = s->until - r->scene.time,
-                                       .tolerance = s->tolerance,
-                                       .budget = s->budget,
-                                       .model = s->model};
-    if (!averages_find(&m->found, &q))
-        program_give_up(PROGRAM, "no memory for averages");
+                                       .until = given.until - r->scene.time,
+                                       .tolerance = given.tolerance,
+                                       .budget = given.budget,
+                                       .model = given.model};
+    program_memory(averages_find(&m->found, &q), "for averages");
     explain_mean(r, m);
     return m->found.sure == AVERAGES_OUT ? m->found.refusal : NULL;
 }
@@ -688,7 +667,7 @@ static bool write_means(struct run *r)
 {
     double row[2 * MEANS_MOST];
     char symbol[32], error[48], text[96];
-    table_begin(r->out, r->s->command, 0);
+    table_begin(r->out, given.command, 0);
     table_print(r->out, "# model: %s\n", mean_model(r));
     for (size_t j = 0; j < r->means; ++j) {
         const struct averages_found *f = &r->mean[j].found;
@@ -697,7 +676,7 @@ static bool write_means(struct run *r)
         table_column(r->out, symbol, unit, "average");
         snprintf(text, sizeof text,
                  "two standard errors, or a bound; asked: %.4g of %.4g",
-                 r->s->tolerance, f->scale);
+                 given.tolerance, f->scale);
         table_column(r->out, error, unit, text);
         row[2 * j] = f->value;
         /* In the unit of its column; f->error is a fraction of the scale.
@@ -732,10 +711,8 @@ static void summarise_means(const struct run *r, const char *refusal)
     }
     table_text(t, "end", refusal ? "refused" : "whole");
     table_text(t, "model", refusal ? "none" : mean_model(r));
-    table_real(t, "tolerance", r->s->tolerance);
-    table_real(t, "error_found", most);
-    table_real(t, "cost", cost);
-    table_real(t, "deciding", 0);
+    TABLE_RESULTS(t, {"tolerance", given.tolerance}, {"error_found", most},
+                  {"cost", cost}, {"deciding", 0});
 }
 
 /* Finds all averages, or writes none: one that is refused leaves nothing to
@@ -746,7 +723,7 @@ static bool answer_means(struct run *r, const char **refusal)
     for (size_t j = 0; j < r->means && !*refusal; ++j)
         *refusal = find_mean(r, &r->mean[j]);
     if (*refusal) {
-        fprintf(stderr, PROGRAM ": %s: %s\n", r->s->scene, *refusal);
+        program_say("%s: %s", given.scene, *refusal);
         table_discard(r->out);
     } else
         good = write_means(r);
@@ -769,11 +746,9 @@ static bool answer_run(struct run *r, const char **refusal)
 
 int main(int argc, char *argv[])
 {
-    static struct settings s;
     static struct run r;
     const char *refusal = NULL;
-    read_settings(&s, argc, argv);
-    r.s = &s;
+    read_settings(argc, argv);
     begin_run(&r);
     open_outputs(&r);
     table_keys(r.summary, keys);

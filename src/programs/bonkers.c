@@ -20,7 +20,7 @@
 
 enum { LISTED = 1000 }; /* at most so many bodies in a list */
 
-struct settings {
+static struct {
     struct start_request request;
     bool preset;
     size_t listed; /* bodies in the lists; 0: there are none */
@@ -29,7 +29,13 @@ struct settings {
     uint64_t samples, collisions, members, threads;
     enum bonkers_engine engine;
     const char *output, *summary, *command;
-};
+} given = {.request.seed = 1,
+           .restitution = 1,
+           .members = 1,
+           .until = INFINITY,
+           .samples = UINT64_MAX,
+           .collisions = UINT64_MAX,
+           .summary = "/dev/null"};
 
 /* An ensemble needs a preset that draws random numbers. Its members are
    averaged at common times: no collision can end them, and an inelastic
@@ -85,20 +91,20 @@ static const struct table_key keys[] = {
 
 /* Reads a list into values, each from low to high. The first list decides
    how many bodies there are. */
-static const double *read_list(struct options *o, struct settings *s,
-                               double values[], double low, double high)
+static const double *read_list(struct options *o, double values[],
+                               double low, double high)
 {
     const size_t n = options_list(o, values, LISTED);
     for (size_t i = 0; i < n; ++i)
         if (!(values[i] >= low && values[i] <= high))
             options_fail(o, "number %zu is %g, expected %g to %g", i + 1,
                          values[i], low, high);
-    if (s->listed > 0 && s->listed != n)
+    if (given.listed > 0 && given.listed != n)
         options_fail(o,
                      "%zu numbers found, expected %zu as in the list "
                      "before",
-                     n, s->listed);
-    s->listed = n;
+                     n, given.listed);
+    given.listed = n;
     return values;
 }
 
@@ -113,101 +119,97 @@ static void read_walls(struct options *o, struct start_request *w)
     w->walls = true;
 }
 
-static void read_settings(struct settings *s, int argc, char *argv[])
+static void read_settings(int argc, char *argv[])
 {
     static double mass[LISTED], x[LISTED], v[LISTED], radius[LISTED];
     struct options o;
     int option;
-    *s = (struct settings){.request.seed = 1,
-                           .restitution = 1,
-                           .members = 1,
-                           .until = INFINITY,
-                           .samples = UINT64_MAX,
-                           .collisions = UINT64_MAX,
-                           .summary = "/dev/null"};
     options_begin(&o, PROGRAM, "Run bodies on a line between two walls.",
                   entries, argc, argv);
     options_keys(&o, keys);
     while ((option = options_next(&o)) != -1)
         switch (option) {
         case 'p':
-            s->request.kind =
+            given.request.kind =
                 (enum start_kind)options_choice(&o, start_names);
-            s->preset = true;
+            given.preset = true;
             break;
         case 'N':
-            s->request.movers = options_count(&o, 1, BONKERS_MOVERS);
+            given.request.movers = options_count(&o, 1, BONKERS_MOVERS);
             break;
-        case 'm': s->mass = read_list(&o, s, mass, 1e-100, 1e100); break;
-        case 'x': s->x = read_list(&o, s, x, -1e100, 1e100); break;
-        case 'v': s->v = read_list(&o, s, v, -1e100, 1e100); break;
-        case 'a': s->radius = read_list(&o, s, radius, 0, 1e100); break;
-        case 'w': read_walls(&o, &s->request); break;
-        case 'R': s->request.ratio = options_real(&o, 1e-100, 1e100); break;
-        case 's': s->request.seed = options_count(&o, 0, UINT64_MAX); break;
-        case 'e': s->restitution = options_real(&o, 0, 1); break;
-        case 'G': s->gravity = options_real(&o, 0, 1e100); break;
-        case 'd':
-            s->every = options_real(&o, OPTIONS_POSITIVE, INFINITY);
+        case 'm': given.mass = read_list(&o, mass, 1e-100, 1e100); break;
+        case 'x': given.x = read_list(&o, x, -1e100, 1e100); break;
+        case 'v': given.v = read_list(&o, v, -1e100, 1e100); break;
+        case 'a': given.radius = read_list(&o, radius, 0, 1e100); break;
+        case 'w': read_walls(&o, &given.request); break;
+        case 'R':
+            given.request.ratio = options_real(&o, 1e-100, 1e100);
             break;
+        case 's':
+            given.request.seed = options_count(&o, 0, UINT64_MAX);
+            break;
+        case 'e': given.restitution = options_real(&o, 0, 1); break;
+        case 'G': given.gravity = options_real(&o, 0, 1e100); break;
+        case 'd': given.every = options_positive(&o, INFINITY); break;
         case 't': /* 0: the start alone */
-            s->until = options_real(&o, 0, INFINITY);
+            given.until = options_real(&o, 0, INFINITY);
             break;
-        case 'k': s->samples = options_count(&o, 1, UINT64_MAX - 1); break;
+        case 'k':
+            given.samples = options_count(&o, 1, UINT64_MAX - 1);
+            break;
         case 'c':
-            s->collisions = options_count(&o, 0, UINT64_MAX - 1);
+            given.collisions = options_count(&o, 0, UINT64_MAX - 1);
             break;
-        case 'E': s->members = options_count(&o, 2, 100000000); break;
-        case 'j': s->threads = options_count(&o, 1, 1024); break;
+        case 'E': given.members = options_count(&o, 2, 100000000); break;
+        case 'j': given.threads = options_count(&o, 1, 1024); break;
         case 'g':
-            s->engine = (enum bonkers_engine)options_choice(
+            given.engine = (enum bonkers_engine)options_choice(
                 &o, bonkers_engine_names);
             break;
-        case 'o': s->output = options_text(&o); break;
-        case 'S': s->summary = options_text(&o); break;
+        case 'o': given.output = options_text(&o); break;
+        case 'S': given.summary = options_text(&o); break;
         }
-    s->command = options_command(&o);
-    if (s->listed > 0) {
+    given.command = options_command(&o);
+    if (given.listed > 0) {
         options_refuse(&o, "particles", "with lists of them");
-        s->request.movers = s->listed;
+        given.request.movers = given.listed;
     }
-    if (s->listed > 0 && !s->preset && !s->x)
+    if (given.listed > 0 && !given.preset && !given.x)
         options_fail(&o, "lists without a preset need --positions");
-    if (!(s->listed > 0 && !s->preset) &&
-        !start_allows(s->request.kind, s->request.movers))
+    if (!(given.listed > 0 && !given.preset) &&
+        !start_allows(given.request.kind, given.request.movers))
         options_fail(&o, "--particles: %s cannot have %zu movers",
-                     start_names[s->request.kind], s->request.movers);
-    program_apart(&o, s->output, s->summary, "table");
+                     start_names[given.request.kind], given.request.movers);
+    program_apart(&o, given.output, given.summary, "table");
 }
 
 /* The lists replace what the preset says. Without a preset they stand for
    themselves, in a box from zero to a metre behind the last body. */
-static bool make_start(struct start *s, const struct settings *set,
-                       uint64_t seed)
+static bool make_start(struct start *s, uint64_t seed)
 {
-    struct start_request request = set->request;
+    struct start_request request = given.request;
     request.seed = seed;
-    const size_t size = set->listed * sizeof(double);
-    if (set->preset || set->listed == 0) {
+    const size_t size = given.listed * sizeof(double);
+    if (given.preset || given.listed == 0) {
         if (!start_fill(s, &request))
             return false;
-    } else if (!start_create(s, set->listed)) {
+    } else if (!start_create(s, given.listed)) {
         return false;
     } else {
-        s->wall[1] = set->x[set->listed - 1] + 1;
+        s->wall[1] = given.x[given.listed - 1] + 1;
         s->until = 50;
         if (request.walls)
             memcpy(s->wall, request.wall, sizeof s->wall);
     }
-    if (set->mass)
-        memcpy(s->mass, set->mass, size);
-    if (set->x)
-        memcpy(s->x, set->x, size);
-    if (set->v)
-        memcpy(s->v, set->v, size);
-    if (set->radius)
-        memcpy(s->radius, set->radius, size);
-    s->gravity = set->gravity;
+    if (given.mass)
+        memcpy(s->mass, given.mass, size);
+    if (given.x)
+        memcpy(s->x, given.x, size);
+    if (given.v)
+        memcpy(s->v, given.v, size);
+    if (given.radius)
+        memcpy(s->radius, given.radius, size);
+    s->gravity = given.gravity;
     return true;
 }
 
@@ -228,31 +230,29 @@ static void check_speeds(const struct bonkers *b)
     for (size_t i = 0; i <= b->gaps; ++i)
         most = fmax(most, fabs(b->body[i].v));
     if (most > 0 && most < BONKERS_SLOWEST && !(b->gravity > 0))
-        program_refuse(PROGRAM,
-                       "--velocities: the fastest has %g m/s, expected at "
-                       "least %.3g: squares of slower ones leave the range "
-                       "of numbers",
-                       most, BONKERS_SLOWEST);
+        program_refuse(
+            "--velocities: the fastest has %g m/s, expected at least %.3g: "
+            "squares of slower ones leave the range of numbers",
+            most, BONKERS_SLOWEST);
 }
 
 /* Begins a run, or ends the program if the start is impossible; nothing has
    been written yet. Sets *until to the usual end of this start. */
-static void begin_or_exit(struct bonkers *b, const struct settings *set,
-                          uint64_t seed, double *until)
+static void begin_or_exit(struct bonkers *b, uint64_t seed, double *until)
 {
     struct start s;
-    size_t wrong;
-    if (!make_start(&s, set, seed) ||
-        !bonkers_begin(b, &s, set->restitution, set->engine, &wrong))
-        program_give_up(PROGRAM, "no memory for the particles");
+    size_t wrong = 0;
+    program_memory(
+        make_start(&s, seed) &&
+            bonkers_begin(b, &s, given.restitution, given.engine, &wrong),
+        "for the particles");
     if (wrong < b->gaps) {
         char left[40], right[40];
         name_body(left, sizeof left, wrong, b->gaps);
         name_body(right, sizeof right, wrong + 1, b->gaps);
         program_refuse(
-            PROGRAM,
-            "--positions: %s and %s overlap; expected the bodies "
-            "from left to right with room for their radii",
+            "--positions: %s and %s overlap; expected the bodies from left "
+            "to right with room for their radii",
             left, right);
     }
     *until = s.until;
@@ -276,16 +276,16 @@ struct run {
 /* The usual end of a start is for runs that have no limit of their own. The
    clock is read only for a summary: that takes as long as several
    collisions, and an ensemble may have ten million rows. */
-static void begin_run(struct run *r, const struct settings *s,
-                      uint64_t seed)
+static void begin_run(struct run *r, uint64_t seed)
 {
     double usual;
-    *r = (struct run){.every = s->every, .samples = s->samples};
-    r->timed = strcmp(s->summary, "/dev/null") != 0;
-    begin_or_exit(&r->b, s, seed, &usual);
-    const bool limited = s->until < INFINITY || s->samples < UINT64_MAX ||
-                         s->collisions < UINT64_MAX;
-    r->until = limited ? s->until : usual;
+    *r = (struct run){.every = given.every, .samples = given.samples};
+    r->timed = strcmp(given.summary, "/dev/null") != 0;
+    begin_or_exit(&r->b, seed, &usual);
+    const bool limited = given.until < INFINITY ||
+                         given.samples < UINT64_MAX ||
+                         given.collisions < UINT64_MAX;
+    r->until = limited ? given.until : usual;
     r->start_energy = bonkers_energy(&r->b);
 }
 
@@ -375,11 +375,11 @@ static void name_columns(struct table *out, const struct bonkers *b,
                          const char *const words[], size_t per)
 {
     const size_t gaps = b->gaps;
-    table_column(out, "t", "s", "time");
-    table_column(out, "energy", "J",
-                 b->gravity > 0 && per == 2
-                     ? "energy of the movers, kinetic and potential"
-                     : "kinetic energy of the movers");
+    TABLE_COLUMNS(out, {"t", "s", "time"},
+                  {"energy", "J",
+                   b->gravity > 0 && per == 2
+                       ? "energy of the movers, kinetic and potential"
+                       : "kinetic energy of the movers"});
     for (size_t i = 0; i <= gaps; ++i)
         for (size_t k = 0; k < per; ++k) {
             char symbol[32], meaning[64], whose[40];
@@ -437,12 +437,11 @@ static void write_row(struct table *out, struct bonkers *b, double row[])
     table_row(out, 2 + 2 * (b->gaps + 1), row);
 }
 
-static bool write_run(struct table *out, struct run *r,
-                      const struct settings *s)
+static bool write_run(struct table *out, struct run *r)
 {
     double *row = malloc((2 + 3 * (r->b.gaps + 1)) * sizeof *row);
     if (!row) {
-        fprintf(stderr, PROGRAM ": no memory for a row\n");
+        program_say("no memory for a row");
         return false;
     }
     name_masses(out, &r->b);
@@ -451,7 +450,7 @@ static bool write_run(struct table *out, struct run *r,
                  (const char *const[]){"position", "velocity"}, 2);
     write_row(out, &r->b, row);
     while (!r->over) {
-        run_to_row(r, s->collisions);
+        run_to_row(r, given.collisions);
         write_row(out, &r->b, row);
     }
     free(row);
@@ -477,12 +476,11 @@ struct ensemble {
 
 /* Runs one member and keeps its rows in its own place of the batch, so that
    no core waits for another. */
-static void run_member(struct ensemble *e, int place,
-                       const struct settings *s, uint64_t seed)
+static void run_member(struct ensemble *e, int place, uint64_t seed)
 {
     struct run *r = &e->run[place];
     double *x = malloc(2 * e->bodies * sizeof *x), *v = x + e->bodies;
-    begin_run(r, s, seed);
+    begin_run(r, seed);
     for (size_t row = 0; x && row < e->rows; ++row) {
         double *to = e->batch[place] + 3 * e->bodies * row;
         if (row > 0)
@@ -520,14 +518,13 @@ static void add_member(struct ensemble *e, int place)
 
 /* Runs `count` members at once, then adds them up in order. Returns how
    many were added: none after a signal, since some may be cut short. */
-static int run_batch(struct ensemble *e, const struct settings *s,
-                     const uint64_t seeds[], int count)
+static int run_batch(struct ensemble *e, const uint64_t seeds[], int count)
 {
 #ifdef _OPENMP
 #pragma omp parallel for schedule(dynamic)
 #endif
     for (int place = 0; place < count; ++place)
-        run_member(e, place, s, seeds[place]);
+        run_member(e, place, seeds[place]);
     const int added = progress_signal() ? 0 : count;
     for (int place = 0; place < added; ++place)
         add_member(e, place);
@@ -602,40 +599,38 @@ static void add_run(struct totals *t, const struct run *r)
 /* Writes the summary. Where energy is meant to be lost its change is no
    error and is called energy_change. */
 static void write_summary(struct table *out, const struct totals *t,
-                          const struct settings *s,
                           enum bonkers_engine engine)
 {
     table_count(out, "collisions", t->collisions);
     table_count(out, "samples", t->rows);
-    table_real(out, "time", t->time);
-    table_real(out, s->restitution < 1 ? "energy_change" : "energy_error",
-               t->energy_error);
+    TABLE_RESULTS(out, {"time", t->time},
+                  {given.restitution < 1 ? "energy_change" : "energy_error",
+                   t->energy_error});
     table_text(out, "engine", bonkers_engine_names[engine]);
     table_real(out, "collisions_per_second",
                t->seconds > 0 ? (double)t->collisions / t->seconds : 0);
     table_count(out, "order_violations", t->disorder);
-    if (s->members > 1)
-        table_count(out, "members", s->members);
+    if (given.members > 1)
+        table_count(out, "members", given.members);
 }
 
 /* The seeds of the members are drawn in order, so that a longer ensemble
    begins with the members of a shorter one. Returns false if it was
    interrupted. */
 static bool run_ensemble(struct table *out, struct ensemble *e,
-                         const struct settings *s, struct totals *t,
-                         struct progress *p)
+                         struct totals *t, struct progress *p)
 {
     struct random r;
     double *row = malloc((2 + 4 * e->bodies) * sizeof *row);
     uint64_t seeds[BATCH];
     int done = BATCH;
-    random_seed(&r, s->request.seed);
-    for (uint64_t k = 0; row && k < s->members && done > 0; k += BATCH) {
-        const uint64_t left = s->members - k;
+    random_seed(&r, given.request.seed);
+    for (uint64_t k = 0; row && k < given.members && done > 0; k += BATCH) {
+        const uint64_t left = given.members - k;
         const int count = left < BATCH ? (int)left : BATCH;
         for (int i = 0; i < count; ++i)
             seeds[i] = random_bits(&r);
-        done = run_batch(e, s, seeds, count);
+        done = run_batch(e, seeds, count);
         for (int i = 0; i < done; ++i)
             add_run(t, &e->run[i]);
         for (int i = 0; i < count; ++i)
@@ -651,13 +646,12 @@ static bool run_ensemble(struct table *out, struct ensemble *e,
 /* Makes, runs, writes and frees an ensemble. Returns whether it is
    complete. */
 static bool average_ensemble(struct table *out, const struct run *first,
-                             const struct settings *s, struct totals *t,
-                             struct progress *p)
+                             struct totals *t, struct progress *p)
 {
     static struct ensemble e;
     bool done = make_ensemble(&e, first);
     if (!done)
-        fprintf(stderr, PROGRAM ": no memory for the rows; use fewer\n");
+        program_say("no memory for the rows; use fewer");
     if (done) {
         name_masses(out, &first->b);
         name_columns(out, &first->b,
@@ -667,7 +661,7 @@ static bool average_ensemble(struct table *out, const struct run *first,
                                            "mean kinetic energy",
                                            "standard error of T"},
                      4);
-        done = run_ensemble(out, &e, s, t, p);
+        done = run_ensemble(out, &e, t, p);
     }
     for (int place = 0; place < BATCH; ++place)
         free(e.batch[place]);
@@ -684,12 +678,13 @@ static bool say_collapse(const struct run *r)
     const bool late = r->stop == BONKERS_STILL && !bonkers_is_still(&r->b);
     if (r->stop != BONKERS_COLLAPSE && !late)
         return false;
-    fprintf(stderr, PROGRAM ": %s at t = %.6g s after %llu collisions\n",
-            late   ? "the next collision is later than any number"
-            : cold ? "too cold to go on: squares of the speeds leave the "
-                     "range of numbers"
-                   : "inelastic collapse",
-            r->b.now, (unsigned long long)r->b.collisions);
+    program_say("%s at t = %.6g s after %llu collisions",
+                late ? "the next collision is later than any number"
+                : cold
+                    ? "too cold to go on: squares of the speeds leave the "
+                      "range of numbers"
+                    : "inelastic collapse",
+                r->b.now, (unsigned long long)r->b.collisions);
     return true;
 }
 
@@ -704,8 +699,7 @@ static void check_rows(const struct run *r)
     if (r->every == 0 || r->samples < UINT64_MAX ||
         !(end < INFINITY && end / r->every > 9e15))
         return;
-    program_refuse(PROGRAM,
-                   "--every: %g s makes more than 9e15 rows in %g s; use a "
+    program_refuse("--every: %g s makes more than 9e15 rows in %g s; use a "
                    "longer time, or --samples",
                    r->every, end);
 }
@@ -714,30 +708,30 @@ static void check_rows(const struct run *r)
    the start is possible and how many rows there will be. */
 int main(int argc, char *argv[])
 {
-    struct settings s;
     struct run r;
     struct totals t = {0};
     struct progress p;
-    read_settings(&s, argc, argv);
-    begin_run(&r, &s, s.request.seed);
+    read_settings(argc, argv);
+    begin_run(&r, given.request.seed);
     check_rows(&r);
     struct table *out, *summary;
-    program_open(PROGRAM, s.output, s.summary, keys, &out, &summary);
+    program_open(PROGRAM, given.output, given.summary, keys, &out,
+                 &summary);
 #ifdef _OPENMP
-    if (s.threads > 0)
-        omp_set_num_threads((int)s.threads);
+    if (given.threads > 0)
+        omp_set_num_threads((int)given.threads);
 #endif
-    table_begin(out, s.command, s.request.seed);
-    progress_begin(&p, PROGRAM, s.members > 1 ? s.members : PARTS,
+    table_begin(out, given.command, given.request.seed);
+    progress_begin(&p, PROGRAM, given.members > 1 ? given.members : PARTS,
                    "collisions");
     r.progress = &p;
-    const bool done = s.members > 1 ? average_ensemble(out, &r, &s, &t, &p)
-                                    : write_run(out, &r, &s);
-    if (s.members == 1)
+    const bool done = given.members > 1 ? average_ensemble(out, &r, &t, &p)
+                                        : write_run(out, &r);
+    if (given.members == 1)
         add_run(&t, &r);
     const bool complete = progress_end(&p) && done;
-    const bool collapsed = s.members == 1 && say_collapse(&r);
-    write_summary(summary, &t, &s, r.b.engine);
+    const bool collapsed = given.members == 1 && say_collapse(&r);
+    write_summary(summary, &t, r.b.engine);
     bonkers_free(&r.b);
     const int status = program_close(out, summary, complete);
     return collapsed ? EXIT_FAILURE : status;

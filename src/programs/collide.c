@@ -18,7 +18,7 @@
 
 enum { SHOWN = 10 }; /* if there are no more tests, each is printed */
 
-struct settings {
+static struct {
     bool velocities_given, masses_given;
     double velocities[2 * COLLIDE_DIMENSIONS], inverse_masses[2];
     double normal[COLLIDE_DIMENSIONS];
@@ -29,7 +29,12 @@ struct settings {
     double restitution;
     enum collide_form form;
     const char *output, *summary, *command;
-};
+} given = {.dimensions = 1,
+           .tests = 10,
+           .seed = 1,
+           .restitution = 1,
+           .form = COLLIDE_SMALLER,
+           .summary = "/dev/null"};
 
 static const struct options_entry entries[] = {
     {"velocities", 'v', "u1,u2",
@@ -105,16 +110,10 @@ static bool is_inverse_mass(double im)
     return im == 0 || (im >= 1e-290 && im <= 1e290);
 }
 
-static void read_settings(struct settings *s, int argc, char *argv[])
+static void read_settings(int argc, char *argv[])
 {
     struct options o;
     int option;
-    *s = (struct settings){.dimensions = 1,
-                           .tests = 10,
-                           .seed = 1,
-                           .restitution = 1,
-                           .form = COLLIDE_SMALLER,
-                           .summary = "/dev/null"};
     options_begin(&o, PROGRAM,
                   "Collide two bodies, or test random collisions.", entries,
                   argc, argv);
@@ -122,59 +121,65 @@ static void read_settings(struct settings *s, int argc, char *argv[])
     while ((option = options_next(&o)) != -1)
         switch (option) {
         case 'v':
-            s->velocity_count =
-                options_list(&o, s->velocities, 2 * COLLIDE_DIMENSIONS);
-            for (size_t i = 0; i < s->velocity_count; ++i)
-                if (fabs(s->velocities[i]) > 1e150)
+            given.velocity_count =
+                options_list(&o, given.velocities, 2 * COLLIDE_DIMENSIONS);
+            for (size_t i = 0; i < given.velocity_count; ++i)
+                if (fabs(given.velocities[i]) > 1e150)
                     options_fail(&o, "'%s' has a number beyond 1e150",
                                  options_text(&o));
-            s->velocities_given = true;
+            given.velocities_given = true;
             break;
         case 'i':
-            if (options_list(&o, s->inverse_masses, 2) != 2)
+            if (options_list(&o, given.inverse_masses, 2) != 2)
                 options_fail(&o, "one number found, expected two: a,b");
-            if (!is_inverse_mass(s->inverse_masses[0]) ||
-                !is_inverse_mass(s->inverse_masses[1]))
+            if (!is_inverse_mass(given.inverse_masses[0]) ||
+                !is_inverse_mass(given.inverse_masses[1]))
                 options_fail(&o,
                              "'%s', expected two numbers, each 0 or from "
                              "1e-290 to 1e290",
                              options_text(&o));
-            if (s->inverse_masses[0] == 0 && s->inverse_masses[1] == 0)
+            if (given.inverse_masses[0] == 0 &&
+                given.inverse_masses[1] == 0)
                 options_fail(&o, "both are zero: two walls cannot collide");
-            s->masses_given = true;
+            given.masses_given = true;
             break;
         case 'n':
-            memset(s->normal, 0, sizeof s->normal);
-            s->normal_count =
-                options_list(&o, s->normal, COLLIDE_DIMENSIONS);
+            memset(given.normal, 0, sizeof given.normal);
+            given.normal_count =
+                options_list(&o, given.normal, COLLIDE_DIMENSIONS);
             break;
-        case 't': s->tests = options_count(&o, 1, 1000000000); break;
+        case 't': given.tests = options_count(&o, 1, 1000000000); break;
         case 'd':
-            s->dimensions = options_count(&o, 1, COLLIDE_DIMENSIONS);
+            given.dimensions = options_count(&o, 1, COLLIDE_DIMENSIONS);
             break;
-        case 'R': s->mass_ratio = options_real(&o, 1, 1e100); break;
-        case 'e': s->restitution = options_real(&o, 0, 1); break;
-        case 'f': s->form = options_choice(&o, collide_form_names); break;
-        case 's': s->seed = options_count(&o, 0, UINT64_MAX); break;
-        case 'o': s->output = options_text(&o); break;
-        case 'S': s->summary = options_text(&o); break;
+        case 'R': given.mass_ratio = options_real(&o, 1, 1e100); break;
+        case 'e': given.restitution = options_real(&o, 0, 1); break;
+        case 'f':
+            given.form = options_choice(&o, collide_form_names);
+            break;
+        case 's': given.seed = options_count(&o, 0, UINT64_MAX); break;
+        case 'o': given.output = options_text(&o); break;
+        case 'S': given.summary = options_text(&o); break;
         }
-    s->command = options_command(&o);
-    if (s->velocities_given != s->masses_given)
+    given.command = options_command(&o);
+    if (given.velocities_given != given.masses_given)
         options_fail(&o,
                      "--velocities and --inverse-masses need each other");
-    if (s->normal_count)
-        s->dimensions = s->normal_count;
+    if (given.normal_count)
+        given.dimensions = given.normal_count;
     else
-        s->normal[0] = 1;
-    if (s->velocities_given && s->velocity_count != 2 * s->dimensions)
+        given.normal[0] = 1;
+    if (given.velocities_given &&
+        given.velocity_count != 2 * given.dimensions)
         options_fail(&o,
                      "--velocities: %zu numbers found, expected %zu (%zu "
                      "for each body; --normal says how many)",
-                     s->velocity_count, 2 * s->dimensions, s->dimensions);
-    if (s->normal[0] == 0 && s->normal[1] == 0 && s->normal[2] == 0)
+                     given.velocity_count, 2 * given.dimensions,
+                     given.dimensions);
+    if (given.normal[0] == 0 && given.normal[1] == 0 &&
+        given.normal[2] == 0)
         options_fail(&o, "--normal: is zero, expected the line of centres");
-    program_apart(&o, s->output, s->summary, "report");
+    program_apart(&o, given.output, given.summary, "report");
 }
 
 /* With a wall the energy scale also includes the product of the wall's
@@ -231,23 +236,23 @@ static double momentum_error(struct pair *p, const struct totals *a,
 }
 
 /* Collides the pair. Returns how rounding changes energy and momentum. */
-static struct errors collide_pair(const struct settings *s, struct pair *p)
+static struct errors collide_pair(struct pair *p)
 {
     struct errors error = {0, 0};
     memcpy(p->after, p->before, sizeof p->after);
     const bool collided =
         p->dimensions == 1 && p->normal[0] == 1
-            ? collide_by(s->form, p->after[0], p->after[1], p->im[0],
-                         p->im[1], s->restitution)
-            : collide_along_by(s->form, p->dimensions, p->normal,
+            ? collide_by(given.form, p->after[0], p->after[1], p->im[0],
+                         p->im[1], given.restitution)
+            : collide_along_by(given.form, p->dimensions, p->normal,
                                p->after[0], p->after[1], p->im[0], p->im[1],
-                               s->restitution);
+                               given.restitution);
     assert(collided); /* read_settings has refused the rest */
     (void)collided;
     const struct totals a = totals_of(p, p->before);
     const struct totals b = totals_of(p, p->after);
     const quad gain =
-        b.energy - a.energy + expected_loss(p, s->restitution);
+        b.energy - a.energy + expected_loss(p, given.restitution);
     if (a.energy_scale > 0)
         error.energy = (double)(gain / a.energy_scale) / DBL_EPSILON;
     if (a.scale > 0 && p->im[0] > 0 && p->im[1] > 0)
@@ -309,15 +314,14 @@ static void print_collision(struct table *out, struct pair *p,
    to 1.1, a mild choice; with it the ratio is drawn from 1/R to R, every
    factor of two equally likely. The normal points anywhere and has a
    length from 1/2 to 3/2, so that a forgotten division by n.n shows. */
-static void draw_pair(struct random *r, const struct settings *s,
-                      struct pair *p)
+static void draw_pair(struct random *r, struct pair *p)
 {
-    p->dimensions = s->dimensions;
+    p->dimensions = given.dimensions;
     p->im[0] = random_between(r, 0.1, 1.1);
     p->im[1] = random_between(r, 0.1, 1.1);
-    if (s->mass_ratio > 0)
-        p->im[1] = p->im[0] *
-                   random_log_uniform(r, 1 / s->mass_ratio, s->mass_ratio);
+    if (given.mass_ratio > 0)
+        p->im[1] = p->im[0] * random_log_uniform(r, 1 / given.mass_ratio,
+                                                 given.mass_ratio);
     for (int body = 0; body < 2; ++body)
         for (size_t i = 0; i < p->dimensions; ++i)
             p->before[body][i] = random_between(r, -0.5, 0.5);
@@ -332,22 +336,22 @@ static void draw_pair(struct random *r, const struct settings *s,
 
 /* Finds the worst error of all collisions and the root mean square, which
    is what adds up in a random walk. Returns false if it was interrupted. */
-static bool run_tests(const struct settings *s, struct table *out,
-                      struct errors *worst, struct errors *rms)
+static bool run_tests(struct table *out, struct errors *worst,
+                      struct errors *rms)
 {
     struct random r;
     struct progress progress;
     uint64_t done = 0;
-    random_seed(&r, s->seed);
-    progress_begin(&progress, PROGRAM, s->tests, "collisions");
-    while (done < s->tests && !progress_signal()) {
+    random_seed(&r, given.seed);
+    progress_begin(&progress, PROGRAM, given.tests, "collisions");
+    while (done < given.tests && !progress_signal()) {
         struct pair p = {0};
-        draw_pair(&r, s, &p);
-        const struct errors error = collide_pair(s, &p);
-        if (s->tests <= SHOWN) {
+        draw_pair(&r, &p);
+        const struct errors error = collide_pair(&p);
+        if (given.tests <= SHOWN) {
             table_print(out, "collision %llu\n",
                         (unsigned long long)(done + 1));
-            print_collision(out, &p, s->restitution);
+            print_collision(out, &p, given.restitution);
         }
         worst->energy = fmax(worst->energy, fabs(error.energy));
         worst->momentum = fmax(worst->momentum, error.momentum);
@@ -365,23 +369,22 @@ static bool run_tests(const struct settings *s, struct table *out,
                 "%llu collisions, form %s; errors in machine epsilons:\n"
                 "             worst      rms\n"
                 "  momentum %7.2f  %7.3f\n  energy   %7.2f  %7.3f\n",
-                (unsigned long long)done, collide_form_names[s->form],
+                (unsigned long long)done, collide_form_names[given.form],
                 worst->momentum, rms->momentum, worst->energy, rms->energy);
     return complete;
 }
-static void summarise_tests(const struct settings *s, struct table *summary,
-                            struct errors worst, struct errors rms)
+static void summarise_tests(struct table *summary, struct errors worst,
+                            struct errors rms)
 {
-    table_text(summary, "form", collide_form_names[s->form]);
-    table_count(summary, "dimensions", s->dimensions);
-    table_real(summary, "energy_error_max", worst.energy);
-    table_real(summary, "energy_error_rms", rms.energy);
-    table_real(summary, "momentum_error_max", worst.momentum);
-    table_real(summary, "momentum_error_rms", rms.momentum);
+    table_text(summary, "form", collide_form_names[given.form]);
+    table_count(summary, "dimensions", given.dimensions);
+    TABLE_RESULTS(summary, {"energy_error_max", worst.energy},
+                  {"energy_error_rms", rms.energy},
+                  {"momentum_error_max", worst.momentum},
+                  {"momentum_error_rms", rms.momentum});
 }
 
-static void summarise_by_hand(const struct settings *s,
-                              struct table *summary, struct pair *p,
+static void summarise_by_hand(struct table *summary, struct pair *p,
                               struct errors error)
 {
     char key[] = "v1_x";
@@ -391,9 +394,9 @@ static void summarise_by_hand(const struct settings *s,
             key[3] = "xyz"[i];
             table_real(summary, key, p->after[body][i]);
         }
-    table_text(summary, "form", collide_form_names[s->form]);
-    table_real(summary, "energy_error", error.energy);
-    table_real(summary, "momentum_error", error.momentum);
+    table_text(summary, "form", collide_form_names[given.form]);
+    TABLE_RESULTS(summary, {"energy_error", error.energy},
+                  {"momentum_error", error.momentum});
 }
 
 /* Warns of two things that are no errors, on standard error, so that the
@@ -404,44 +407,42 @@ static void summarise_by_hand(const struct settings *s,
    line and 7.7 in space. The warning is relative, so that it does not
    depend on the units; a fixed one, of 1e-4 say, would miss errors of
    small bodies and warn of large ones that are right. */
-static void run_by_hand(const struct settings *s, struct table *out,
-                        struct table *summary)
+static void run_by_hand(struct table *out, struct table *summary)
 {
-    struct pair p = {.dimensions = s->dimensions};
+    struct pair p = {.dimensions = given.dimensions};
     double approach = 0;
-    memcpy(p.im, s->inverse_masses, sizeof p.im);
-    memcpy(p.normal, s->normal, sizeof p.normal);
+    memcpy(p.im, given.inverse_masses, sizeof p.im);
+    memcpy(p.normal, given.normal, sizeof p.normal);
     for (size_t i = 0; i < p.dimensions; ++i) {
-        p.before[0][i] = s->velocities[i];
-        p.before[1][i] = s->velocities[p.dimensions + i];
+        p.before[0][i] = given.velocities[i];
+        p.before[1][i] = given.velocities[p.dimensions + i];
         approach += (p.before[0][i] - p.before[1][i]) * p.normal[i];
     }
-    const struct errors error = collide_pair(s, &p);
-    print_collision(out, &p, s->restitution);
+    const struct errors error = collide_pair(&p);
+    print_collision(out, &p, given.restitution);
     if (approach < 0)
-        fprintf(stderr, PROGRAM ": note: the bodies move apart along the "
-                                "normal: nothing follows from this\n");
+        program_say("note: the bodies move apart along the normal: nothing "
+                    "follows from this");
     if (fabs(error.energy) > 16 || error.momentum > 16)
-        fprintf(stderr,
-                PROGRAM ": warning: energy off by %.3g and momentum by "
-                        "%.3g machine epsilons\n",
-                error.energy, error.momentum);
-    summarise_by_hand(s, summary, &p, error);
+        program_say("warning: energy off by %.3g and momentum by %.3g "
+                    "machine epsilons",
+                    error.energy, error.momentum);
+    summarise_by_hand(summary, &p, error);
 }
 
 int main(int argc, char *argv[])
 {
-    struct settings s;
     struct errors worst = {0, 0}, rms = {0, 0};
-    read_settings(&s, argc, argv);
+    read_settings(argc, argv);
     struct table *out, *summary;
-    program_open(PROGRAM, s.output, s.summary, keys, &out, &summary);
+    program_open(PROGRAM, given.output, given.summary, keys, &out,
+                 &summary);
     bool complete = true;
-    if (s.velocities_given)
-        run_by_hand(&s, out, summary);
+    if (given.velocities_given)
+        run_by_hand(out, summary);
     else
-        complete = run_tests(&s, out, &worst, &rms);
-    if (!s.velocities_given)
-        summarise_tests(&s, summary, worst, rms);
+        complete = run_tests(out, &worst, &rms);
+    if (!given.velocities_given)
+        summarise_tests(summary, worst, rms);
     return program_close(out, summary, complete);
 }

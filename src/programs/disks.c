@@ -25,7 +25,7 @@ enum {
 };
 
 /* The command line. An option that was not given is 0, NULL or NaN. */
-struct settings {
+static struct {
     size_t disks, dimensions, axes; /* axes: numbers given for the box */
     size_t boundary, engine, measure;
     double radius, packing, box[DISKS_AXES];
@@ -35,14 +35,23 @@ struct settings {
     double warmup, until, every;
     uint64_t collisions, samples, seed;
     const char *output, *summary, *command;
-};
+} given = {.dimensions = 2,
+           .boundary = NO_BOUNDARY,
+           .restitution = 1,
+           .start = "lattice",
+           .warmup = NAN,
+           .until = INFINITY,
+           .collisions = UINT64_MAX,
+           .samples = UINT64_MAX,
+           .seed = 1,
+           .summary = "/dev/null"};
 
 /* Returns whether the start is read: every name but those of the two starts
    that the program makes is that of a file. */
-static bool starts_from_file(const struct settings *s)
+static bool starts_from_file(void)
 {
-    return strcmp(s->start, "lattice") != 0 &&
-           strcmp(s->start, "random") != 0;
+    return strcmp(given.start, "lattice") != 0 &&
+           strcmp(given.start, "random") != 0;
 }
 
 static const char *const engine_names[] = {"auto", "pairs", "cells", NULL};
@@ -62,8 +71,7 @@ static void read_heavy(struct options *o, double heavy[2])
 
 static void make_sums(struct blocks *b, size_t width)
 {
-    if (!blocks_create(b, width))
-        program_give_up(PROGRAM, "no memory for the sums");
+    program_memory(blocks_create(b, width), "for the sums");
 }
 
 enum { KINDS = 100 };
@@ -101,7 +109,7 @@ static void read_kinds(struct mixture *m, const char *path)
     char line[256];
     FILE *file = fopen(path, "r");
     if (!file)
-        program_refuse(PROGRAM, "--species: %s: %s", path, strerror(errno));
+        program_refuse("--species: %s: %s", path, strerror(errno));
     for (size_t number = 1; fgets(line, sizeof line, file); ++number) {
         double count, mass, radius;
         char more;
@@ -109,8 +117,7 @@ static void read_kinds(struct mixture *m, const char *path)
         const int found =
             sscanf(line, "%lf %lf %lf %c", &count, &mass, &radius, &more);
         if (found > 0 && (found != 3 || !add_kind(m, count, mass, radius)))
-            program_refuse(PROGRAM,
-                           "--species: %s:%zu: '%s', expected a line of "
+            program_refuse("--species: %s:%zu: '%s', expected a line of "
                            "count, mass and radius",
                            path, number, line);
     }
@@ -134,73 +141,71 @@ static double side_of(double size, size_t dimensions)
 
 /* Sets the box. Of packing, radius and box any two give the third; the size
    of all disks is their packing in a box of size 1. */
-static void choose_box(struct disks *d, const struct settings *s)
+static void choose_box(struct disks *d)
 {
     for (size_t k = 0; k < d->dimensions; ++k)
-        d->box[k] = s->axes ? s->box[k] : 1;
-    if (s->packing == 0 || s->axes > 0)
+        d->box[k] = given.axes ? given.box[k] : 1;
+    if (given.packing == 0 || given.axes > 0)
         return;
     const double side =
-        side_of(disks_packing(d) / s->packing, d->dimensions);
+        side_of(disks_packing(d) / given.packing, d->dimensions);
     for (size_t k = 0; k < d->dimensions; ++k)
         d->box[k] = side;
 }
 
 /* Returns the radius; where packing and box give it, the heavy disk's area
    or volume is taken off first. */
-static double choose_radius(const struct settings *s)
+static double choose_radius(void)
 {
     const double pi = 3.14159265358979324;
-    const double R = s->heavy[1],
-                 unit = s->dimensions == 2 ? pi : 4 * pi / 3;
-    double room = s->packing;
-    if (s->radius > 0 || s->packing == 0)
-        return s->radius > 0 ? s->radius : 0.15;
-    if (s->axes == 0)
+    const double R = given.heavy[1],
+                 unit = given.dimensions == 2 ? pi : 4 * pi / 3;
+    double room = given.packing;
+    if (given.radius > 0 || given.packing == 0)
+        return given.radius > 0 ? given.radius : 0.15;
+    if (given.axes == 0)
         return 0.5;
-    for (size_t k = 0; k < s->dimensions; ++k)
-        room *= s->box[k];
-    room -= unit * R * R * (s->dimensions == 2 ? 1 : R);
+    for (size_t k = 0; k < given.dimensions; ++k)
+        room *= given.box[k];
+    room -= unit * R * R * (given.dimensions == 2 ? 1 : R);
     if (!(room > 0))
-        program_refuse(PROGRAM,
-                       "--packing: %g is filled by the heavy disk alone",
-                       s->packing);
-    return side_of(room / unit / (double)s->disks, s->dimensions);
+        program_refuse("--packing: %g is filled by the heavy disk alone",
+                       given.packing);
+    return side_of(room / unit / (double)given.disks, given.dimensions);
 }
 
 /* Creates the disks, with masses and radii by kind, and sets the box. */
-static void fill_box(struct disks *d, const struct settings *s)
+static void fill_box(struct disks *d)
 {
     struct mixture m = {0};
-    if (s->heavy[0] > 0)
-        add_kind(&m, 1, s->heavy[0], s->heavy[1]);
-    if (s->species)
-        read_kinds(&m, s->species);
+    if (given.heavy[0] > 0)
+        add_kind(&m, 1, given.heavy[0], given.heavy[1]);
+    if (given.species)
+        read_kinds(&m, given.species);
     else
-        add_kind(&m, (double)s->disks, 1, choose_radius(s));
+        add_kind(&m, (double)given.disks, 1, choose_radius());
     if (m.total == 0)
-        program_refuse(PROGRAM, "--species: %s has no line", s->species);
-    if (!disks_create(d, s->dimensions, m.total))
-        program_give_up(PROGRAM, "no memory for the disks");
+        program_refuse("--species: %s has no line", given.species);
+    program_memory(disks_create(d, given.dimensions, m.total),
+                   "for the disks");
     for (size_t kind = 0, i = 0; kind < m.kinds; ++kind)
         for (size_t n = 0; n < m.kind[kind].count; ++n, ++i) {
             d->mass[i] = m.kind[kind].mass;
             d->disk[i].radius = m.kind[kind].radius;
         }
-    choose_box(d, s);
+    choose_box(d);
 }
 
 /* Draws velocities. Random velocities have a random temperature, too; a
    common factor makes it the one asked for. */
-static void set_velocities(struct disks *d, const struct settings *s,
-                           struct random *r)
+static void set_velocities(struct disks *d, struct random *r)
 {
-    if (s->temperature == 0) {
-        disks_set_speed(d, s->speed, r);
+    if (given.temperature == 0) {
+        disks_set_speed(d, given.speed, r);
         return;
     }
-    disks_set_temperature(d, s->temperature, r);
-    const double factor = sqrt(s->temperature / disks_temperature(d));
+    disks_set_temperature(d, given.temperature, r);
+    const double factor = sqrt(given.temperature / disks_temperature(d));
     for (size_t i = 0; i < d->count; ++i)
         for (size_t k = 0; k < d->dimensions; ++k)
             d->disk[i].velocity[k] *= factor;
@@ -214,67 +219,60 @@ static void check_room(const struct disks *d)
         widest = fmax(widest, d->disk[i].radius);
     for (size_t k = 0; k < d->dimensions; ++k)
         if (disks_walled(d, k) && d->box[k] < 2 * widest)
-            program_refuse(PROGRAM,
-                           "--box: a side of %.10g has no room between its "
+            program_refuse("--box: a side of %.10g has no room between its "
                            "walls for a radius of %.10g",
                            d->box[k], widest);
 }
 
 /* Draws the places first, then the velocities, both from one seed. */
-static void make_start(struct disks *d, const struct settings *s)
+static void make_start(struct disks *d)
 {
     struct random r;
-    random_seed(&r, s->seed);
-    fill_box(d, s);
-    d->boundary = s->boundary == NO_BOUNDARY
+    random_seed(&r, given.seed);
+    fill_box(d);
+    d->boundary = given.boundary == NO_BOUNDARY
                       ? DISKS_WALLS
-                      : (enum disks_boundary)s->boundary;
+                      : (enum disks_boundary)given.boundary;
     check_room(d);
-    const bool lattice = strcmp(s->start, "lattice") == 0;
+    const bool lattice = strcmp(given.start, "lattice") == 0;
     if (!lattice && d->count > DISKS_RANDOM)
-        program_refuse(PROGRAM,
-                       "--start: random places %d disks at most, not %zu",
+        program_refuse("--start: random places %d disks at most, not %zu",
                        DISKS_RANDOM, d->count);
     if (d->boundary == DISKS_PERIODIC && d->count < 2)
-        program_refuse(PROGRAM,
-                       "--disks: a periodic box needs two at least");
+        program_refuse("--disks: a periodic box needs two at least");
     if (!(lattice ? disks_place_lattice(d) : disks_place_random(d, &r)))
         program_refuse(
-            PROGRAM,
             "--start: %zu disks that fill %.4g of the box find no place %s",
             d->count, disks_packing(d),
             lattice ? "on a lattice" : "at random");
-    set_velocities(d, s, &r);
+    set_velocities(d, &r);
 }
 
 /* Reads a start. The file's box holds, if it has one; options may put its
    disks into another. */
-static void read_start(struct disks *d, const struct settings *s)
+static void read_start(struct disks *d)
 {
     char message[STATES_MESSAGE];
-    if (!states_read(d, s->start, message))
-        program_refuse(PROGRAM, "--start: %s", message);
-    if (s->axes > 0 && s->axes != d->dimensions)
+    if (!states_read(d, given.start, message))
+        program_refuse("--start: %s", message);
+    if (given.axes > 0 && given.axes != d->dimensions)
         program_refuse(
-            PROGRAM,
             "--box has %zu sides, the disks of %s have %zu coordinates",
-            s->axes, s->start, d->dimensions);
-    if (s->axes > 0)
-        memcpy(d->box, s->box, s->axes * sizeof d->box[0]);
-    if (s->boundary != NO_BOUNDARY)
-        d->boundary = (enum disks_boundary)s->boundary;
+            given.axes, given.start, d->dimensions);
+    if (given.axes > 0)
+        memcpy(d->box, given.box, given.axes * sizeof d->box[0]);
+    if (given.boundary != NO_BOUNDARY)
+        d->boundary = (enum disks_boundary)given.boundary;
     for (size_t k = 0; k < d->dimensions; ++k)
         if (!(d->box[k] > 0))
-            program_refuse(PROGRAM,
-                           "--start: %s has no head like '# box 7.5 5 "
+            program_refuse("--start: %s has no head like '# box 7.5 5 "
                            "walls', and there is no --box",
-                           s->start);
+                           given.start);
 }
 
 /* The disks, the engine that moves them, the sums of the pressure, and the
    sampling times that have passed. */
 struct run {
-    const struct settings *s;
     struct disks d;
     struct cells cells; /* the engine, if fast */
     bool fast;          /* cells, not all pairs */
@@ -301,11 +299,11 @@ enum { FEW = 16 };
 static void choose_engine(struct run *r)
 {
     const bool suit = cells_suit(&r->d);
-    if (r->s->engine == CELLS && !suit)
+    if (given.engine == CELLS && !suit)
         program_refuse(
-            PROGRAM, "--engine: cells need a larger box, three cells wide");
-    r->fast = suit && (r->s->engine == CELLS ||
-                       (r->s->engine == AUTO && r->d.count > FEW));
+            "--engine: cells need a larger box, three cells wide");
+    r->fast = suit && (given.engine == CELLS ||
+                       (given.engine == AUTO && r->d.count > FEW));
 }
 
 /* Prepares the engine from the present state; needed again when the state
@@ -313,8 +311,9 @@ static void choose_engine(struct run *r)
 static void plan(struct run *r)
 {
     cells_free(&r->cells);
-    if (!(r->fast ? cells_create(&r->cells, &r->d) : disks_plan(&r->d)))
-        program_give_up(PROGRAM, "no memory for the events");
+    program_memory(r->fast ? cells_create(&r->cells, &r->d)
+                           : disks_plan(&r->d),
+                   "for the events");
 }
 
 /* Runs to a time or a collision. The cells stop earlier only if there is no
@@ -326,7 +325,7 @@ static enum disks_stop advance(struct run *r, double until,
         r->fast ? cells_run(&r->cells, until, collisions)
                 : disks_run(&r->d, until, collisions);
     if (stop == DISKS_COLLISIONS && r->d.collisions < collisions)
-        program_give_up(PROGRAM, "no memory for the neighbours");
+        program_give_up("no memory for the neighbours");
     return stop;
 }
 
@@ -371,7 +370,7 @@ static void end_piece(struct run *r)
 static double end_of_piece(const struct run *r)
 {
     const size_t per = r->pressure.per;
-    if (r->s->restitution == 1)
+    if (given.restitution == 1)
         return r->begin +
                (double)((r->pressure.count + 1) * per) * r->piece;
     return r->d.now + (double)(1000 + r->d.count) * first_piece(&r->d);
@@ -515,9 +514,9 @@ static void begin_positions(struct run *r)
         char symbol[16], error[16];
         snprintf(symbol, sizeof symbol, "p(%s)", axis_names[k]);
         snprintf(error, sizeof error, "error(%s)", axis_names[k]);
-        table_column(r->out, symbol, "1/m",
-                     "density of the disks' centres");
-        table_column(r->out, error, "1/m", "its standard error");
+        TABLE_COLUMNS(r->out,
+                      {symbol, "1/m", "density of the disks' centres"},
+                      {error, "1/m", "its standard error"});
     }
 }
 
@@ -593,15 +592,15 @@ static double scaled_speed(const struct run *r, size_t i, double parts[])
 static void begin_speeds(struct run *r)
 {
     make_sums(&counted, 2 * SPEEDS + 2);
-    table_column(r->out, "u", "", "lower end of a bin, v sqrt(m/(2kT))");
-    table_column(r->out, "p(u)", "", "density of the speed");
-    table_column(r->out, "error", "", "its standard error");
-    table_column(r->out, "finite", "", "exact law of so many disks");
-    table_column(r->out, "Maxwell", "", "law of infinitely many");
-    table_column(r->out, "p(|ux|)", "", "density of a component's modulus");
-    table_column(r->out, "error", "", "its standard error");
-    table_column(r->out, "finite", "", "exact law of so many disks");
-    table_column(r->out, "Maxwell", "", "law of infinitely many");
+    TABLE_COLUMNS(r->out, {"u", "", "lower end of a bin, v sqrt(m/(2kT))"},
+                  {"p(u)", "", "density of the speed"},
+                  {"error", "", "its standard error"},
+                  {"finite", "", "exact law of so many disks"},
+                  {"Maxwell", "", "law of infinitely many"},
+                  {"p(|ux|)", "", "density of a component's modulus"},
+                  {"error", "", "its standard error"},
+                  {"finite", "", "exact law of so many disks"},
+                  {"Maxwell", "", "law of infinitely many"});
 }
 
 /* All axes are alike, so a component is any of them. */
@@ -669,12 +668,11 @@ static void end_speeds(struct run *r, struct table *summary)
         const struct blocks_average p = blocks_average(&counted, bin);
         const struct blocks_average q =
             blocks_average(&counted, SPEEDS + bin);
-        table_row(r->out, 9,
-                  (double[]){edge_of(bin), p.mean, p.error,
-                             density[SPEED + FINITE][bin],
-                             density[SPEED + MAXWELL][bin], q.mean, q.error,
-                             density[PART + FINITE][bin],
-                             density[PART + MAXWELL][bin]});
+        TABLE_ROW(r->out, edge_of(bin), p.mean, p.error,
+                  density[SPEED + FINITE][bin],
+                  density[SPEED + MAXWELL][bin], q.mean, q.error,
+                  density[PART + FINITE][bin],
+                  density[PART + MAXWELL][bin]);
     }
     const struct blocks_average v = blocks_average(&counted, 2 * SPEEDS);
     const struct blocks_average v4 =
@@ -682,27 +680,24 @@ static void end_speeds(struct run *r, struct table *summary)
     size_t bins;
     watch_drift(r, "mean_speed", v.drift);
     watch_drift(r, "v4", v4.drift);
-    table_real(summary, "mean_speed", v.mean);
-    table_real(summary, "mean_speed_error", v.error);
-    table_real(summary, "mean_speed_finite", mean[SPEED + FINITE]);
-    table_real(summary, "mean_speed_maxwell", mean[SPEED + MAXWELL]);
-    table_real(summary, "v4", v4.mean);
-    table_real(summary, "v4_error", v4.error);
-    table_real(summary, "v4_finite", speeds_fourth(&law[SPEED + FINITE]));
-    table_real(summary, "v4_maxwell", speeds_fourth(&law[SPEED + MAXWELL]));
-    table_real(summary, "chi2_finite",
-               chi_square(density[SPEED + FINITE], &bins));
-    table_real(summary, "chi2_maxwell",
-               chi_square(density[SPEED + MAXWELL], &bins));
+    TABLE_RESULTS(
+        summary, {"mean_speed", v.mean}, {"mean_speed_error", v.error},
+        {"mean_speed_finite", mean[SPEED + FINITE]},
+        {"mean_speed_maxwell", mean[SPEED + MAXWELL]}, {"v4", v4.mean},
+        {"v4_error", v4.error},
+        {"v4_finite", speeds_fourth(&law[SPEED + FINITE])},
+        {"v4_maxwell", speeds_fourth(&law[SPEED + MAXWELL])},
+        {"chi2_finite", chi_square(density[SPEED + FINITE], &bins)},
+        {"chi2_maxwell", chi_square(density[SPEED + MAXWELL], &bins)});
     table_count(summary, "bins", bins);
 }
 
 static void begin_relaxation(struct run *r)
 {
-    table_column(r->out, "t", "s", "time");
-    table_column(r->out, "c", "", "collisions of a disk until then");
-    table_column(r->out, "ratio", "", "<v^4>/<v^2>^2, v scaled by sqrt(m)");
-    table_column(r->out, "H", "", "Boltzmann's H, v in sqrt(2kT/m)");
+    TABLE_COLUMNS(r->out, {"t", "s", "time"},
+                  {"c", "", "collisions of a disk until then"},
+                  {"ratio", "", "<v^4>/<v^2>^2, v scaled by sqrt(m)"},
+                  {"H", "", "Boltzmann's H, v in sqrt(2kT/m)"});
 }
 
 /* Returns the area or volume of velocities with a speed in this bin;
@@ -733,9 +728,8 @@ static void sample_relaxation(struct run *r)
         if (fraction[bin] > 0)
             H += fraction[bin] *
                  random_log(fraction[bin] / shell(bin, r->d.dimensions));
-    table_row(r->out, 4,
-              (double[]){r->d.now, 2 * (double)r->d.collisions / N,
-                         four / (two * two), H});
+    TABLE_ROW(r->out, r->d.now, 2 * (double)r->d.collisions / N,
+              four / (two * two), H);
 }
 
 static struct {
@@ -788,12 +782,11 @@ static struct {
    velocity are kept at each sampling time. */
 static void begin_brownian(struct run *r)
 {
-    table_column(r->out, "lag", "s", "a time");
-    table_column(r->out, "C", "m2/s2", "<V(t) V(t+lag)> of a component");
-    table_column(r->out, "error", "m2/s2", "its standard error");
-    table_column(r->out, "MSD", "m2",
-                 "<(X(t+lag)-X(t))^2>, all components");
-    table_column(r->out, "error", "m2", "its standard error");
+    TABLE_COLUMNS(r->out, {"lag", "s", "a time"},
+                  {"C", "m2/s2", "<V(t) V(t+lag)> of a component"},
+                  {"error", "m2/s2", "its standard error"},
+                  {"MSD", "m2", "<(X(t+lag)-X(t))^2>, all components"},
+                  {"error", "m2", "its standard error"});
 }
 
 /* Appends a state to the path, whose memory doubles as it grows. */
@@ -802,9 +795,7 @@ static void sample_heavy(struct run *r)
     if (path.rows == path.space) {
         path.space = 2 * path.space + 1024;
         path.row = realloc(path.row, path.space * sizeof path.row[0]);
-        if (!path.row)
-            program_give_up(PROGRAM,
-                            "no memory for the path of the heavy disk");
+        program_memory(path.row, "for the path of the heavy disk");
     }
     double *row = path.row[path.rows++];
     disks_position(&r->d, 0, row);
@@ -849,7 +840,7 @@ static struct blocks_average over_path(of_rows *f, size_t lag, size_t D,
 static struct blocks_average first_slope(const struct run *r, double x[])
 {
     const size_t D = r->d.dimensions, n = path.rows - 2;
-    const double scale = 1 / (2 * (double)D * r->s->every);
+    const double scale = 1 / (2 * (double)D * given.every);
     for (size_t i = 0; i < n; ++i) {
         const double *now = path.row[i] + DISKS_AXES;
         const double one = square_of(now, path.row[i + 1] + DISKS_AXES, D);
@@ -868,15 +859,12 @@ static void end_brownian(struct run *r, struct table *summary)
 {
     const size_t D = r->d.dimensions;
     double *x = malloc(path.rows * sizeof x[0]);
-    if (!x)
-        program_give_up(PROGRAM,
-                        "no memory for the path of the heavy disk");
+    program_memory(x, "for the path of the heavy disk");
     for (size_t lag = 0; lag <= path.rows / 10; lag += 1 + lag / 7) {
         const struct blocks_average C = over_path(product_of, lag, D, x);
         const struct blocks_average M = over_path(square_of, lag, D, x);
-        table_row(r->out, 5,
-                  (double[]){(double)lag * r->s->every, C.mean, C.error,
-                             M.mean, M.error});
+        TABLE_ROW(r->out, (double)lag * given.every, C.mean, C.error,
+                  M.mean, M.error);
     }
     const struct blocks_average V2 = over_path(product_of, 0, D, x);
     const double M = r->d.mass[0], m = r->d.mass[r->d.count - 1];
@@ -885,16 +873,15 @@ static void end_brownian(struct run *r, struct table *summary)
     for (size_t i = 0; i < r->d.count; ++i)
         all += r->d.mass[i];
     watch_drift(r, "V2", V2.drift);
-    table_real(summary, "V2", V2.mean);
-    table_real(summary, "V2_error", V2.error);
-    table_real(summary, "V2_exact",
-               r->kT / M *
-                   (r->d.boundary == DISKS_PERIODIC ? 1 - M / all : 1));
+    TABLE_RESULTS(
+        summary, {"V2", V2.mean}, {"V2_error", V2.error},
+        {"V2_exact",
+         r->kT / M * (r->d.boundary == DISKS_PERIODIC ? 1 - M / all : 1)});
     const double nu = r->d.hits[0] / time;
     if (path.rows > 32) {
         const struct blocks_average slope = first_slope(r, x);
-        table_real(summary, "slope", slope.mean);
-        table_real(summary, "slope_error", slope.error);
+        TABLE_RESULTS(summary, {"slope", slope.mean},
+                      {"slope_error", slope.error});
     }
     table_real(summary, "heavy_rate", nu);
     if (r->d.boundary == DISKS_PERIODIC)
@@ -1020,90 +1007,80 @@ static const struct table_key keys[] = {
 /* Reads the command line, and refuses options that contradict each other. A
    gas that cools, one whose relaxation is measured, and one from a file
    have no warm-up unless one is given. */
-static void read_settings(struct settings *s, int argc, char *argv[])
+static void read_settings(int argc, char *argv[])
 {
     struct options o;
     int option;
-    *s = (struct settings){.dimensions = 2,
-                           .boundary = NO_BOUNDARY,
-                           .restitution = 1,
-                           .start = "lattice",
-                           .warmup = NAN,
-                           .until = INFINITY,
-                           .collisions = UINT64_MAX,
-                           .samples = UINT64_MAX,
-                           .seed = 1,
-                           .summary = "/dev/null"};
     options_begin(&o, PROGRAM, "Run hard disks or spheres in a box.",
                   entries, argc, argv);
     options_keys(&o, keys);
     while ((option = options_next(&o)) != -1)
         switch (option) {
-        case 'N': s->disks = options_count(&o, 1, DISKS_MOST); break;
-        case 'D': s->dimensions = options_count(&o, 2, 3); break;
-        case 'r':
-            s->radius = options_real(&o, OPTIONS_POSITIVE, 1e100);
+        case 'N': given.disks = options_count(&o, 1, DISKS_MOST); break;
+        case 'D': given.dimensions = options_count(&o, 2, 3); break;
+        case 'r': given.radius = options_positive(&o, 1e100); break;
+        case 'p': given.packing = options_positive(&o, 1); break;
+        case 'f': given.species = options_input(&o); break;
+        case 'b':
+            given.axes = options_list(&o, given.box, DISKS_AXES);
             break;
-        case 'p': s->packing = options_real(&o, OPTIONS_POSITIVE, 1); break;
-        case 'f': s->species = options_input(&o); break;
-        case 'b': s->axes = options_list(&o, s->box, DISKS_AXES); break;
         case 'B':
-            s->boundary = options_choice(&o, states_boundaries);
+            given.boundary = options_choice(&o, states_boundaries);
             break;
         case 'x':
-            s->start = options_text(&o);
-            if (starts_from_file(s))
+            given.start = options_text(&o);
+            if (starts_from_file())
                 options_input(&o);
             break;
-        case 'v':
-            s->speed = options_real(&o, OPTIONS_POSITIVE, 1e100);
-            break;
-        case 'T':
-            s->temperature = options_real(&o, OPTIONS_POSITIVE, 1e100);
-            break;
-        case 'H': read_heavy(&o, s->heavy); break;
-        case 's': s->seed = options_count(&o, 0, UINT64_MAX); break;
-        case 'e': s->restitution = options_real(&o, 0, 1); break;
-        case 'G': s->gravity = options_real(&o, 0, 1e100); break;
-        case 'w': s->warmup = options_real(&o, 0, 1e12); break;
-        case 't': s->until = options_real(&o, 0, INFINITY); break;
+        case 'v': given.speed = options_positive(&o, 1e100); break;
+        case 'T': given.temperature = options_positive(&o, 1e100); break;
+        case 'H': read_heavy(&o, given.heavy); break;
+        case 's': given.seed = options_count(&o, 0, UINT64_MAX); break;
+        case 'e': given.restitution = options_real(&o, 0, 1); break;
+        case 'G': given.gravity = options_real(&o, 0, 1e100); break;
+        case 'w': given.warmup = options_real(&o, 0, 1e12); break;
+        case 't': given.until = options_real(&o, 0, INFINITY); break;
         case 'c':
-            s->collisions = options_count(&o, 0, UINT64_MAX - 1);
+            given.collisions = options_count(&o, 0, UINT64_MAX - 1);
             break;
-        case 'd':
-            s->every = options_real(&o, OPTIONS_POSITIVE, INFINITY);
+        case 'd': given.every = options_positive(&o, INFINITY); break;
+        case 'k':
+            given.samples = options_count(&o, 1, UINT64_MAX - 1);
             break;
-        case 'k': s->samples = options_count(&o, 1, UINT64_MAX - 1); break;
-        case 'm': s->measure = options_choice(&o, measure_names); break;
-        case 'g': s->engine = options_choice(&o, engine_names); break;
-        case 'o': s->output = options_text(&o); break;
-        case 'S': s->summary = options_text(&o); break;
+        case 'm': given.measure = options_choice(&o, measure_names); break;
+        case 'g': given.engine = options_choice(&o, engine_names); break;
+        case 'o': given.output = options_text(&o); break;
+        case 'S': given.summary = options_text(&o); break;
         }
-    s->command = options_command(&o);
-    if (s->packing > 0 && s->axes > 0 && (s->radius > 0 || s->species))
+    given.command = options_command(&o);
+    if (given.packing > 0 && given.axes > 0 &&
+        (given.radius > 0 || given.species))
         options_fail(&o, "--packing: the box and the radii are given");
-    if (s->axes > 0 && !starts_from_file(s) && s->axes != s->dimensions)
-        options_fail(&o, "--box has %zu sides, expected %zu", s->axes,
-                     s->dimensions);
-    if (s->measure != STATES && s->measure != PRESSURE && s->every == 0)
+    if (given.axes > 0 && !starts_from_file() &&
+        given.axes != given.dimensions)
+        options_fail(&o, "--box has %zu sides, expected %zu", given.axes,
+                     given.dimensions);
+    if (given.measure != STATES && given.measure != PRESSURE &&
+        given.every == 0)
         options_fail(&o, "--measure %s needs --every",
-                     measure_names[s->measure]);
-    for (size_t k = 0; k < s->axes; ++k)
-        if (!(s->box[k] > 0 && s->box[k] < 1e100))
+                     measure_names[given.measure]);
+    for (size_t k = 0; k < given.axes; ++k)
+        if (!(given.box[k] > 0 && given.box[k] < 1e100))
             options_fail(&o, "--box: side %zu is %g, expected more than 0",
-                         k + 1, s->box[k]);
-    if (s->measure == BROWNIAN && s->heavy[0] == 0 && !starts_from_file(s))
+                         k + 1, given.box[k]);
+    if (given.measure == BROWNIAN && given.heavy[0] == 0 &&
+        !starts_from_file())
         options_fail(&o, "--measure brownian needs --heavy");
-    program_apart(&o, s->output, s->summary, "table");
-    if (s->disks == 0)
-        s->disks = 4;
-    if (s->speed == 0)
-        s->speed = 1;
-    if (isnan(s->warmup))
-        s->warmup = starts_from_file(s) || s->measure == RELAXATION ||
-                            s->restitution < 1
-                        ? 0
-                        : 100;
+    program_apart(&o, given.output, given.summary, "table");
+    if (given.disks == 0)
+        given.disks = 4;
+    if (given.speed == 0)
+        given.speed = 1;
+    if (isnan(given.warmup))
+        given.warmup = starts_from_file() || given.measure == RELAXATION ||
+                               given.restitution < 1
+                           ? 0
+                           : 100;
 }
 
 /* Writes the compressibility from the walls and from the virial over the
@@ -1114,17 +1091,16 @@ static void summarise_pressure(struct run *r, struct table *out)
     const bool walls = r->d.boundary == DISKS_WALLS;
     for (size_t k = 0; walls && k < r->d.dimensions; ++k) {
         const struct blocks_average a = blocks_average(&r->pressure, k);
-        char key[32];
-        snprintf(key, sizeof key, "Z_wall_%s", axis_names[k]);
-        table_real(out, key, Z_wall(r, k, r->d.impulse[k], time));
-        snprintf(key, sizeof key, "Z_wall_%s_error", axis_names[k]);
-        table_real(out, key, Z_wall(r, k, a.error, r->piece));
+        table_keyed(out, Z_wall(r, k, r->d.impulse[k], time), "Z_wall_%s",
+                    axis_names[k]);
+        table_keyed(out, Z_wall(r, k, a.error, r->piece), "Z_wall_%s_error",
+                    axis_names[k]);
         watch_drift(r, "Z_wall", a.drift);
     }
     const struct blocks_average a =
         blocks_average(&r->pressure, DISKS_AXES);
-    table_real(out, "Z_virial", Z_virial(r, r->d.virial, time));
-    table_real(out, "Z_virial_error", Z_virial(r, a.error, r->piece) - 1);
+    TABLE_RESULTS(out, {"Z_virial", Z_virial(r, r->d.virial, time)},
+                  {"Z_virial_error", Z_virial(r, a.error, r->piece) - 1});
     watch_drift(r, "Z_virial", a.drift);
     table_real(out, "drift", r->drift);
 }
@@ -1140,13 +1116,12 @@ static void summarise(struct run *r, struct table *out)
     table_count(out, "collisions", r->d.collisions);
     table_count(out, "wall_collisions", r->d.wall_collisions);
     table_count(out, "samples", r->rows);
-    table_real(out, "time", time);
-    table_real(out, "kT", r->kT);
-    table_real(out, "packing", disks_packing(&r->d));
-    table_real(out,
-               r->s->restitution < 1 ? "energy_change" : "energy_error",
-               r->energy > 0 ? disks_energy(&r->d) / r->energy - 1 : 0);
-    if (r->s->restitution == 1 && time > 0 && r->d.gravity == 0 &&
+    TABLE_RESULTS(
+        out, {"time", time}, {"kT", r->kT},
+        {"packing", disks_packing(&r->d)},
+        {given.restitution < 1 ? "energy_change" : "energy_error",
+         r->energy > 0 ? disks_energy(&r->d) / r->energy - 1 : 0});
+    if (given.restitution == 1 && time > 0 && r->d.gravity == 0 &&
         r->d.boundary != DISKS_FLOOR && r->kT > 0)
         summarise_pressure(r, out);
     if (time > 0)
@@ -1159,10 +1134,10 @@ static void summarise(struct run *r, struct table *out)
 
 /* Returns whether averages are asked for, for which a drift matters, and
    not just states. */
-static bool wants_averages(const struct settings *s)
+static bool wants_averages(void)
 {
-    return strcmp(s->summary, "/dev/null") != 0 ||
-           (s->measure != STATES && s->measure != RELAXATION);
+    return strcmp(given.summary, "/dev/null") != 0 ||
+           (given.measure != STATES && given.measure != RELAXATION);
 }
 
 /* Warns that an average changed during the run by more than its error
@@ -1170,12 +1145,10 @@ static bool wants_averages(const struct settings *s)
 static void report_drift(const struct run *r)
 {
     if (fabs(r->drift) > BLOCKS_STEADY)
-        fprintf(stderr,
-                PROGRAM ": note: the last third of the run has a %s %s "
-                        "than the first, by %.3g errors: not steady, a "
-                        "longer --warmup or run may help\n",
-                r->drift > 0 ? "higher" : "lower", r->drifting,
-                fabs(r->drift));
+        program_say(
+            "note: the last third of the run has a %s %s than the first, "
+            "by %.3g errors: not steady, a longer --warmup or run may help",
+            r->drift > 0 ? "higher" : "lower", r->drifting, fabs(r->drift));
 }
 
 /* Runs from one sampling time to the next and takes a sample at each.
@@ -1186,9 +1159,9 @@ static void report_drift(const struct run *r)
    pressure without --every is that of the whole run. */
 static void run_and_sample(struct run *r)
 {
-    const double every = r->s->every;
-    const uint64_t collisions = r->s->collisions;
-    measures[r->s->measure].sample(r);
+    const double every = given.every;
+    const uint64_t collisions = given.collisions;
+    measures[given.measure].sample(r);
     ++r->rows;
     for (bool over = false; !over && !progress_signal();) {
         ++r->row;
@@ -1199,9 +1172,9 @@ static void run_and_sample(struct run *r)
         run_to(r, clock, collisions);
         over = over || r->stop != DISKS_TIME;
         const bool regular = r->d.now == (double)r->row * every;
-        const bool at_end = r->s->measure == STATES || every == 0;
+        const bool at_end = given.measure == STATES || every == 0;
         if (!progress_signal() && (regular || at_end)) {
-            measures[r->s->measure].sample(r);
+            measures[given.measure].sample(r);
             ++r->rows;
         }
     }
@@ -1209,21 +1182,21 @@ static void run_and_sample(struct run *r)
 
 /* Sets the end of the run, and the sampling time from which it starts; a
    time just below a multiple of --every, by rounding, is that multiple. */
-static void choose_end(struct run *r, struct settings *s)
+static void choose_end(struct run *r)
 {
-    const double per_clock = r->d.now / s->every;
-    if (s->every > 0)
+    const double per_clock = r->d.now / given.every;
+    if (given.every > 0)
         r->row = (uint64_t)(per_clock + 1e-9 * fmax(1, per_clock));
-    r->until = s->until;
-    if (s->samples < UINT64_MAX)
-        r->until = fmin(r->until, (double)(r->row + s->samples) * s->every);
+    r->until = given.until;
+    if (given.samples < UINT64_MAX)
+        r->until =
+            fmin(r->until, (double)(r->row + given.samples) * given.every);
     if (r->until < INFINITY)
         return;
     if (!can_meet(&r->d))
-        program_refuse(PROGRAM,
-                       "--until: needed for disks that never meet");
-    if (s->collisions == UINT64_MAX)
-        s->collisions = 50 * (uint64_t)r->d.count;
+        program_refuse("--until: needed for disks that never meet");
+    if (given.collisions == UINT64_MAX)
+        given.collisions = 50 * (uint64_t)r->d.count;
 }
 
 /* Returns whether all disks are inside and none overlaps another; *a and *b
@@ -1246,13 +1219,12 @@ static void check_rows(const struct run *r)
 {
     const struct disks *d = &r->d;
     const double end =
-        r->s->until < INFINITY ? r->s->until : d->now + first_piece(d);
-    if (r->s->every > 0 && r->s->samples == UINT64_MAX && end < INFINITY &&
-        fmax(end, d->now) / r->s->every > 9e15)
-        program_refuse(PROGRAM,
-                       "--every: %g s makes more than 9e15 rows in %g s; "
+        given.until < INFINITY ? given.until : d->now + first_piece(d);
+    if (given.every > 0 && given.samples == UINT64_MAX && end < INFINITY &&
+        fmax(end, d->now) / given.every > 9e15)
+        program_refuse("--every: %g s makes more than 9e15 rows in %g s; "
                        "use a longer time, or --samples",
-                       r->s->every, end);
+                       given.every, end);
 }
 
 static double shortest_periodic(const struct disks *d)
@@ -1272,57 +1244,49 @@ static void check_start(struct run *r)
     size_t a, b;
     if (!(disks_replan_distance(d) > 0))
         program_refuse(
-            PROGRAM,
             "--boundary: a side of %.10g is too narrow to be periodic: "
             "with a radius of %.10g it must be more than %.10g",
             shortest_periodic(d), widest(d), 4 * widest(d));
     if (d->gravity > 0 && d->boundary == DISKS_PERIODIC)
-        program_refuse(PROGRAM,
-                       "--gravity needs a floor; %s is periodic, expected "
+        program_refuse("--gravity needs a floor; %s is periodic, expected "
                        "--boundary walls or floor",
-                       r->s->start);
-    if (d->boundary == DISKS_FLOOR && r->s->measure != STATES &&
-        r->s->measure != POSITIONS)
-        program_refuse(PROGRAM,
-                       "--measure %s: not in a box with a floor and no "
+                       given.start);
+    if (d->boundary == DISKS_FLOOR && given.measure != STATES &&
+        given.measure != POSITIONS)
+        program_refuse("--measure %s: not in a box with a floor and no "
                        "sides, expected states or positions",
-                       measure_names[r->s->measure]);
-    if (r->s->measure == SPEED_LAW &&
+                       measure_names[given.measure]);
+    if (given.measure == SPEED_LAW &&
         d->count < (d->boundary == DISKS_PERIODIC ? 3 : 2))
-        program_refuse(PROGRAM,
-                       "--measure speeds needs more disks: %zu have no law",
+        program_refuse("--measure speeds needs more disks: %zu have no law",
                        d->count);
     check_rows(r);
     if (disks_cold(d))
-        program_refuse(PROGRAM,
-                       "--%s: the speeds are too low: their squares leave "
+        program_refuse("--%s: the speeds are too low: their squares leave "
                        "the range of numbers; with radii and masses of 1 "
                        "expected at least 3.5e-136 m/s",
-                       starts_from_file(r->s)  ? "start"
-                       : r->s->temperature > 0 ? "temperature"
+                       starts_from_file()      ? "start"
+                       : given.temperature > 0 ? "temperature"
                                                : "speed");
-    if (r->s->measure != STATES && r->s->measure != POSITIONS &&
+    if (given.measure != STATES && given.measure != POSITIONS &&
         !(disks_heat(d) > 0))
-        program_refuse(PROGRAM,
-                       "--measure %s: no disk moves relative to the "
+        program_refuse("--measure %s: no disk moves relative to the "
                        "others: there is no temperature to compare with",
-                       measure_names[r->s->measure]);
-    if (!starts_from_file(r->s))
+                       measure_names[given.measure]);
+    if (!starts_from_file())
         return;
     a = disks_lying(d);
     if (a < d->count)
-        program_refuse(PROGRAM,
-                       "--start: %s: disk %zu lies on the floor at rest, "
+        program_refuse("--start: %s: disk %zu lies on the floor at rest, "
                        "expected one that moves: events end there",
-                       r->s->start, a + 1);
+                       given.start, a + 1);
     if (is_valid_start(r, &a, &b))
         return;
     if (b == d->count)
-        program_refuse(PROGRAM,
-                       "--start: %s: disk %zu is not inside the box",
-                       r->s->start, a + 1);
-    program_refuse(PROGRAM, "--start: %s: disks %zu and %zu overlap",
-                   r->s->start, a + 1, b + 1);
+        program_refuse("--start: %s: disk %zu is not inside the box",
+                       given.start, a + 1);
+    program_refuse("--start: %s: disks %zu and %zu overlap", given.start,
+                   a + 1, b + 1);
 }
 
 /* Switches gravity on. The disks of a state have flown straight since their
@@ -1359,33 +1323,32 @@ static void report_collapse(const struct disks *d)
    interrupted in it leaves a table; an interrupted run gets no summary. */
 int main(int argc, char *argv[])
 {
-    static struct settings s;
     static struct run r;
-    read_settings(&s, argc, argv);
-    r.s = &s;
-    if (starts_from_file(&s))
-        read_start(&r.d, &s);
+    read_settings(argc, argv);
+    if (starts_from_file())
+        read_start(&r.d);
     else
-        make_start(&r.d, &s);
-    r.d.restitution = s.restitution;
-    begin_to_fall(&r.d, s.gravity);
+        make_start(&r.d);
+    r.d.restitution = given.restitution;
+    begin_to_fall(&r.d, given.gravity);
     choose_engine(&r);
     check_start(&r);
     struct table *summary;
-    program_open(PROGRAM, s.output, s.summary, keys, &r.out, &summary);
-    table_begin(r.out, s.command, s.seed);
+    program_open(PROGRAM, given.output, given.summary, keys, &r.out,
+                 &summary);
+    table_begin(r.out, given.command, given.seed);
     progress_begin(&r.progress, PROGRAM, PARTS, "collisions");
-    warm_up(&r, s.warmup);
-    choose_end(&r, &s);
+    warm_up(&r, given.warmup);
+    choose_end(&r);
     begin_run(&r);
-    measures[s.measure].begin(&r);
+    measures[given.measure].begin(&r);
     run_and_sample(&r);
-    measures[s.measure].end(&r, summary);
+    measures[given.measure].end(&r, summary);
     summarise(&r, summary);
     const bool whole = progress_end(&r.progress);
     if (r.stop == DISKS_COLLAPSE)
         report_collapse(&r.d);
-    if (whole && wants_averages(&s))
+    if (whole && wants_averages())
         report_drift(&r);
     cells_free(&r.cells);
     disks_free(&r.d);

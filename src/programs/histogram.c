@@ -21,7 +21,7 @@ enum { MOST_COLUMNS = 1024, NAME_LENGTH = 32 };
 
 enum kind { HISTOGRAM, COLUMNS, BLOCKS, CORRELATION, COST };
 
-struct settings {
+static struct {
     const char *columns, *against, *file, *output, *summary_path, *command;
     enum kind kind;
     uint64_t bins, skip; /* bins = 0: as many as suit the data */
@@ -30,7 +30,7 @@ struct settings {
     struct law law[MOST_COLUMNS];
     size_t ranges, laws; /* 0, 1 for all columns, or one for each */
     struct table *out, *summary;
-};
+} given = {.columns = "all", .summary_path = "/dev/null"};
 
 struct column {
     size_t number; /* in the file, from 1 on */
@@ -52,13 +52,12 @@ struct columns {
 
 /* Prints what is wrong with the input, with file and line in the form that
    editors know, and ends the program. */
-static _Noreturn void bad_input(const struct settings *s,
-                                const struct columns *c, const char *format,
+static _Noreturn void bad_input(const struct columns *c, const char *format,
                                 ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    fprintf(stderr, PROGRAM ": %s:", s->file);
+    fprintf(stderr, PROGRAM ": %s:", given.file);
     if (c->line > 0)
         fprintf(stderr, "%llu:", (unsigned long long)c->line);
     fprintf(stderr, " ");
@@ -68,10 +67,9 @@ static _Noreturn void bad_input(const struct settings *s,
     program_leave(OPTIONS_FAILURE);
 }
 
-static _Noreturn void no_memory(const struct settings *s,
-                                const struct columns *c)
+static _Noreturn void no_memory(const struct columns *c)
 {
-    bad_input(s, c, "no memory for %zu rows", c->rows);
+    bad_input(c, "no memory for %zu rows", c->rows);
 }
 
 struct head {
@@ -127,35 +125,33 @@ static size_t count_fields(const char *row)
 /* Returns the number of the column that `name` gives, up to a comma: by its
    number, as in gnuplot, or by its name in the head. A name may begin with
    a digit, so it is a number only if all of it is. */
-static size_t find_column(struct settings *s, struct columns *c,
-                          const struct head *h, const char *name,
-                          size_t fields)
+static size_t find_column(struct columns *c, const struct head *h,
+                          const char *name, size_t fields)
 {
     const size_t length = strcspn(name, ",");
     char *end;
     const unsigned long long number = strtoull(name, &end, 10);
     if (isdigit((unsigned char)*name) && end == name + length) {
         if (number < 1 || number > fields)
-            bad_input(s, c, "no column %llu: the row has %zu", number,
-                      fields);
+            bad_input(c, "no column %llu: the row has %zu", number, fields);
         return number;
     }
     for (size_t k = 0; k < MOST_COLUMNS; ++k)
         if (length > 0 && strlen(h->column[k].name) == length &&
             strncmp(h->column[k].name, name, length) == 0)
             return k + 1;
-    bad_input(s, c, "no column '%.*s' is named in the lines above",
+    bad_input(c, "no column '%.*s' is named in the lines above",
               (int)length, name);
 }
 
 /* A column without a name is called c and its number, since the keys of the
    summary need a name. */
-static void add_column(struct settings *s, struct columns *c,
-                       const struct head *h, size_t number)
+static void add_column(struct columns *c, const struct head *h,
+                       size_t number)
 {
     struct column *new = &c->column[c->count];
     if (c->count == MOST_COLUMNS || number > MOST_COLUMNS)
-        bad_input(s, c, "more than %d columns", MOST_COLUMNS);
+        bad_input(c, "more than %d columns", MOST_COLUMNS);
     new->number = number;
     strcpy(new->name, h->column[number - 1].name);
     strcpy(new->unit, h->column[number - 1].unit);
@@ -170,30 +166,30 @@ static void add_column(struct settings *s, struct columns *c,
 /* Chooses the columns, at the first row, which tells how many there are.
    The column of --against comes last. One law or range serves all columns;
    otherwise there must be one for each. */
-static void choose_columns(struct settings *s, struct columns *c,
-                           const struct head *h, const char *row)
+static void choose_columns(struct columns *c, const struct head *h,
+                           const char *row)
 {
-    const char *rest = s->columns;
+    const char *rest = given.columns;
     size_t fields = count_fields(row);
     if (strcmp(rest, "all") == 0)
         for (size_t k = 1; k <= fields; ++k)
-            add_column(s, c, h, k);
+            add_column(c, h, k);
     else
         for (; *rest; rest += strcspn(rest, ",") + (strchr(rest, ',') != 0))
-            add_column(s, c, h, find_column(s, c, h, rest, fields));
-    if (s->against)
-        add_column(s, c, h, find_column(s, c, h, s->against, fields));
-    c->against = s->against != NULL;
+            add_column(c, h, find_column(c, h, rest, fields));
+    if (given.against)
+        add_column(c, h, find_column(c, h, given.against, fields));
+    c->against = given.against != NULL;
     const size_t wanted = c->count - c->against;
-    if (s->laws > 1 && s->laws != wanted)
-        bad_input(s, c, "%zu laws for %zu columns", s->laws, wanted);
-    if (s->ranges > 1 && s->ranges != wanted)
-        bad_input(s, c, "%zu ranges for %zu columns", s->ranges, wanted);
+    if (given.laws > 1 && given.laws != wanted)
+        bad_input(c, "%zu laws for %zu columns", given.laws, wanted);
+    if (given.ranges > 1 && given.ranges != wanted)
+        bad_input(c, "%zu ranges for %zu columns", given.ranges, wanted);
 }
 
 /* Makes space for more rows. Memory is doubled each time, so that a number
    is copied less than twice on average. */
-static void grow_columns(struct settings *s, struct columns *c)
+static void grow_columns(struct columns *c)
 {
     if (c->rows < c->capacity)
         return;
@@ -202,7 +198,7 @@ static void grow_columns(struct settings *s, struct columns *c)
         double *x =
             realloc(c->column[i].x, c->capacity * sizeof c->column[i].x[0]);
         if (!x)
-            bad_input(s, c, "no memory for %zu rows", c->capacity);
+            bad_input(c, "no memory for %zu rows", c->capacity);
         c->column[i].x = x;
     }
 }
@@ -217,72 +213,71 @@ static void free_columns(struct columns *c)
 /* Reads a finite number, which is all of a field. strtod alone would take
    nan and inf, and stop without complaint in the middle of 1.5abc; one NaN
    in a million rows would make every mean NaN. */
-static double read_number(struct settings *s, struct columns *c,
-                          const struct column *column, const char *text)
+static double read_number(struct columns *c, const struct column *column,
+                          const char *text)
 {
     char *end;
     const double value = strtod(text, &end);
     const size_t length = strcspn(text, " \t\r\n");
     if (end != text + length)
-        bad_input(s, c, "column %zu (%s) is '%.*s', not a number",
+        bad_input(c, "column %zu (%s) is '%.*s', not a number",
                   column->number, column->name, (int)length, text);
     if (!isfinite(value))
-        bad_input(s, c, "column %zu (%s) is '%.*s', not a finite number",
+        bad_input(c, "column %zu (%s) is '%.*s', not a finite number",
                   column->number, column->name, (int)length, text);
     return value;
 }
 
 /* Stores a row. Only the wanted columns are read as numbers: a column of
    names in the same table does no harm. */
-static void take_row(struct settings *s, struct columns *c,
-                     const char *text)
+static void take_row(struct columns *c, const char *text)
 {
     const char *field[MOST_COLUMNS];
     size_t fields = 0;
     for (; *text && fields < c->last; text = next_field(text))
         field[fields++] = text;
     if (fields < c->last)
-        bad_input(s, c, "%zu columns, where column %zu is wanted", fields,
+        bad_input(c, "%zu columns, where column %zu is wanted", fields,
                   c->last);
-    grow_columns(s, c);
+    grow_columns(c);
     for (size_t i = 0; i < c->count; ++i) {
         struct column *column = &c->column[i];
         column->x[c->rows] =
-            read_number(s, c, column, field[column->number - 1]);
+            read_number(c, column, field[column->number - 1]);
     }
     ++c->rows;
 }
 
 /* Two rows are the fewest that have a standard deviation. */
-static void read_table(struct settings *s, struct columns *c)
+static void read_table(struct columns *c)
 {
-    FILE *file = strcmp(s->file, "-") == 0 ? stdin : fopen(s->file, "r");
+    FILE *file =
+        strcmp(given.file, "-") == 0 ? stdin : fopen(given.file, "r");
     struct head head = {0};
     char *line = NULL;
     size_t size = 0;
     if (!file)
-        bad_input(s, c, "%s", strerror(errno));
+        bad_input(c, "%s", strerror(errno));
     for (c->line = 1; getline(&line, &size, file) >= 0; ++c->line) {
         const char *text = is_blank(*line) ? next_field(line) : line;
         if (*text == '#')
             read_head(&head, c, text);
-        else if (*text && s->skip > 0)
-            --s->skip;
+        else if (*text && given.skip > 0)
+            --given.skip;
         else if (*text) {
             if (c->count == 0)
-                choose_columns(s, c, &head, text);
-            take_row(s, c, text);
+                choose_columns(c, &head, text);
+            take_row(c, text);
         }
     }
     c->line = 0; /* what follows concerns no line */
     if (ferror(file))
-        bad_input(s, c, "%s", strerror(errno));
+        bad_input(c, "%s", strerror(errno));
     if (file != stdin)
         fclose(file);
     free(line);
     if (c->rows < 2)
-        bad_input(s, c, "%zu rows of numbers, where 2 are the least",
-                  c->rows);
+        bad_input(c, "%zu rows of numbers, where 2 are the least", c->rows);
 }
 
 static const char *const kind_names[] = {"histogram",   "columns", "blocks",
@@ -371,90 +366,89 @@ static const struct table_key keys[] = {
     {"sum_settled_<column>", "1", "0: no window was long enough"},
     {0}};
 
-static void read_range(struct options *o, struct settings *s)
+static void read_range(struct options *o)
 {
-    if (s->ranges == MOST_COLUMNS)
+    if (given.ranges == MOST_COLUMNS)
         options_fail(o, "more than %d ranges", MOST_COLUMNS);
-    double *ends = s->range[s->ranges++];
+    double *ends = given.range[given.ranges++];
     if (options_list(o, ends, 2) != 2 || !(ends[0] < ends[1]) ||
         !isfinite(ends[1] - ends[0]))
         options_fail(o, "'%s' is not two numbers, the smaller one first",
                      options_text(o));
 }
 
-static void read_law(struct options *o, struct settings *s)
+static void read_law(struct options *o)
 {
-    if (s->laws == MOST_COLUMNS)
+    if (given.laws == MOST_COLUMNS)
         options_fail(o, "more than %d laws", MOST_COLUMNS);
-    const char *wanted = laws_read(options_text(o), &s->law[s->laws++]);
+    const char *wanted =
+        laws_read(options_text(o), &given.law[given.laws++]);
     if (wanted)
         options_fail(o, "'%s' is not %s", options_text(o), wanted);
 }
 
-static void read_settings(struct settings *s, int argc, char *argv[])
+static void read_settings(int argc, char *argv[])
 {
     struct options o;
     int option;
-    *s = (struct settings){.columns = "all", .summary_path = "/dev/null"};
     options_begin(&o, PROGRAM,
                   "Histograms of the columns of a table, with errors.",
                   entries, argc, argv);
     options_keys(&o, keys);
     while ((option = options_next(&o)) != -1)
         switch (option) {
-        case 'c': s->columns = options_text(&o); break;
+        case 'c': given.columns = options_text(&o); break;
         case 't':
-            s->kind = (enum kind)options_choice(&o, kind_names);
+            given.kind = (enum kind)options_choice(&o, kind_names);
             break;
-        case 'B': s->bins = options_count(&o, 1, 1000000); break;
-        case 'r': read_range(&o, s); break;
+        case 'B': given.bins = options_count(&o, 1, 1000000); break;
+        case 'r': read_range(&o); break;
         case 'f':
             options_choice(&o, (const char *const[]){"gaussian", NULL});
-            s->fit = true;
+            given.fit = true;
             break;
-        case 'l': read_law(&o, s); break;
-        case 'b': s->block = true; break;
-        case 'a': s->against = options_text(&o); break;
-        case 'k': s->skip = options_count(&o, 0, UINT64_MAX); break;
-        case 'o': s->output = options_text(&o); break;
-        case 'S': s->summary_path = options_text(&o); break;
+        case 'l': read_law(&o); break;
+        case 'b': given.block = true; break;
+        case 'a': given.against = options_text(&o); break;
+        case 'k': given.skip = options_count(&o, 0, UINT64_MAX); break;
+        case 'o': given.output = options_text(&o); break;
+        case 'S': given.summary_path = options_text(&o); break;
         case OPTIONS_ARGUMENT:
-            s->file = options_only(&o, s->file, "file");
+            given.file = options_only(&o, given.file, "file");
             break;
         }
-    s->command = options_command(&o);
-    if (!s->file)
+    given.command = options_command(&o);
+    if (!given.file)
         options_fail(&o, "a FILE is needed; - is standard input");
-    program_apart(&o, s->output, s->summary_path, "table");
+    program_apart(&o, given.output, given.summary_path, "table");
 }
 
 /* The column's name ends the key, as in sd_error_v4. */
-static void summarise(const struct settings *s, const char *key,
-                      const struct column *column, double value)
+static void summarise(const char *key, const struct column *column,
+                      double value)
 {
     char name[2 * NAME_LENGTH + 32];
     snprintf(name, sizeof name, "%s_%s", key, column->name);
-    table_real(s->summary, name, value);
+    table_real(given.summary, name, value);
 }
 
-static void summarise_column(const struct settings *s,
-                             const struct column *column,
+static void summarise_column(const struct column *column,
                              const struct statistics_description *d)
 {
     const double root = sqrt((double)d->n / d->inefficiency);
-    summarise(s, "mean", column, d->mean);
-    summarise(s, "mean_error", column, d->mean_error);
-    summarise(s, "mean_naive", column, d->naive_error);
-    summarise(s, "sd", column, d->sd);
-    summarise(s, "sd_error", column, d->sd_error);
-    summarise(s, "kurtosis", column, d->kurtosis);
-    summarise(s, "kurtosis_error", column, d->kurtosis_error);
-    summarise(s, "least", column, d->least);
-    summarise(s, "greatest", column, d->greatest);
-    summarise(s, "inefficiency", column, d->inefficiency);
-    summarise(s, "effective", column, root * root);
-    summarise(s, "block", column, (double)d->block);
-    summarise(s, "plateau", column, d->plateau);
+    summarise("mean", column, d->mean);
+    summarise("mean_error", column, d->mean_error);
+    summarise("mean_naive", column, d->naive_error);
+    summarise("sd", column, d->sd);
+    summarise("sd_error", column, d->sd_error);
+    summarise("kurtosis", column, d->kurtosis);
+    summarise("kurtosis_error", column, d->kurtosis_error);
+    summarise("least", column, d->least);
+    summarise("greatest", column, d->greatest);
+    summarise("inefficiency", column, d->inefficiency);
+    summarise("effective", column, root * root);
+    summarise("block", column, (double)d->block);
+    summarise("plateau", column, d->plateau);
 }
 
 struct bins {
@@ -464,12 +458,12 @@ struct bins {
 
 /* Without --range the bins reach from the least sample to the greatest;
    without --bins there are as many as (3.19, eq:width) advises. */
-static struct bins choose_bins(const struct settings *s, size_t i,
+static struct bins choose_bins(size_t i,
                                const struct statistics_description *d)
 {
-    const double *range = s->range[s->ranges > 1 ? i : 0];
-    struct bins b = {s->ranges > 0 ? range[0] : d->least,
-                     s->ranges > 0 ? range[1] : d->greatest, s->bins};
+    const double *range = given.range[given.ranges > 1 ? i : 0];
+    struct bins b = {given.ranges > 0 ? range[0] : d->least,
+                     given.ranges > 0 ? range[1] : d->greatest, given.bins};
     if (b.low == b.high) { /* a column that never changes */
         /* Wide enough that a thousand edges are different numbers. */
         const double half = fmax(0.5, fabs(b.low) * 0x1p-40);
@@ -483,14 +477,13 @@ static struct bins choose_bins(const struct settings *s, size_t i,
 
 /* Refuses a column whose bins are so narrow that its density is more than
    a number holds. */
-static void refuse_bins(const struct settings *s, const struct columns *c,
-                        size_t i)
+static void refuse_bins(const struct columns *c, size_t i)
 {
     const struct column *column = &c->column[i];
-    const struct bins b = choose_bins(s, i, &column->d);
+    const struct bins b = choose_bins(i, &column->d);
     const double width = (b.high - b.low) / (double)b.count;
     if (!isfinite(1 / width))
-        bad_input(s, c,
+        bad_input(c,
                   "%s would have %zu bins from %g to %g, so narrow that no "
                   "number holds a density",
                   column->name, b.count, b.low, b.high);
@@ -498,25 +491,25 @@ static void refuse_bins(const struct settings *s, const struct columns *c,
 
 /* Refuses a column of which no table can be made. All columns are described
    before anything is written, so that this comes first. */
-static void refuse_column(const struct settings *s, const struct columns *c,
+static void refuse_column(const struct columns *c,
                           const struct column *column)
 {
     const struct statistics_description *d = &column->d;
     const double square = d->sd * d->sd;
     if (!isfinite(d->greatest - d->least))
-        bad_input(s, c,
+        bad_input(c,
                   "%s reaches from %g to %g, expected a range that is less "
                   "than %g",
                   column->name, d->least, d->greatest, DBL_MAX);
     /* The errors of the variance are smaller by less than 1e15 times. */
-    if ((s->kind == BLOCKS || s->kind == COST) && d->sd > 0 &&
+    if ((given.kind == BLOCKS || given.kind == COST) && d->sd > 0 &&
         !(square > DBL_MIN * 1e15 && square < DBL_MAX / 1e15))
-        bad_input(s, c,
+        bad_input(c,
                   "%s has a standard deviation of %g, expected one whose "
                   "square has an error that is a number",
                   column->name, d->sd);
     if (c->against && !(d->sd > 0))
-        bad_input(s, c,
+        bad_input(c,
                   "%s is the same in all rows, expected two columns "
                   "that change",
                   column->name);
@@ -524,26 +517,26 @@ static void refuse_column(const struct settings *s, const struct columns *c,
 
 /* Refuses a column if the law that takes its mean and standard deviation
    from it has no width, or an infinite one. */
-static void refuse_law(const struct settings *s, const struct columns *c,
-                       const struct column *column, struct law law)
+static void refuse_law(const struct columns *c, const struct column *column,
+                       struct law law)
 {
     laws_complete(&law, column->d.mean, column->d.sd);
     const double sd = laws_sd(&law);
     if (!(sd > 0 && isfinite(sd)))
-        bad_input(s, c, "%s: no law has its standard deviation, %g",
+        bad_input(c, "%s: no law has its standard deviation, %g",
                   column->name, column->d.sd);
 }
 
-static void describe(const struct settings *s, struct columns *c, size_t i)
+static void describe(struct columns *c, size_t i)
 {
     struct column *column = &c->column[i];
-    if (!statistics_describe(c->rows, column->x, s->block, &column->d))
-        no_memory(s, c);
-    refuse_column(s, c, column);
-    if (s->laws > 0 && !(c->against && i + 1 == c->count))
-        refuse_law(s, c, column, s->law[s->laws > 1 ? i : 0]);
-    if (s->kind == HISTOGRAM && !(c->against && i + 1 == c->count))
-        refuse_bins(s, c, i);
+    if (!statistics_describe(c->rows, column->x, given.block, &column->d))
+        no_memory(c);
+    refuse_column(c, column);
+    if (given.laws > 0 && !(c->against && i + 1 == c->count))
+        refuse_law(c, column, given.law[given.laws > 1 ? i : 0]);
+    if (given.kind == HISTOGRAM && !(c->against && i + 1 == c->count))
+        refuse_bins(c, i);
 }
 
 /* Warns on standard error that errors are only lower bounds: that is no
@@ -551,23 +544,22 @@ static void describe(const struct settings *s, struct columns *c, size_t i)
 static void note_bounds(const struct column *column)
 {
     if (!column->d.plateau)
-        fprintf(stderr,
-                PROGRAM ": note: %s: %zu samples are too few; errors are "
-                        "lower bounds\n",
-                column->name, column->d.n);
+        program_say(
+            "note: %s: %zu samples are too few; errors are lower bounds",
+            column->name, column->d.n);
 }
 
-static void print_description(const struct settings *s,
-                              const struct column *column,
+static void print_description(const struct column *column,
                               const struct statistics_description *d)
 {
-    table_print(s->out, "# %s [%s]: mean %.4g +- %.2g, sd %.4g +- %.2g",
+    table_print(given.out, "# %s [%s]: mean %.4g +- %.2g, sd %.4g +- %.2g",
                 column->name, column->unit, d->mean, d->mean_error, d->sd,
                 d->sd_error);
-    table_print(s->out, "\n#   %zu samples", d->n);
-    if (s->block)
-        table_print(s->out, " worth %.4g", (double)d->n / d->inefficiency);
-    table_print(s->out, "\n");
+    table_print(given.out, "\n#   %zu samples", d->n);
+    if (given.block)
+        table_print(given.out, " worth %.4g",
+                    (double)d->n / d->inefficiency);
+    table_print(given.out, "\n");
 }
 
 /* Nine digits are plenty for what is uncertain in the third, and they hide
@@ -583,43 +575,43 @@ static void print_row(struct table *out, size_t n, const double row[])
    parameters from the column, then the distance of Kolmogorov, and mean and
    standard deviation in units of their errors (3.13, eq:zscore), mean
    nothing and are left out. */
-static void test_law(struct settings *s, const struct columns *c, size_t i,
+static void test_law(const struct columns *c, size_t i,
                      const struct statistics_description *d)
 {
     const struct column *column = &c->column[i];
-    struct law *law = &s->law[s->laws > 1 ? i : 0];
+    struct law *law = &given.law[given.laws > 1 ? i : 0];
     struct law completed = *law;
     struct law_test t;
     const size_t fitted = laws_complete(&completed, d->mean, d->sd);
     if (!laws_test(&completed, d->n, column->x, d->inefficiency, d->block,
                    fitted, &t))
-        no_memory(s, c);
-    table_print(s->out, "#   law: mean %.4g, sd %.4g\n#   ",
+        no_memory(c);
+    table_print(given.out, "#   law: mean %.4g, sd %.4g\n#   ",
                 laws_mean(&completed), laws_sd(&completed));
     if (!fitted)
-        table_print(s->out, "distance %.3g (P %.2g), ", t.distance,
+        table_print(given.out, "distance %.3g (P %.2g), ", t.distance,
                     t.distance_probability);
-    table_print(s->out, "chi2 %.4g of %.3g (P %.2g)\n", t.chi2, t.degrees,
-                t.chi2_probability);
+    table_print(given.out, "chi2 %.4g of %.3g (P %.2g)\n", t.chi2,
+                t.degrees, t.chi2_probability);
     if (!d->plateau)
-        table_print(s->out,
+        table_print(given.out,
                     "#   blocks of %zu still remember: believe no P\n",
                     d->block);
-    summarise(s, "law_mean", column, laws_mean(&completed));
-    summarise(s, "law_sd", column, laws_sd(&completed));
-    summarise(s, "law_fitted", column, (double)fitted);
+    summarise("law_mean", column, laws_mean(&completed));
+    summarise("law_sd", column, laws_sd(&completed));
+    summarise("law_fitted", column, (double)fitted);
     if (!fitted) {
-        summarise(s, "law_distance", column, t.distance);
-        summarise(s, "law_distance_probability", column,
+        summarise("law_distance", column, t.distance);
+        summarise("law_distance_probability", column,
                   t.distance_probability);
-        summarise(s, "mean_z", column,
+        summarise("mean_z", column,
                   (d->mean - laws_mean(&completed)) / d->mean_error);
-        summarise(s, "sd_z", column,
+        summarise("sd_z", column,
                   (d->sd - laws_sd(&completed)) / d->sd_error);
     }
-    summarise(s, "law_chi2", column, t.chi2);
-    summarise(s, "law_degrees", column, t.degrees);
-    summarise(s, "law_chi2_probability", column, t.chi2_probability);
+    summarise("law_chi2", column, t.chi2);
+    summarise("law_degrees", column, t.degrees);
+    summarise("law_chi2_probability", column, t.chi2_probability);
 }
 
 enum { CELLS = 5 }; /* a side of the table of cells */
@@ -627,101 +619,99 @@ enum { CELLS = 5 }; /* a side of the table of cells */
 /* Tests whether a column is independent of the other one. The chi-square of
    the cells is divided by the larger of the two statistical
    inefficiencies. */
-static void compare(const struct settings *s, const struct columns *c,
-                    size_t i, const struct statistics_description *d)
+static void compare(const struct columns *c, size_t i,
+                    const struct statistics_description *d)
 {
     const struct column *column = &c->column[i];
     const struct column *other = &c->column[c->count - 1];
     struct statistics_dependence t;
     if (!statistics_dependence(c->rows, column->x, other->x, CELLS,
-                               s->block, &t))
-        no_memory(s, c);
+                               given.block, &t))
+        no_memory(c);
     const double g = fmax(d->inefficiency, other->d.inefficiency);
     const double chi2 = t.chi2 / g;
     const double probability = laws_chi2(chi2, (double)t.degrees);
-    table_print(s->out,
+    table_print(given.out,
                 "#   against %s: correlation %.4f +- %.4f, chi2 %.4g of "
                 "%zu (P %.2g)\n",
                 other->name, t.correlation, t.error, chi2, t.degrees,
                 probability);
-    summarise(s, "correlation", column, t.correlation);
-    summarise(s, "correlation_error", column, t.error);
-    summarise(s, "against_chi2", column, chi2);
-    summarise(s, "against_degrees", column, (double)t.degrees);
-    summarise(s, "against_probability", column, probability);
+    summarise("correlation", column, t.correlation);
+    summarise("correlation_error", column, t.error);
+    summarise("against_chi2", column, chi2);
+    summarise("against_degrees", column, (double)t.degrees);
+    summarise("against_probability", column, probability);
 }
 
-static void name_histogram(const struct settings *s,
-                           const struct columns *c)
+static void name_histogram(const struct columns *c)
 {
     const char *unit = c->column[0].unit;
     char inverse[NAME_LENGTH + 4];
     snprintf(inverse, sizeof inverse, "1/(%.*s)", NAME_LENGTH, unit);
-    table_column(s->out, "x", unit, "the centre of a bin");
-    table_column(s->out, "count", "", "samples in the bin");
-    table_column(s->out, "density", inverse, "count / samples / width");
-    table_column(s->out, "error", inverse, "of the density");
-    if (s->laws > 0)
-        table_column(s->out, "law", inverse, "mean of the law in the bin");
-    if (s->fit)
-        table_column(s->out, "fit", inverse, "mean of the fit in the bin");
+    TABLE_COLUMNS(given.out, {"x", unit, "the centre of a bin"},
+                  {"count", "", "samples in the bin"},
+                  {"density", inverse, "count / samples / width"},
+                  {"error", inverse, "of the density"});
+    if (given.laws > 0)
+        table_column(given.out, "law", inverse,
+                     "mean of the law in the bin");
+    if (given.fit)
+        table_column(given.out, "fit", inverse,
+                     "mean of the fit in the bin");
 }
 
 /* Fits a law to a column. If that fails the histogram is still good. */
-static bool fit_column(const struct settings *s,
-                       const struct column *column,
+static bool fit_column(const struct column *column,
                        const struct statistics_histogram *h,
                        const struct statistics_description *d,
                        struct statistics_gaussian *fit)
 {
     if (!statistics_fit_gaussian(h, d->inefficiency, fit)) {
-        fprintf(stderr, PROGRAM ": note: %s: no Gaussian fits its bins\n",
-                column->name);
+        program_say("note: %s: no Gaussian fits its bins", column->name);
         return false;
     }
-    table_print(s->out,
+    table_print(given.out,
                 "#   fit: mean %.4g +- %.2g, sd %.4g +- %.2g; chi2 %.4g of "
                 "%zu\n",
                 fit->mean, fit->mean_error, fit->sd, fit->sd_error,
                 fit->chi2, fit->degrees);
-    summarise(s, "fit_mean", column, fit->mean);
-    summarise(s, "fit_mean_error", column, fit->mean_error);
-    summarise(s, "fit_sd", column, fit->sd);
-    summarise(s, "fit_sd_error", column, fit->sd_error);
-    summarise(s, "fit_chi2", column, fit->chi2);
-    summarise(s, "fit_degrees", column, (double)fit->degrees);
+    summarise("fit_mean", column, fit->mean);
+    summarise("fit_mean_error", column, fit->mean_error);
+    summarise("fit_sd", column, fit->sd);
+    summarise("fit_sd_error", column, fit->sd_error);
+    summarise("fit_chi2", column, fit->chi2);
+    summarise("fit_degrees", column, (double)fit->degrees);
     return true;
 }
 
 static struct statistics_histogram *count_column(
-    const struct settings *s, const struct columns *c, size_t i,
+    const struct columns *c, size_t i,
     const struct statistics_description *d)
 {
-    const struct bins b = choose_bins(s, i, d);
+    const struct bins b = choose_bins(i, d);
     struct statistics_histogram *h =
         statistics_histogram_create(b.low, b.high, b.count);
     if (!h)
-        no_memory(s, c);
+        no_memory(c);
     for (size_t k = 0; k < c->rows; ++k)
         statistics_histogram_add(h, c->column[i].x[k]);
-    summarise(s, "bins", &c->column[i], (double)h->bins);
-    summarise(s, "outside", &c->column[i], (double)(h->below + h->above));
+    summarise("bins", &c->column[i], (double)h->bins);
+    summarise("outside", &c->column[i], (double)(h->below + h->above));
     return h;
 }
 
 /* Law and fit have the probability of the bin over its width, not their
    value at its centre: in a wide bin these differ, and the arcsine law is
    infinite at its ends. */
-static void write_histogram(struct settings *s, const struct columns *c,
-                            size_t i,
+static void write_histogram(const struct columns *c, size_t i,
                             const struct statistics_description *d)
 {
-    struct statistics_histogram *h = count_column(s, c, i, d);
+    struct statistics_histogram *h = count_column(c, i, d);
     struct statistics_gaussian fit = {0};
-    struct law law = s->law[s->laws > 1 ? i : 0];
-    bool fitted = s->fit && fit_column(s, &c->column[i], h, d, &fit);
+    struct law law = given.law[given.laws > 1 ? i : 0];
+    bool fitted = given.fit && fit_column(&c->column[i], h, d, &fit);
     const double width = (h->high - h->low) / (double)h->bins;
-    if (s->laws > 0)
+    if (given.laws > 0)
         laws_complete(&law, d->mean, d->sd);
     for (size_t k = 0; k < h->bins; ++k) {
         const double a = statistics_histogram_edge(h, k), b = a + width;
@@ -729,19 +719,19 @@ static void write_histogram(struct settings *s, const struct columns *c,
         size_t n = 4;
         row[2] = statistics_histogram_density(h, k);
         row[3] = statistics_histogram_error(h, k, d->inefficiency);
-        if (s->laws > 0)
+        if (given.laws > 0)
             row[n++] = (laws_below(&law, b) - laws_below(&law, a)) / width;
-        if (s->fit)
+        if (given.fit)
             row[n++] = fitted ? statistics_gaussian_between(fit.mean,
                                                             fit.sd, a, b) /
                                     width
                               : NAN;
-        print_row(s->out, n, row);
+        print_row(given.out, n, row);
     }
     free(h);
 }
 
-static void name_columns(const struct settings *s)
+static void name_columns(void)
 {
     static const char *const names[][2] = {
         {"column", "number in the file"},
@@ -756,14 +746,14 @@ static void name_columns(const struct settings *s)
         {"block", "samples in the longest block"},
         {"plateau", "0: the errors are lower bounds"}};
     for (size_t i = 0; i < sizeof names / sizeof names[0]; ++i)
-        table_column(s->out, names[i][0], i >= 2 && i <= 5 ? "its own" : "",
-                     names[i][1]);
+        table_column(given.out, names[i][0],
+                     i >= 2 && i <= 5 ? "its own" : "", names[i][1]);
 }
 
-static void write_row(const struct settings *s, const struct columns *c,
-                      size_t i, const struct statistics_description *d)
+static void write_row(const struct columns *c, size_t i,
+                      const struct statistics_description *d)
 {
-    print_row(s->out, 11,
+    print_row(given.out, 11,
               (double[]){(double)c->column[i].number, (double)d->n, d->mean,
                          d->mean_error, d->sd, d->sd_error, d->kurtosis,
                          d->kurtosis_error, d->inefficiency,
@@ -771,13 +761,12 @@ static void write_row(const struct settings *s, const struct columns *c,
 }
 
 /* Returns a copy of column i in units of its size, to be freed. */
-static double *in_unit(const struct settings *s, const struct columns *c,
-                       size_t i)
+static double *in_unit(const struct columns *c, size_t i)
 {
     const double unit = statistics_unit(c->rows, c->column[i].x);
     double *x = malloc(c->rows * sizeof x[0]);
     if (!x)
-        no_memory(s, c);
+        no_memory(c);
     for (size_t k = 0; k < c->rows; ++k)
         x[k] = c->column[i].x[k] / unit;
     return x;
@@ -785,75 +774,71 @@ static double *in_unit(const struct settings *s, const struct columns *c,
 
 /* Returns (x - mean)^2 of column i in units of the square of its size, to
    be freed. Of a velocity that is the kinetic energy but for a factor. */
-static double *squares_of(const struct settings *s, const struct columns *c,
-                          size_t i)
+static double *squares_of(const struct columns *c, size_t i)
 {
-    double *y = in_unit(s, c, i);
+    double *y = in_unit(c, i);
     const double mean = statistics_moments(c->rows, y).mean;
     for (size_t k = 0; k < c->rows; ++k)
         y[k] = (y[k] - mean) * (y[k] - mean);
     return y;
 }
 
-static void name_blocks(const struct settings *s, const struct columns *c)
+static void name_blocks(const struct columns *c)
 {
     const char *unit = c->column[0].unit;
     char square[NAME_LENGTH + 4];
     snprintf(square, sizeof square, "(%.*s)^2", NAME_LENGTH, unit);
-    table_column(s->out, "length", "", "samples in a block");
-    table_column(s->out, "blocks", "", "how many");
-    table_column(s->out, "error", unit, "of the mean of x");
-    table_column(s->out, "uncertainty", unit, "of that error");
-    table_column(s->out, "error2", square, "of the variance");
-    table_column(s->out, "uncertainty2", square, "of that error");
+    TABLE_COLUMNS(given.out, {"length", "", "samples in a block"},
+                  {"blocks", "", "how many"},
+                  {"error", unit, "of the mean of x"},
+                  {"uncertainty", unit, "of that error"},
+                  {"error2", square, "of the variance"},
+                  {"uncertainty2", square, "of that error"});
 }
 
-static void write_blocks(const struct settings *s, const struct columns *c,
-                         size_t i)
+static void write_blocks(const struct columns *c, size_t i)
 {
     const double unit = statistics_unit(c->rows, c->column[i].x);
     const double square = unit * unit;
     struct statistics_blocking b, b2;
-    double *y = squares_of(s, c, i);
+    double *y = squares_of(c, i);
     if (!statistics_blocking(c->rows, c->column[i].x, &b) ||
         !statistics_blocking(c->rows, y, &b2))
-        no_memory(s, c);
+        no_memory(c);
     free(y);
     for (size_t k = 0; k < b.levels; ++k)
-        print_row(s->out, 6,
+        print_row(given.out, 6,
                   (double[]){(double)b.level[k].length,
                              (double)b.level[k].blocks, b.level[k].error,
                              b.level[k].uncertainty,
                              b2.level[k].error * square,
                              b2.level[k].uncertainty * square});
     const struct column *column = &c->column[i];
-    summarise(s, "block_inefficiency", column, b.inefficiency);
-    summarise(s, "block_inefficiency2", column, b2.inefficiency);
-    summarise(s, "block_length", column, (double)b.level[b.chosen].length);
-    summarise(s, "block_length2", column,
-              (double)b2.level[b2.chosen].length);
-    summarise(s, "block_error", column, b.error);
-    summarise(s, "block_error2", column, b2.error * square);
-    summarise(s, "block_naive", column, b.level[0].error);
-    summarise(s, "block_naive2", column, b2.level[0].error * square);
+    summarise("block_inefficiency", column, b.inefficiency);
+    summarise("block_inefficiency2", column, b2.inefficiency);
+    summarise("block_length", column, (double)b.level[b.chosen].length);
+    summarise("block_length2", column, (double)b2.level[b2.chosen].length);
+    summarise("block_error", column, b.error);
+    summarise("block_error2", column, b2.error * square);
+    summarise("block_naive", column, b.level[0].error);
+    summarise("block_naive2", column, b2.level[0].error * square);
 }
 
-static void name_correlation(const struct settings *s)
+static void name_correlation(void)
 {
-    table_column(s->out, "lag", "", "samples apart");
-    table_column(s->out, "rho", "", "correlation of x");
-    table_column(s->out, "g", "", "1 + 2 sum of rho up to here");
-    table_column(s->out, "rho2", "", "correlation of (x - mean)^2");
-    table_column(s->out, "g2", "", "1 + 2 sum of rho2 up to here");
+    TABLE_COLUMNS(given.out, {"lag", "", "samples apart"},
+                  {"rho", "", "correlation of x"},
+                  {"g", "", "1 + 2 sum of rho up to here"},
+                  {"rho2", "", "correlation of (x - mean)^2"},
+                  {"g2", "", "1 + 2 sum of rho2 up to here"});
 }
 
 /* Writes lags up to twice the window, which shows what the window cuts
    off. */
-static void write_correlation(const struct settings *s,
-                              const struct columns *c, size_t i,
+static void write_correlation(const struct columns *c, size_t i,
                               const struct statistics_description *d)
 {
-    double *x = in_unit(s, c, i), *y = squares_of(s, c, i);
+    double *x = in_unit(c, i), *y = squares_of(c, i);
     double g = -1, g2 = -1;
     const double mean = statistics_moments(d->n, x).mean;
     const double mean2 = statistics_moments(d->n, y).mean;
@@ -871,16 +856,16 @@ static void write_correlation(const struct settings *s,
                 : NAN; /* all samples are equal */
         g += 2 * rho;
         g2 += 2 * rho2;
-        print_row(s->out, 5, (double[]){(double)lag, rho, g, rho2, g2});
+        print_row(given.out, 5, (double[]){(double)lag, rho, g, rho2, g2});
     }
     const struct column *column = &c->column[i];
-    summarise(s, "window", column, (double)a.window);
-    summarise(s, "window2", column, (double)b.window);
-    summarise(s, "sum_inefficiency", column, a.inefficiency);
-    summarise(s, "sum_uncertainty", column, a.uncertainty);
-    summarise(s, "sum_inefficiency2", column, b.inefficiency);
-    summarise(s, "sum_uncertainty2", column, b.uncertainty);
-    summarise(s, "sum_settled", column, a.settled && b.settled);
+    summarise("window", column, (double)a.window);
+    summarise("window2", column, (double)b.window);
+    summarise("sum_inefficiency", column, a.inefficiency);
+    summarise("sum_uncertainty", column, a.uncertainty);
+    summarise("sum_inefficiency2", column, b.inefficiency);
+    summarise("sum_uncertainty2", column, b.uncertainty);
+    summarise("sum_settled", column, a.settled && b.settled);
     free(x);
     free(y);
 }
@@ -914,22 +899,22 @@ static double error_by(int way, size_t n, const double y[],
     return b.error;
 }
 
-static void name_cost(const struct settings *s)
+static void name_cost(void)
 {
-    bench_machine(s->out);
-    table_column(s->out, "way", "", "how the error is found");
-    table_column(s->out, "error", "its own", "of the variance of x");
-    table_column(s->out, "uncertainty", "its own", "of that error");
-    table_column(s->out, "time", "ns", "of the processor, a sample");
+    bench_machine(given.out);
+    TABLE_COLUMNS(given.out, {"way", "", "how the error is found"},
+                  {"error", "its own", "of the variance of x"},
+                  {"uncertainty", "its own", "of that error"},
+                  {"time", "ns", "of the processor, a sample"});
 }
 
 /* The first round warms the caches; its times are overwritten. The ways
    take turns, so that a disturbance of the machine falls on all of them. */
-static void write_cost(const struct settings *s, const struct columns *c,
-                       size_t i, const struct statistics_description *d)
+static void write_cost(const struct columns *c, size_t i,
+                       const struct statistics_description *d)
 {
     const double unit = statistics_unit(d->n, c->column[i].x);
-    double *y = squares_of(s, c, i);
+    double *y = squares_of(c, i);
     double time[WAYS][BENCH_ROUNDS], error[WAYS], uncertainty[WAYS];
     for (int round = -1; round < BENCH_ROUNDS; ++round)
         for (int way = 0; way < WAYS; ++way) {
@@ -939,7 +924,7 @@ static void write_cost(const struct settings *s, const struct columns *c,
                 (bench_seconds() - start) * 1e9 / (double)d->n;
         }
     for (int way = 0; way < WAYS; ++way) {
-        table_print(s->out, "%-11s %.6g %.3g %.3g\n", ways[way],
+        table_print(given.out, "%-11s %.6g %.3g %.3g\n", ways[way],
                     error[way] * unit * unit,
                     uncertainty[way] * unit * unit,
                     bench_median(time[way], BENCH_ROUNDS));
@@ -947,59 +932,57 @@ static void write_cost(const struct settings *s, const struct columns *c,
     free(y);
 }
 
-static void begin_table(const struct settings *s, const struct columns *c)
+static void begin_table(const struct columns *c)
 {
-    table_begin(s->out, s->command, c->seed);
+    table_begin(given.out, given.command, c->seed);
     if (c->made_by)
-        table_print(s->out, "# data: %s", c->made_by);
-    table_count(s->summary, "samples", c->rows);
-    table_count(s->summary, "columns", c->count - c->against);
-    switch (s->kind) {
-    case HISTOGRAM: name_histogram(s, c); break;
-    case COLUMNS: name_columns(s); break;
-    case BLOCKS: name_blocks(s, c); break;
-    case CORRELATION: name_correlation(s); break;
-    case COST: name_cost(s); break;
+        table_print(given.out, "# data: %s", c->made_by);
+    table_count(given.summary, "samples", c->rows);
+    table_count(given.summary, "columns", c->count - c->against);
+    switch (given.kind) {
+    case HISTOGRAM: name_histogram(c); break;
+    case COLUMNS: name_columns(); break;
+    case BLOCKS: name_blocks(c); break;
+    case CORRELATION: name_correlation(); break;
+    case COST: name_cost(); break;
     }
 }
-static void write_column(struct settings *s, const struct columns *c,
-                         size_t i)
+static void write_column(const struct columns *c, size_t i)
 {
     if (c->against && i + 1 == c->count)
         return;
     const struct statistics_description *d = &c->column[i].d;
     note_bounds(&c->column[i]);
-    summarise_column(s, &c->column[i], d);
-    if (s->kind != COLUMNS)
-        table_print(s->out, i > 0 ? "\n\n" : "");
-    print_description(s, &c->column[i], d);
-    if (s->laws > 0)
-        test_law(s, c, i, d);
+    summarise_column(&c->column[i], d);
+    if (given.kind != COLUMNS)
+        table_print(given.out, i > 0 ? "\n\n" : "");
+    print_description(&c->column[i], d);
+    if (given.laws > 0)
+        test_law(c, i, d);
     if (c->against)
-        compare(s, c, i, d);
-    switch (s->kind) {
-    case HISTOGRAM: write_histogram(s, c, i, d); break;
-    case COLUMNS: write_row(s, c, i, d); break;
-    case BLOCKS: write_blocks(s, c, i); break;
-    case CORRELATION: write_correlation(s, c, i, d); break;
-    case COST: write_cost(s, c, i, d); break;
+        compare(c, i, d);
+    switch (given.kind) {
+    case HISTOGRAM: write_histogram(c, i, d); break;
+    case COLUMNS: write_row(c, i, d); break;
+    case BLOCKS: write_blocks(c, i); break;
+    case CORRELATION: write_correlation(c, i, d); break;
+    case COST: write_cost(c, i, d); break;
     }
 }
 
 int main(int argc, char *argv[])
 {
-    struct settings s;
     struct columns c = {0};
-    read_settings(&s, argc, argv);
-    s.out = program_table(PROGRAM, s.output);
-    s.summary = program_table(PROGRAM, s.summary_path);
-    table_keys(s.summary, keys);
-    read_table(&s, &c);
+    read_settings(argc, argv);
+    given.out = program_table(PROGRAM, given.output);
+    given.summary = program_table(PROGRAM, given.summary_path);
+    table_keys(given.summary, keys);
+    read_table(&c);
     for (size_t i = 0; i < c.count; ++i)
-        describe(&s, &c, i);
-    begin_table(&s, &c);
+        describe(&c, i);
+    begin_table(&c);
     for (size_t i = 0; i < c.count; ++i)
-        write_column(&s, &c, i);
+        write_column(&c, i);
     free_columns(&c);
-    return program_close(s.out, s.summary, true);
+    return program_close(given.out, given.summary, true);
 }

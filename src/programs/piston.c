@@ -3,13 +3,13 @@
 #include "toolbox/bench.h"
 #include "toolbox/study.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #define PROGRAM "piston"
-#include <errno.h>
 
 enum { MOST = 8 }; /* the most numbers that an option takes */
 
@@ -18,7 +18,7 @@ typedef bool stepper(const struct piston *p, struct piston_state *s,
 static stepper *const steppers[] = {piston_step, piston_step_rk4};
 static const char *const stepper_names[] = {"leapfrog", "rk4", NULL};
 
-struct settings {
+static struct {
     size_t method;
     struct piston piston;
     double energies[2], masses[2]; /* of the gases at the start */
@@ -29,7 +29,16 @@ struct settings {
     double window; /* s, half a period */
     double at[MOST], fit[2];
     size_t at_count;
-};
+} own = {.piston = {40, 12, {0, 0, 0}, {0, 0, 0}},
+         .energies = {10.0 / 3, 10.0 / 3},
+         .masses = {20.0 / 3, 20.0 / 3},
+         .start = {NAN, 1},
+         .step = 0.01,
+         .every = 0.1,
+         .until = 40,
+         .body = 6,
+         .window = 10.15,
+         .fit = {0.1, 0.01}};
 
 static void read_pair(struct options *o, double pair[2], double low)
 {
@@ -41,40 +50,36 @@ static void read_pair(struct options *o, double pair[2], double low)
 
 /* The piston sets the gas in motion, so that the swing begins at V M / M',
    with the mass M' of what moves (4.10, eq:added-mass). */
-static struct piston_state first_state(const struct settings *s,
-                                       const struct piston *p)
+static struct piston_state first_state(const struct piston *p)
 {
-    struct piston_state state = s->start;
+    struct piston_state state = own.start;
     state.v *= p->mass / piston_inertia(p);
     return state;
 }
 
 enum { POINTS = 64 }; /* of the quadrature: more than enough */
 
-static double large_period(const struct settings *s, const struct piston *p,
-                           size_t points)
+static double large_period(const struct piston *p, size_t points)
 {
-    const struct piston_state state = first_state(s, p);
+    const struct piston_state state = first_state(p);
     return piston_period(p, piston_energy(p, &state), points);
 }
 
 /* Writes what every theory says about the period, with the masses of the
    gases and without. */
-static void summarise_periods(struct table *summary,
-                              const struct settings *s)
+static void summarise_periods(struct table *summary)
 {
-    struct piston bare = s->piston;
+    struct piston bare = own.piston;
     bare.left.mass = bare.right.mass = 0;
     const double small = 2 * acos(-1) / piston_frequency(&bare);
-    table_real(summary, "period_isothermal", sqrt(3) * small);
-    table_real(summary, "period_small", small);
-    table_real(summary, "period_large", large_period(s, &bare, POINTS));
-    table_real(summary, "period_small_added",
-               2 * acos(-1) / piston_frequency(&s->piston));
-    table_real(summary, "period_large_added",
-               large_period(s, &s->piston, POINTS));
-    table_real(summary, "period_acoustic",
-               2 * acos(-1) / piston_frequency_acoustic(&s->piston));
+    TABLE_RESULTS(summary, {"period_isothermal", sqrt(3) * small},
+                  {"period_small", small},
+                  {"period_large", large_period(&bare, POINTS)},
+                  {"period_small_added",
+                   2 * acos(-1) / piston_frequency(&own.piston)},
+                  {"period_large_added", large_period(&own.piston, POINTS)},
+                  {"period_acoustic",
+                   2 * acos(-1) / piston_frequency_acoustic(&own.piston)});
 }
 
 enum { SWING = 3 }; /* the first keys, which study cost does not have */
@@ -97,36 +102,30 @@ static const struct table_key run_keys[] = {
    alone. */
 static void study_run(struct study *s)
 {
-    const struct settings *own = s->own;
-    const struct piston *p = &own->piston;
-    struct piston_state state = first_state(own, p);
-    const double steps = ceil(own->every / own->step);
+    const struct piston *p = &own.piston;
+    struct piston_state state = first_state(p);
+    const double steps = ceil(own.every / own.step);
     const double start = piston_energy(p, &state);
     double worst = 0, low = state.x, high = state.x;
-    table_column(s->out, "t", "s", "time");
-    table_column(s->out, "x", "m", "position of the piston");
-    table_column(s->out, "v", "m/s", "its velocity");
-    table_column(s->out, "TL", "J", "energy of the left gas");
-    table_column(s->out, "TR", "J", "energy of the right gas");
-    table_column(s->out, "TP", "J", "energy of the moving mass");
-    for (double row = 0; row * own->every <= own->until; ++row) {
+    TABLE_COLUMNS(
+        s->out, {"t", "s", "time"}, {"x", "m", "position of the piston"},
+        {"v", "m/s", "its velocity"}, {"TL", "J", "energy of the left gas"},
+        {"TR", "J", "energy of the right gas"},
+        {"TP", "J", "energy of the moving mass"});
+    for (double row = 0; row * own.every <= own.until; ++row) {
         const double left = piston_gas_energy(&p->left, state.x);
         const double right =
             piston_gas_energy(&p->right, p->length - state.x);
-        table_row(s->out, 6,
-                  (double[]){row * own->every, state.x, state.v, left,
-                             right,
-                             piston_energy(p, &state) - left - right});
+        TABLE_ROW(s->out, row * own.every, state.x, state.v, left, right,
+                  piston_energy(p, &state) - left - right);
         for (double k = 0; k < steps; ++k) {
             if (progress_signal())
                 return;
-            if (!steppers[own->method](p, &state, own->every / steps)) {
-                fprintf(stderr,
-                        PROGRAM
-                        ": --step: %.3g s leads into a wall at t = %.6g s, "
-                        "x = %.6g m\n",
-                        own->every / steps, (row + k / steps) * own->every,
-                        state.x);
+            if (!steppers[own.method](p, &state, own.every / steps)) {
+                program_say("--step: %.3g s leads into a wall at t = %.6g "
+                            "s, x = %.6g m",
+                            own.every / steps,
+                            (row + k / steps) * own.every, state.x);
                 s->broken = true;
                 return;
             }
@@ -135,10 +134,9 @@ static void study_run(struct study *s)
             high = fmax(high, state.x);
         }
     }
-    table_real(s->summary, "x_min", low);
-    table_real(s->summary, "x_max", high);
-    table_real(s->summary, "energy_error", worst);
-    summarise_periods(s->summary, own);
+    TABLE_RESULTS(s->summary, {"x_min", low}, {"x_max", high},
+                  {"energy_error", worst});
+    summarise_periods(s->summary);
 }
 
 /* Returns the time of one swing by steps of dt, begun to the right, until
@@ -147,11 +145,10 @@ static void study_run(struct study *s)
    until it ends on the spot: each pass divides the distance that is missing
    by the velocity and doubles the digits that are right, so six are plenty.
    The shorter step is as exact as the others. */
-static double stepped_period(const struct settings *s,
-                             const struct piston *p, stepper *step,
+static double stepped_period(const struct piston *p, stepper *step,
                              double dt)
 {
-    const struct piston_state start = first_state(s, p);
+    const struct piston_state start = first_state(p);
     struct piston_state now = start, next = start;
     double steps = 0;
     for (bool left = false; !(left && next.x >= start.x); ++steps) {
@@ -176,13 +173,12 @@ static const char *const way_names[WAYS] = {"leapfrog", "rk4", "quadrature",
 
 /* Every way to a period depends on one number: the step of the first two,
    the points of the quadrature, nothing for the formulas. */
-static double period_by(enum way way, const struct settings *s,
-                        const struct piston *p, double number)
+static double period_by(enum way way, const struct piston *p, double number)
 {
     switch (way) {
-    case LEAPFROG: return stepped_period(s, p, piston_step, number);
-    case RK4: return stepped_period(s, p, piston_step_rk4, number);
-    case QUADRATURE: return large_period(s, p, (size_t)number);
+    case LEAPFROG: return stepped_period(p, piston_step, number);
+    case RK4: return stepped_period(p, piston_step_rk4, number);
+    case QUADRATURE: return large_period(p, (size_t)number);
     case SMALL: return 2 * acos(-1) / piston_frequency(p);
     default: return 2 * acos(-1) / piston_frequency_acoustic(p);
     }
@@ -193,8 +189,7 @@ static double period_by(enum way way, const struct settings *s,
    milliseconds; the median of five such rounds counts, after one that
    warms up and is overwritten. Reading the clock costs more than a formula,
    so the times of the last two ways are upper limits. */
-static double cost_of(enum way way, const struct settings *s,
-                      const struct piston *p, double number)
+static double cost_of(enum way way, const struct piston *p, double number)
 {
     double rounds[BENCH_ROUNDS];
     volatile double kept; /* so that the compiler computes it */
@@ -202,7 +197,7 @@ static double cost_of(enum way way, const struct settings *s,
         const double start = bench_seconds();
         double calls = 0, seconds = 0;
         for (; seconds < 0.01; ++calls) {
-            kept = period_by(way, s, p, number);
+            kept = period_by(way, p, number);
             seconds = bench_seconds() - start;
         }
         rounds[round < 0 ? 0 : round] = seconds / calls;
@@ -216,32 +211,31 @@ static double cost_of(enum way way, const struct settings *s,
    signal ends the study between two numbers; the rows before it stay. */
 static void study_cost(struct study *s)
 {
-    const struct settings *own = s->own;
     static const double first[WAYS] = {1, 1, 1, 0, 0};
     static const double factor[WAYS] = {0.5, 0.5, 2, 0, 0};
     static const int count[WAYS] = {13, 10, 7, 1, 1};
-    struct piston bare = own->piston;
+    struct piston bare = own.piston;
     bare.left.mass = bare.right.mass = 0;
     bench_machine(s->out);
-    table_column(s->out, "way", "", "how the period was found");
-    table_column(s->out, "masses", "", "1: the gases have masses");
-    table_column(s->out, "number", "", "step in s, or points");
-    table_column(s->out, "period", "s", "");
-    table_column(s->out, "cost", "s", "processor time for it");
+    TABLE_COLUMNS(s->out, {"way", "", "how the period was found"},
+                  {"masses", "", "1: the gases have masses"},
+                  {"number", "", "step in s, or points"},
+                  {"period", "s", ""},
+                  {"cost", "s", "processor time for it"});
     for (int way = 0; way < WAYS; ++way)
         for (int masses = 0; masses < 2; ++masses) {
-            const struct piston *p = masses ? &own->piston : &bare;
+            const struct piston *p = masses ? &own.piston : &bare;
             double number = first[way];
             for (int k = 0; k < count[way]; ++k, number *= factor[way]) {
                 if (progress_signal())
                     return;
                 table_print(s->out, "%-10s %d %-14.9g %.12g %.3g\n",
                             way_names[way], masses, number,
-                            period_by(way, own, p, number),
-                            cost_of(way, own, p, number));
+                            period_by(way, p, number),
+                            cost_of(way, p, number));
             }
         }
-    summarise_periods(s->summary, own);
+    summarise_periods(s->summary);
 }
 
 enum { MOVERS = 4096, KEPT = 6 };
@@ -324,18 +318,17 @@ static bool read_row(const char *line, size_t body, const struct columns *c,
    failure prints what is wrong, frees everything and returns false. */
 static bool read_table(struct study *study, struct run_rows *r)
 {
-    const struct settings *s = study->own;
     static struct columns c;
     char *line = NULL;
     const char *wrong = NULL;
     size_t capacity = 0, number = 0;
-    FILE *file = strcmp(s->path, "-") == 0 ? stdin : fopen(s->path, "r");
+    FILE *file = strcmp(own.path, "-") == 0 ? stdin : fopen(own.path, "r");
     if (!file)
         wrong = strerror(errno);
     while (!wrong && getline(&line, &capacity, file) > 0) {
         ++number;
         if (line[0] == '#') {
-            read_head(line, s->body, &c);
+            read_head(line, own.body, &c);
             continue;
         }
         if (r->rows == r->capacity) {
@@ -347,10 +340,10 @@ static bool read_table(struct study *study, struct run_rows *r)
             }
             r->row = more;
         }
-        if (c.place == 0 || c.count[0] < s->body ||
+        if (c.place == 0 || c.count[0] < own.body ||
             (c.count[1] != c.count[0] && c.masses != c.count[0]))
             wrong = "the head names no x, v and T or masses of that body";
-        else if (!read_row(line, s->body, &c, r->row[r->rows++]))
+        else if (!read_row(line, own.body, &c, r->row[r->rows++]))
             wrong = "a row without all its numbers";
     }
     if (!wrong && r->rows < 3)
@@ -360,8 +353,8 @@ static bool read_table(struct study *study, struct run_rows *r)
         fclose(file);
     r->movers = c.count[c.count[1] > 0];
     if (wrong) {
-        fprintf(stderr, PROGRAM ": reading a table: %s%s%.0zu: %s\n",
-                s->path, number ? ":" : "", number, wrong);
+        program_say("reading a table: %s%s%.0zu: %s", own.path,
+                    number ? ":" : "", number, wrong);
         free(r->row);
         study->broken = true;
     }
@@ -373,29 +366,26 @@ static bool read_table(struct study *study, struct run_rows *r)
    the left. */
 static void study_gases(struct study *s)
 {
-    const struct settings *own = s->own;
     struct run_rows r = {0};
     if (!read_table(s, &r))
         return;
-    table_column(s->out, "t", "s", "time");
-    table_column(s->out, "x", "m", "the piston: length of the left gas");
-    table_column(s->out, "v", "m/s", "its velocity");
-    table_column(s->out, "TP", "J", "its energy");
-    table_column(s->out, "TL", "J", "energy of the left gas");
-    table_column(s->out, "TR", "J", "energy of the right gas");
-    table_column(s->out, "kTL", "J", "temperature of the left gas");
-    table_column(s->out, "kTR", "J", "temperature of the right gas");
-    table_column(s->out, "PL", "N", "pressure of the left gas");
-    table_column(s->out, "PR", "N", "pressure of the right gas");
+    TABLE_COLUMNS(s->out, {"t", "s", "time"},
+                  {"x", "m", "the piston: length of the left gas"},
+                  {"v", "m/s", "its velocity"}, {"TP", "J", "its energy"},
+                  {"TL", "J", "energy of the left gas"},
+                  {"TR", "J", "energy of the right gas"},
+                  {"kTL", "J", "temperature of the left gas"},
+                  {"kTR", "J", "temperature of the right gas"},
+                  {"PL", "N", "pressure of the left gas"},
+                  {"PR", "N", "pressure of the right gas"});
     for (size_t i = 0; i < r.rows; ++i) {
         const double *row = r.row[i];
-        const double length = own->piston.length - row[1];
-        const double left = (double)(own->body - 1);
-        const double right = (double)(r.movers - own->body);
-        table_row(s->out, 10,
-                  (double[]){row[0], row[1], row[2], row[3], row[4], row[5],
-                             2 * row[4] / left, 2 * row[5] / right,
-                             2 * row[4] / row[1], 2 * row[5] / length});
+        const double length = own.piston.length - row[1];
+        const double left = (double)(own.body - 1);
+        const double right = (double)(r.movers - own.body);
+        TABLE_ROW(s->out, row[0], row[1], row[2], row[3], row[4], row[5],
+                  2 * row[4] / left, 2 * row[5] / right,
+                  2 * row[4] / row[1], 2 * row[5] / length);
     }
     free(r.row);
 }
@@ -404,11 +394,10 @@ enum { CROSSINGS = 8 };
 
 /* Finds when the mean piston crosses the middle, by straight lines between
    rows. Returns how often, at most CROSSINGS. */
-static size_t find_crossings(const struct settings *s,
-                             const struct run_rows *r,
+static size_t find_crossings(const struct run_rows *r,
                              double times[CROSSINGS])
 {
-    const double middle = s->piston.length / 2;
+    const double middle = own.piston.length / 2;
     size_t n = 0;
     for (size_t i = 0; i + 1 < r->rows && n < CROSSINGS; ++i) {
         const double *a = r->row[i], *b = r->row[i + 1];
@@ -422,11 +411,10 @@ static size_t find_crossings(const struct settings *s,
 /* Writes the periods. With fewer than four crossings they have no scatter,
    and nothing is written. */
 static void summarise_crossings(struct table *summary,
-                                const struct settings *s,
                                 const struct run_rows *r)
 {
     double times[CROSSINGS], sum = 0, square = 0;
-    const size_t n = find_crossings(s, r, times);
+    const size_t n = find_crossings(r, times);
     table_count(summary, "crossings", n);
     for (size_t i = 2; i < n; ++i) {
         sum += times[i] - times[i - 2];
@@ -435,11 +423,10 @@ static void summarise_crossings(struct table *summary,
     if (n < 4)
         return;
     const double count = (double)(n - 2), mean = sum / count;
-    table_real(summary, "first_half", times[1] - times[0]);
-    table_real(summary, "second_half", times[2] - times[1]);
-    table_real(summary, "period", mean);
-    table_real(summary, "period_spread",
-               sqrt(fmax(0, square / count - mean * mean)));
+    TABLE_RESULTS(
+        summary, {"first_half", times[1] - times[0]},
+        {"second_half", times[2] - times[1]}, {"period", mean},
+        {"period_spread", sqrt(fmax(0, square / count - mean * mean))});
 }
 
 /* Returns the piston's fraction of the energy. */
@@ -452,16 +439,15 @@ static double piston_fraction(const double row[KEPT])
    time t to t + window, half a period, which takes the swing out; NAN if
    the table ends before. The ends of the window are moved by 1e-9 of it, so
    that rounding does not decide whether a row belongs to it. */
-static double mean_fraction(const struct settings *s,
-                            const struct run_rows *r, double t)
+static double mean_fraction(const struct run_rows *r, double t)
 {
-    const double margin = 1e-9 * s->window;
+    const double margin = 1e-9 * own.window;
     double sum = 0, count = 0;
-    if (!(t + s->window <= r->row[r->rows - 1][0] + margin))
+    if (!(t + own.window <= r->row[r->rows - 1][0] + margin))
         return NAN;
     for (size_t i = 0; i < r->rows; ++i)
         if (r->row[i][0] >= t - margin &&
-            r->row[i][0] < t + s->window - margin) {
+            r->row[i][0] < t + own.window - margin) {
             sum += piston_fraction(r->row[i]);
             ++count;
         }
@@ -479,21 +465,19 @@ struct fit {
    below fit[0] to the last one above fit[1], by least squares of its
    logarithm y: the slope is -1/tau, and an error of the slope is one of tau
    times 1/tau^2. Two windows give a line, but no scatter about it. */
-static struct fit fit_decay(const struct settings *s,
-                            const struct run_rows *r)
+static struct fit fit_decay(const struct run_rows *r)
 {
     struct fit f = {0, NAN, NAN, NAN};
     double st = 0, sy = 0, stt = 0, sty = 0, syy = 0;
     bool begun = false;
-    for (double t = 0;; t += s->window) {
-        const double excess =
-            mean_fraction(s, r, t) - 1 / (double)r->movers;
-        if (!(excess >= s->fit[1]))
+    for (double t = 0;; t += own.window) {
+        const double excess = mean_fraction(r, t) - 1 / (double)r->movers;
+        if (!(excess >= own.fit[1]))
             break;
-        begun = begun || excess < s->fit[0];
+        begun = begun || excess < own.fit[0];
         if (!begun)
             continue;
-        const double y = log(excess), at = t + s->window / 2;
+        const double y = log(excess), at = t + own.window / 2;
         ++f.n;
         st += at;
         sy += y;
@@ -532,13 +516,12 @@ static const struct table_key measure_keys[] = {
 
 static void study_measure(struct study *s)
 {
-    const struct settings *own = s->own;
     struct run_rows r = {0};
     if (!read_table(s, &r))
         return;
-    const struct fit f = fit_decay(own, &r);
-    table_column(s->out, "t", "s", "middle of a window");
-    table_column(s->out, "share", "", "the piston's, mean of the window");
+    const struct fit f = fit_decay(&r);
+    TABLE_COLUMNS(s->out, {"t", "s", "middle of a window"},
+                  {"share", "", "the piston's, mean of the window"});
     /* Without a fit there is no column of it, and the head says why. */
     const bool fitted = f.n >= FEWEST_WINDOWS;
     if (fitted)
@@ -547,29 +530,26 @@ static void study_measure(struct study *s)
         table_print(s->out,
                     "# no fit: %zu windows between its bounds, %d needed\n",
                     f.n, FEWEST_WINDOWS);
-    for (double t = 0; mean_fraction(own, &r, t) >= 0; t += own->window) {
-        const double at = t + own->window / 2;
+    for (double t = 0; mean_fraction(&r, t) >= 0; t += own.window) {
+        const double at = t + own.window / 2;
         table_row(s->out, fitted ? 3 : 2,
-                  (double[]){at, mean_fraction(own, &r, t),
+                  (double[]){at, mean_fraction(&r, t),
                              1 / (double)r.movers +
                                  f.amplitude * exp(-at / f.tau)});
     }
     double reach = 0;
     for (size_t i = 0; i < r.rows; ++i)
-        reach = fmax(reach, fabs(r.row[i][1] - own->piston.length / 2));
+        reach = fmax(reach, fabs(r.row[i][1] - own.piston.length / 2));
     table_count(s->summary, "movers", r.movers);
-    table_real(s->summary, "share_start", piston_fraction(r.row[0]));
-    table_real(s->summary, "reach", reach);
-    summarise_crossings(s->summary, own, &r);
-    for (size_t i = 0; i < own->at_count; ++i) {
-        char key[32];
-        snprintf(key, sizeof key, "share_%zu", i + 1);
-        table_real(s->summary, key,
-                   mean_fraction(own, &r, own->at[i] - own->window / 2));
-    }
+    TABLE_RESULTS(s->summary, {"share_start", piston_fraction(r.row[0])},
+                  {"reach", reach});
+    summarise_crossings(s->summary, &r);
+    for (size_t i = 0; i < own.at_count; ++i)
+        table_keyed(s->summary,
+                    mean_fraction(&r, own.at[i] - own.window / 2),
+                    "share_%zu", i + 1);
     table_count(s->summary, "windows", f.n);
-    table_real(s->summary, "tau", f.tau);
-    table_real(s->summary, "tau_error", f.error);
+    TABLE_RESULTS(s->summary, {"tau", f.tau}, {"tau_error", f.error});
     free(r.row);
 }
 
@@ -604,71 +584,58 @@ static const struct options_entry entries[] = {
 
 /* The limits are so wide that nothing that moves is refused, and so narrow
    that nothing overflows. */
-static void take_option(struct options *o, int letter, void *settings)
+static void take_option(struct options *o, int letter)
 {
-    struct settings *s = settings;
     switch (letter) {
-    case 'M': s->piston.mass = options_real(o, 1e-9, 1e9); break;
-    case 'L': s->piston.length = options_real(o, 1e-9, 1e9); break;
-    case 'K': read_pair(o, s->energies, 1e-9); break;
-    case 'g': read_pair(o, s->masses, 0); break;
-    case 'x': s->start.x = options_real(o, 0, 1e9); break;
-    case 'v': s->start.v = options_real(o, -1e9, 1e9); break;
-    case 'm': s->method = options_choice(o, stepper_names); break;
-    case 'h': s->step = options_real(o, 1e-9, 1e9); break;
-    case 'e': s->every = options_real(o, 1e-9, 1e9); break;
-    case 'u': s->until = options_real(o, 0, 1e9); break;
-    case 'f': s->path = options_input(o); break;
-    case 'b': s->body = options_count(o, 1, 4096); break;
-    case 'w': s->window = options_real(o, 1e-9, 1e9); break;
-    case 'a': s->at_count = options_list(o, s->at, MOST); break;
-    case 'F': read_pair(o, s->fit, 1e-9); break;
+    case 'M': own.piston.mass = options_real(o, 1e-9, 1e9); break;
+    case 'L': own.piston.length = options_real(o, 1e-9, 1e9); break;
+    case 'K': read_pair(o, own.energies, 1e-9); break;
+    case 'g': read_pair(o, own.masses, 0); break;
+    case 'x': own.start.x = options_real(o, 0, 1e9); break;
+    case 'v': own.start.v = options_real(o, -1e9, 1e9); break;
+    case 'm': own.method = options_choice(o, stepper_names); break;
+    case 'h': own.step = options_real(o, 1e-9, 1e9); break;
+    case 'e': own.every = options_real(o, 1e-9, 1e9); break;
+    case 'u': own.until = options_real(o, 0, 1e9); break;
+    case 'f': own.path = options_input(o); break;
+    case 'b': own.body = options_count(o, 1, 4096); break;
+    case 'w': own.window = options_real(o, 1e-9, 1e9); break;
+    case 'a': own.at_count = options_list(o, own.at, MOST); break;
+    case 'F': read_pair(o, own.fit, 1e-9); break;
     }
 }
 
 /* Where the piston starts and how long the gases are is known only when all
    options have been read; the energies are those at the start. */
-static void check_settings(struct options *o, const char *study,
-                           void *settings)
+static void check_settings(struct options *o, const char *study)
 {
-    struct settings *s = settings;
-    const double length = s->piston.length;
-    if (isnan(s->start.x))
-        s->start.x = length / 2;
-    if (!(s->start.x > 0 && s->start.x < length))
+    const double length = own.piston.length;
+    if (isnan(own.start.x))
+        own.start.x = length / 2;
+    if (!(own.start.x > 0 && own.start.x < length))
         options_fail(o, "--start: %g is not inside the box, 0 to %g",
-                     s->start.x, length);
-    if (strcmp(study, "cost") == 0 && !(s->start.v > 0))
+                     own.start.x, length);
+    if (strcmp(study, "cost") == 0 && !(own.start.v > 0))
         options_fail(o,
                      "--velocity: %g, but a cost is measured from a "
                      "start to the right",
-                     s->start.v);
+                     own.start.v);
     if ((strcmp(study, "measure") == 0 || strcmp(study, "gases") == 0) &&
-        !s->path)
+        !own.path)
         options_fail(o, "--study %s needs --table", study);
-    if (!(s->fit[0] > s->fit[1]))
-        options_fail(o, "--fit: from %g to %g is no decay", s->fit[0],
-                     s->fit[1]);
-    s->piston.left =
-        (struct piston_gas){s->energies[0], s->start.x, s->masses[0]};
-    s->piston.right = (struct piston_gas){
-        s->energies[1], length - s->start.x, s->masses[1]};
+    if (!(own.fit[0] > own.fit[1]))
+        options_fail(o, "--fit: from %g to %g is no decay", own.fit[0],
+                     own.fit[1]);
+    own.piston.left =
+        (struct piston_gas){own.energies[0], own.start.x, own.masses[0]};
+    own.piston.right = (struct piston_gas){
+        own.energies[1], length - own.start.x, own.masses[1]};
 }
 
 /* The defaults are those of the eleven particles. A start that is not a
    number stands for the middle of the box. */
 int main(int argc, char *argv[])
 {
-    struct settings own = {.piston = {40, 12, {0, 0, 0}, {0, 0, 0}},
-                           .energies = {10.0 / 3, 10.0 / 3},
-                           .masses = {20.0 / 3, 20.0 / 3},
-                           .start = {NAN, 1},
-                           .step = 0.01,
-                           .every = 0.1,
-                           .until = 40,
-                           .body = 6,
-                           .window = 10.15,
-                           .fit = {0.1, 0.01}};
     const struct study_program program = {
         .name = PROGRAM,
         .purpose = "A piston between two adiabatic springs of gas.",
@@ -677,7 +644,6 @@ int main(int argc, char *argv[])
         .usual = "run",
         .options = entries,
         .take = take_option,
-        .check = check_settings,
-        .own = &own};
+        .check = check_settings};
     return study_main(&program, argc, argv);
 }

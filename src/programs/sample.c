@@ -34,14 +34,21 @@ enum measure { POSITIONS, DISTANCES, STATES };
 static const char *const measure_names[] = {"positions", "distances",
                                             "states", NULL};
 
-struct settings {
+static struct {
     size_t method, boundary, measure;
     size_t dimensions, large, small, bins;
     double radius, small_radius, box[DISKS_AXES];
     double step, length; /* 0: a radius, ten radii */
     uint64_t samples, seed;
     const char *output, *summary, *command;
-};
+} given = {.dimensions = 2,
+           .large = 4,
+           .bins = 100,
+           .radius = 0.15,
+           .box = {1, 1},
+           .samples = 100000,
+           .seed = 1,
+           .summary = "/dev/null"};
 
 static const struct options_entry entries[] = {
     {"method", 'm', "NAME", "direct, markov or chains (direct)"},
@@ -94,16 +101,17 @@ static const struct table_key keys[] = {
     {"Z_chain_error", "1", "standard error"},
     {0}};
 
-static void read_box(struct options *o, struct settings *s)
+static void read_box(struct options *o)
 {
-    s->dimensions = options_list(o, s->box, DISKS_AXES);
-    for (size_t k = 0; k < s->dimensions; ++k)
-        if (s->dimensions < 2 || !(s->box[k] > 0 && s->box[k] <= LONGEST))
+    given.dimensions = options_list(o, given.box, DISKS_AXES);
+    for (size_t k = 0; k < given.dimensions; ++k)
+        if (given.dimensions < 2 ||
+            !(given.box[k] > 0 && given.box[k] <= LONGEST))
             options_fail(o, "'%s', expected two or three lengths up to %g",
                          options_text(o), LONGEST);
 }
 
-static void read_small(struct options *o, struct settings *s)
+static void read_small(struct options *o)
 {
     double pair[2];
     if (options_list(o, pair, 2) != 2 ||
@@ -112,57 +120,44 @@ static void read_small(struct options *o, struct settings *s)
         options_fail(o,
                      "'%s', expected a radius and a whole number up to %d",
                      options_text(o), MOST);
-    s->small_radius = pair[0];
-    s->small = (size_t)pair[1];
+    given.small_radius = pair[0];
+    given.small = (size_t)pair[1];
 }
 
-static void read_settings(struct settings *s, struct options *o, int argc,
-                          char *argv[])
+static void read_settings(struct options *o, int argc, char *argv[])
 {
     int option;
-    *s = (struct settings){.dimensions = 2,
-                           .large = 4,
-                           .bins = 100,
-                           .radius = 0.15,
-                           .box = {1, 1},
-                           .samples = 100000,
-                           .seed = 1,
-                           .summary = "/dev/null"};
     options_begin(o, PROGRAM, "Sample the places of hard disks in a box.",
                   entries, argc, argv);
     options_keys(o, keys);
     while ((option = options_next(o)) != -1)
         switch (option) {
-        case 'm': s->method = options_choice(o, method_names); break;
-        case 'N': s->large = options_count(o, 1, MOST); break;
-        case 'r':
-            s->radius = options_real(o, OPTIONS_POSITIVE, LONGEST);
+        case 'm': given.method = options_choice(o, method_names); break;
+        case 'N': given.large = options_count(o, 1, MOST); break;
+        case 'r': given.radius = options_positive(o, LONGEST); break;
+        case 'b': read_box(o); break;
+        case 'B': given.boundary = options_choice(o, boundary_names); break;
+        case 'i': read_small(o); break;
+        case 'k':
+            given.samples = options_count(o, 1, UINT64_MAX / 4);
             break;
-        case 'b': read_box(o, s); break;
-        case 'B': s->boundary = options_choice(o, boundary_names); break;
-        case 'i': read_small(o, s); break;
-        case 'k': s->samples = options_count(o, 1, UINT64_MAX / 4); break;
-        case 'd':
-            s->step = options_real(o, OPTIONS_POSITIVE, LONGEST);
-            break;
-        case 'l':
-            s->length = options_real(o, OPTIONS_POSITIVE, LONGEST);
-            break;
-        case 'M': s->measure = options_choice(o, measure_names); break;
-        case 'n': s->bins = options_count(o, 1, 100000); break;
-        case 's': s->seed = options_count(o, 0, UINT64_MAX); break;
-        case 'o': s->output = options_text(o); break;
-        case 'S': s->summary = options_text(o); break;
+        case 'd': given.step = options_positive(o, LONGEST); break;
+        case 'l': given.length = options_positive(o, LONGEST); break;
+        case 'M': given.measure = options_choice(o, measure_names); break;
+        case 'n': given.bins = options_count(o, 1, 100000); break;
+        case 's': given.seed = options_count(o, 0, UINT64_MAX); break;
+        case 'o': given.output = options_text(o); break;
+        case 'S': given.summary = options_text(o); break;
         }
-    s->command = options_command(o);
-    if (s->step == 0)
-        s->step = s->radius;
-    if (s->length == 0)
-        s->length = 10 * s->radius;
-    if (s->method == CHAINS && s->boundary != DISKS_PERIODIC)
+    given.command = options_command(o);
+    if (given.step == 0)
+        given.step = given.radius;
+    if (given.length == 0)
+        given.length = 10 * given.radius;
+    if (given.method == CHAINS && given.boundary != DISKS_PERIODIC)
         options_fail(o, "--method: chains need --boundary periodic, since "
                         "a wall hands nothing on");
-    program_apart(o, s->output, s->summary, "table");
+    program_apart(o, given.output, given.summary, "table");
 }
 
 /* Returns whether it is certain that the large disks do not fit between the
@@ -170,70 +165,69 @@ static void read_settings(struct settings *s, struct options *o, int argc,
    2 r and b = Ly - 2 r: two of them need a diagonal of sigma = 2 r, and
    Oler proved in 1961 that at most 2 a b / (sqrt(3) sigma^2) + (a + b) /
    sigma + 1 points have room in it that are sigma apart. */
-static bool is_too_full(const struct settings *s)
+static bool is_too_full(void)
 {
-    const double sigma = 2 * s->radius;
+    const double sigma = 2 * given.radius;
     double area = 1, half = 0, square = 0;
-    for (size_t k = 0; k < s->dimensions; ++k) {
-        const double side = (s->box[k] - sigma) / sigma;
+    for (size_t k = 0; k < given.dimensions; ++k) {
+        const double side = (given.box[k] - sigma) / sigma;
         area *= side;
         half += side;
         square += side * side;
     }
     const double most = 2 / sqrt(3) * area + half + 1;
-    return s->boundary == DISKS_WALLS &&
-           ((s->large > 1 && square < 1 - 1e-12) ||
-            (s->dimensions == 2 && (double)s->large > most + 1e-9));
+    return given.boundary == DISKS_WALLS &&
+           ((given.large > 1 && square < 1 - 1e-12) ||
+            (given.dimensions == 2 && (double)given.large > most + 1e-9));
 }
 
 /* Ends the program if the disks cannot be in the box: if one is wider than
    the box, or if they are more than any packing holds, which is
    pi/sqrt(12) = 0.9069 of a plane and pi/sqrt(18) = 0.7405 of space. */
-static void check_room(struct options *o, const struct settings *s,
-                       const struct sampling *p)
+static void check_room(struct options *o, const struct sampling *p)
 {
     const double widest =
-        fmax(s->radius, s->small > 0 ? s->small_radius : 0);
-    const double most = s->dimensions == 2 ? 0.9069 : 0.7405;
+        fmax(given.radius, given.small > 0 ? given.small_radius : 0);
+    const double most = given.dimensions == 2 ? 0.9069 : 0.7405;
     struct disks large = p->disks;
-    large.count = s->large;
+    large.count = given.large;
     const double packing = disks_packing(&large);
-    for (size_t k = 0; k < s->dimensions; ++k) {
-        if (s->boundary == DISKS_WALLS && !(s->box[k] > 2 * widest))
+    for (size_t k = 0; k < given.dimensions; ++k) {
+        if (given.boundary == DISKS_WALLS && !(given.box[k] > 2 * widest))
             options_fail(
                 o, "--box: a side of %g has no room for a radius of %g",
-                s->box[k], widest);
-        if (s->boundary == DISKS_PERIODIC && !(s->box[k] >= 4 * widest))
+                given.box[k], widest);
+        if (given.boundary == DISKS_PERIODIC &&
+            !(given.box[k] >= 4 * widest))
             options_fail(
                 o,
                 "--box: a side of %g, but a periodic one must be at "
                 "least four radii, %g, so that a disk meets "
                 "another one once",
-                s->box[k], 4 * widest);
+                given.box[k], 4 * widest);
     }
     if (packing > most)
         options_fail(
             o,
             "--disks: %zu of radius %g would fill %.4g of the box, "
             "and no packing fills more than %g",
-            s->large, s->radius, packing, most);
-    if (is_too_full(s))
+            given.large, given.radius, packing, most);
+    if (is_too_full())
         options_fail(o,
                      "--disks: %zu of radius %g have no room between these "
                      "walls",
-                     s->large, s->radius);
+                     given.large, given.radius);
 }
 
 /* Ends the program if direct sampling would need more than 10^15 throws,
    which are years, or more than five million for a sample. The estimate has
    a generator of its own, so that it does not change the run. */
-static void check_throws(struct options *o, const struct settings *s,
-                         struct sampling *p)
+static void check_throws(struct options *o, struct sampling *p)
 {
     struct random r;
-    random_seed(&r, ~s->seed);
+    random_seed(&r, ~given.seed);
     const double once = -sampling_log_acceptance(p, PILOT, &r) / log(10);
-    const double tries = once + log((double)s->samples) / log(10);
+    const double tries = once + log((double)given.samples) / log(10);
     if (tries > MOST_DIGITS || once > log(GIVE_UP / 20) / log(10))
         options_fail(
             o,
@@ -244,7 +238,6 @@ static void check_throws(struct options *o, const struct settings *s,
 
 /* A run: what it measures, and how far it is. */
 struct run {
-    const struct settings *s;
     struct sampling p;
     struct random r;
     struct progress progress;
@@ -270,36 +263,38 @@ enum number {
 /* Returns the longest distance that is counted: between walls all are; in a
    periodic box those up to half a side, where the whole circle (sphere) of
    that radius is in the box. */
-static double longest_distance(const struct settings *s)
+static double longest_distance(void)
 {
     double square = 0, least = INFINITY;
-    for (size_t k = 0; k < s->dimensions; ++k) {
-        const double way = s->box[k] - 2 * s->radius;
+    for (size_t k = 0; k < given.dimensions; ++k) {
+        const double way = given.box[k] - 2 * given.radius;
         square += way * way;
-        least = fmin(least, s->box[k] / 2);
+        least = fmin(least, given.box[k] / 2);
     }
-    return s->boundary == DISKS_PERIODIC ? least : sqrt(square);
+    return given.boundary == DISKS_PERIODIC ? least : sqrt(square);
 }
 
 /* Allocates what a run needs. If memory is short, prints that and returns
    false. */
-static bool begin_run(struct run *run, const struct settings *s)
+static bool begin_run(struct run *run)
 {
-    const size_t count = s->large + s->small;
-    const size_t bins =
-        s->measure == POSITIONS ? s->dimensions * s->bins : s->bins;
-    *run = (struct run){.s = s, .high = longest_distance(s)};
-    random_seed(&run->r, s->seed);
-    run->start = calloc(s->large, DISKS_AXES * sizeof(double));
+    const size_t count = given.large + given.small;
+    const size_t bins = given.measure == POSITIONS
+                            ? given.dimensions * given.bins
+                            : given.bins;
+    *run = (struct run){.high = longest_distance()};
+    random_seed(&run->r, given.seed);
+    run->start = calloc(given.large, DISKS_AXES * sizeof(double));
     run->row = malloc((1 + DISKS_AXES * count) * sizeof(double));
     if (run->start && run->row &&
-        sampling_create(&run->p, s->dimensions,
-                        (enum disks_boundary)s->boundary, s->box, s->large,
-                        s->radius, s->small, s->small_radius) &&
+        sampling_create(&run->p, given.dimensions,
+                        (enum disks_boundary)given.boundary, given.box,
+                        given.large, given.radius, given.small,
+                        given.small_radius) &&
         means_create(&run->bins, bins) &&
         means_create(&run->numbers, NUMBERS))
         return true;
-    fprintf(stderr, PROGRAM ": no memory for %zu disks\n", count);
+    program_say("no memory for %zu disks", count);
     return false;
 }
 
@@ -342,7 +337,7 @@ static size_t sweep(struct run *run)
     const size_t count = run->p.disks.count;
     size_t moved = 0;
     for (size_t k = 0; k < count; ++k)
-        moved += sampling_try(&run->p, run->s->step, &run->r);
+        moved += sampling_try(&run->p, given.step, &run->r);
     return moved;
 }
 
@@ -362,9 +357,8 @@ static bool next_markov(struct run *run)
    rejected. */
 static bool next_chain(struct run *run)
 {
-    const struct settings *s = run->s;
-    const size_t axis = random_below(&run->r, s->dimensions);
-    const double length = s->length * random_between(&run->r, 0.5, 1.5);
+    const size_t axis = random_below(&run->r, given.dimensions);
+    const double length = given.length * random_between(&run->r, 0.5, 1.5);
     double gained = 0;
     const uint64_t pushes =
         1 + sampling_chain(&run->p, axis, length, &run->r, &gained);
@@ -377,7 +371,7 @@ static bool next_chain(struct run *run)
 
 static bool next_sample(struct run *run)
 {
-    switch (run->s->method) {
+    switch (given.method) {
     case DIRECT: return next_direct(run);
     case MARKOV: return next_markov(run);
     default: return next_chain(run);
@@ -391,15 +385,14 @@ static bool warm_up(struct run *run)
 {
     const struct disks *d = &run->p.disks;
     if (!sampling_start(&run->p, &run->r)) {
-        fprintf(stderr,
-                PROGRAM ": no start found for %zu disks of radius %g and "
-                        "%zu small ones; use fewer\n",
-                run->s->large, run->s->radius, run->s->small);
+        program_say("no start found for %zu disks of radius %g and %zu "
+                    "small ones; use fewer",
+                    given.large, given.radius, given.small);
         return false;
     }
-    for (uint64_t k = 0; k < run->s->samples / 10 && !progress_signal();
+    for (uint64_t k = 0; k < given.samples / 10 && !progress_signal();
          ++k) {
-        if (run->s->method == MARKOV)
+        if (given.method == MARKOV)
             sweep(run);
         else
             next_chain(run);
@@ -430,8 +423,8 @@ static void count_positions(struct run *run)
         disks_position(d, i, place);
         disks_fold(d, place);
         for (size_t k = 0; k < d->dimensions; ++k) {
-            const size_t bin = bin_of(place[k], d->box[k], run->s->bins);
-            means_add(&run->bins, k * run->s->bins + bin, 1);
+            const size_t bin = bin_of(place[k], d->box[k], given.bins);
+            means_add(&run->bins, k * given.bins + bin, 1);
         }
     }
 }
@@ -449,7 +442,7 @@ static void count_distances(struct run *run)
                 square += apart[k] * apart[k];
             if (square <= run->high * run->high)
                 means_add(&run->bins,
-                          bin_of(sqrt(square), run->high, run->s->bins), 1);
+                          bin_of(sqrt(square), run->high, given.bins), 1);
         }
 }
 
@@ -475,8 +468,8 @@ static void count_contacts(struct run *run)
 {
     const size_t n = run->p.large, i = run->done % n;
     const size_t pairs = n - 1 < 3 ? n - 1 : 3;
-    if (run->s->boundary == DISKS_WALLS)
-        for (size_t k = 0; k < run->s->dimensions; ++k)
+    if (given.boundary == DISKS_WALLS)
+        for (size_t k = 0; k < given.dimensions; ++k)
             means_add(&run->numbers, WALL + k,
                       sampling_wall_density(&run->p, i, k));
     for (size_t k = 0; k < pairs; ++k) {
@@ -491,13 +484,12 @@ static void count_contacts(struct run *run)
 /* Takes all samples, or those before a signal. */
 static void take_samples(struct run *run)
 {
-    const struct settings *s = run->s;
-    while (run->done < s->samples && !progress_signal() &&
+    while (run->done < given.samples && !progress_signal() &&
            next_sample(run)) {
         count_contacts(run);
-        if (s->measure == POSITIONS)
+        if (given.measure == POSITIONS)
             count_positions(run);
-        else if (s->measure == DISTANCES)
+        else if (given.measure == DISTANCES)
             count_distances(run);
         else
             write_state(run);
@@ -512,16 +504,15 @@ static const char *const axis_names[] = {"x", "y", "z"};
 
 static void name_columns(struct run *run)
 {
-    const struct settings *s = run->s;
-    const size_t count = s->large + s->small;
+    const size_t count = given.large + given.small;
     char symbol[40], meaning[80];
-    if (s->measure == DISTANCES) {
-        table_column(run->out, "s", "m", "lower edge of the bin");
-        table_column(run->out, "f", "1/m", "density of the distances");
-        table_column(run->out, "e", "1/m", "its error");
-    } else if (s->measure == POSITIONS) {
+    if (given.measure == DISTANCES) {
+        TABLE_COLUMNS(run->out, {"s", "m", "lower edge of the bin"},
+                      {"f", "1/m", "density of the distances"},
+                      {"e", "1/m", "its error"});
+    } else if (given.measure == POSITIONS) {
         table_column(run->out, "x", "m", "lower edge of the bin");
-        for (size_t k = 0; k < s->dimensions; ++k) {
+        for (size_t k = 0; k < given.dimensions; ++k) {
             snprintf(symbol, sizeof symbol, "p%s", axis_names[k]);
             snprintf(meaning, sizeof meaning,
                      "density of %s, in bin i from i L/B", axis_names[k]);
@@ -531,8 +522,9 @@ static void name_columns(struct run *run)
         }
     } else {
         table_column(run->out, "n", "", "number of the sample");
-        for (size_t i = 0; i < count * s->dimensions; ++i) {
-            const size_t k = i % s->dimensions, disk = i / s->dimensions;
+        for (size_t i = 0; i < count * given.dimensions; ++i) {
+            const size_t k = i % given.dimensions,
+                         disk = i / given.dimensions;
             snprintf(symbol, sizeof symbol, "%s%zu", axis_names[k],
                      disk + 1);
             table_column(run->out, symbol, "m", "");
@@ -544,17 +536,16 @@ static void name_columns(struct run *run)
    number of coordinates, or of pairs. */
 static void write_bins(struct run *run)
 {
-    const struct settings *s = run->s;
-    const size_t axes = s->measure == POSITIONS ? s->dimensions : 1;
-    const double n = (double)s->large, bins = (double)s->bins;
-    const double many = s->measure == POSITIONS ? n : n * (n - 1) / 2;
-    for (size_t b = 0; b < s->bins; ++b) {
+    const size_t axes = given.measure == POSITIONS ? given.dimensions : 1;
+    const double n = (double)given.large, bins = (double)given.bins;
+    const double many = given.measure == POSITIONS ? n : n * (n - 1) / 2;
+    for (size_t b = 0; b < given.bins; ++b) {
         double row[1 + 2 * DISKS_AXES];
         for (size_t k = 0; k < axes; ++k) {
             const double high =
-                s->measure == POSITIONS ? s->box[k] : run->high;
+                given.measure == POSITIONS ? given.box[k] : run->high;
             const double unit = bins / high / many;
-            const size_t q = k * s->bins + b;
+            const size_t q = k * given.bins + b;
             if (k == 0)
                 row[0] = high * (double)b / bins;
             row[1 + 2 * k] = unit * means_mean(&run->bins, q);
@@ -571,9 +562,9 @@ static void write_number(struct table *out, const struct run *run,
 {
     char with[40];
     snprintf(with, sizeof with, "%s_error", key);
-    table_real(out, key,
-               more + factor * means_mean(&run->numbers, quantity));
-    table_real(out, with, factor * means_error(&run->numbers, quantity));
+    TABLE_RESULTS(
+        out, {key, more + factor * means_mean(&run->numbers, quantity)},
+        {with, factor * means_error(&run->numbers, quantity)});
 }
 
 /* The acceptance of direct sampling is one over the mean throws per sample:
@@ -583,11 +574,11 @@ static void write_acceptance(struct table *out, const struct run *run)
     const double acceptance = (double)run->accepted / (double)run->tries;
     const double error = means_error(&run->numbers, ACCEPTANCE);
     const double slope =
-        run->s->method == DIRECT ? acceptance * acceptance : 1;
+        given.method == DIRECT ? acceptance * acceptance : 1;
     table_count(out, "samples", run->done);
     table_count(out, "tries", run->tries);
-    table_real(out, "acceptance", acceptance);
-    table_real(out, "acceptance_error", slope * error);
+    TABLE_RESULTS(out, {"acceptance", acceptance},
+                  {"acceptance_error", slope * error});
 }
 
 /* Returns how far the large disks have come since the warm-up, root mean
@@ -596,7 +587,7 @@ static double distance_moved(const struct run *run)
 {
     double sum = 0;
     for (size_t i = 0; i < run->p.large; ++i)
-        for (size_t k = 0; k < run->s->dimensions; ++k) {
+        for (size_t k = 0; k < given.dimensions; ++k) {
             const double way = run->p.disks.disk[i].position[k] -
                                run->start[DISKS_AXES * i + k];
             sum += way * way;
@@ -611,22 +602,21 @@ static double distance_moved(const struct run *run)
 static void write_summary(struct table *out, const struct run *run)
 {
     static const char *const walls[] = {"Z_wall_x", "Z_wall_y", "Z_wall_z"};
-    const struct settings *s = run->s;
     const double per_contact =
-        (double)(s->large - 1) * s->radius / (double)s->dimensions;
+        (double)(given.large - 1) * given.radius / (double)given.dimensions;
     write_acceptance(out, run);
-    if (s->boundary == DISKS_WALLS)
-        for (size_t k = 0; k < s->dimensions; ++k)
-            write_number(out, run, walls[k], WALL + k, s->box[k], 0);
-    if (s->large > 1)
+    if (given.boundary == DISKS_WALLS)
+        for (size_t k = 0; k < given.dimensions; ++k)
+            write_number(out, run, walls[k], WALL + k, given.box[k], 0);
+    if (given.large > 1)
         write_number(out, run, "f_contact", PAIR, 1, 0);
-    if (s->large > 1 && s->small == 0)
+    if (given.large > 1 && given.small == 0)
         write_number(out, run, "Z_virial", PAIR, per_contact, 1);
-    if (s->boundary == DISKS_WALLS)
+    if (given.boundary == DISKS_WALLS)
         write_number(out, run, "mean_x1", MEAN_X, 1, 0);
-    if (s->method == MARKOV)
+    if (given.method == MARKOV)
         table_real(out, "moved", distance_moved(run));
-    if (s->method == CHAINS)
+    if (given.method == CHAINS)
         write_number(out, run, "Z_chain", GAIN, 1, 1);
 }
 
@@ -638,15 +628,13 @@ static int finish(struct run *run, struct table *summary)
     const bool complete = progress_end(&run->progress) && !run->hopeless;
     const bool empty = run->done == 0;
     if (run->hopeless)
-        fprintf(stderr,
-                PROGRAM ": nothing fitted in %.0e throws in a row; use "
-                        "--method markov, or a smaller --radius\n",
-                GIVE_UP);
+        program_say("nothing fitted in %.0e throws in a row; use --method "
+                    "markov, or a smaller --radius",
+                    GIVE_UP);
     else if (empty)
-        fprintf(stderr,
-                PROGRAM ": no configuration in %llu throws, no table\n",
-                (unsigned long long)run->tries);
-    else if (run->s->measure != STATES)
+        program_say("no configuration in %llu throws, no table",
+                    (unsigned long long)run->tries);
+    else if (given.measure != STATES)
         write_bins(run);
     if (!empty)
         write_summary(summary, run);
@@ -657,21 +645,21 @@ static int finish(struct run *run, struct table *summary)
 
 int main(int argc, char *argv[])
 {
-    struct settings s;
     struct options o;
     struct run run;
-    read_settings(&s, &o, argc, argv);
-    if (!begin_run(&run, &s))
+    read_settings(&o, argc, argv);
+    if (!begin_run(&run))
         return EXIT_FAILURE;
-    check_room(&o, &s, &run.p);
-    if (s.method == DIRECT)
-        check_throws(&o, &s, &run.p);
+    check_room(&o, &run.p);
+    if (given.method == DIRECT)
+        check_throws(&o, &run.p);
     struct table *summary;
-    program_open(PROGRAM, s.output, s.summary, keys, &run.out, &summary);
-    progress_begin(&run.progress, PROGRAM, s.samples, "tries");
-    table_begin(run.out, s.command, s.seed);
+    program_open(PROGRAM, given.output, given.summary, keys, &run.out,
+                 &summary);
+    progress_begin(&run.progress, PROGRAM, given.samples, "tries");
+    table_begin(run.out, given.command, given.seed);
     name_columns(&run);
-    if (s.method != DIRECT && !warm_up(&run))
+    if (given.method != DIRECT && !warm_up(&run))
         program_leave(EXIT_FAILURE);
     take_samples(&run);
     const int status = finish(&run, summary);

@@ -2,6 +2,7 @@
 #include "scenes/gallery.h"
 #include "scenes/scene.h"
 #include "toolbox/options.h"
+#include "toolbox/program.h"
 #include "toolbox/table.h"
 #include "toolbox/version.h"
 
@@ -170,7 +171,7 @@ static int write_scene(const struct settings *s)
     struct scene scene;
     const char *wrong = s->scene->build(&scene, s->value);
     if (wrong) {
-        fprintf(stderr, PROGRAM ": %s: %s\n", s->scene->name, wrong);
+        program_say("%s: %s", s->scene->name, wrong);
         return OPTIONS_FAILURE;
     }
     struct table *out = table_open(PROGRAM, s->output);

@@ -28,7 +28,7 @@ enum { STEPWISE, LOCATED }; /* contacts */
 
 static const char *const contact_names[] = {"stepwise", "located", NULL};
 
-struct settings {
+static struct {
     const char *scene, *method;
     double dt;    /* s; 0: the scene's */
     double until; /* s; NaN: 1000 steps */
@@ -43,7 +43,14 @@ struct settings {
     double bound, tolerance;
     double checkpoint; /* s of wall-clock time between two checkpoints */
     const char *output, *summary, *save, *command;
-};
+} given = {.method = "leapfrog",
+           .until = NAN,
+           .threads = 1,
+           .theta = 0.5,
+           .bound = 10,
+           .tolerance = 1e-13,
+           .checkpoint = 60,
+           .summary = "/dev/null"};
 
 /* The names of --method and their help are read from the table of methods
    in stepping.c. GSL's adaptive method is asked for by its name like the
@@ -100,7 +107,6 @@ struct watch {
 };
 
 struct run {
-    const struct settings *s;
     struct scene scene;
     struct motion motion;
     struct reference reference;
@@ -127,18 +133,18 @@ struct run {
 };
 
 /* Returns whether the method chooses the lengths of its steps. */
-static bool is_adaptive(const struct settings *s)
+static bool is_adaptive(void)
 {
-    const struct stepping_method *const m = stepping_find(s->method);
+    const struct stepping_method *const m = stepping_find(given.method);
     return m && m->adaptive;
 }
 
 /* Returns whether a contact may wait ahead of the time that the run has
    reached, where the method's own steps have come to. A checkpoint does not
    hold that, so such runs have none. */
-static bool contact_may_wait(const struct settings *s)
+static bool contact_may_wait(void)
 {
-    return is_adaptive(s) && s->contact == LOCATED;
+    return is_adaptive() && given.contact == LOCATED;
 }
 
 static bool use_reference(void *with, double dt, double x[], double v[])
@@ -151,11 +157,11 @@ static bool use_reference(void *with, double dt, double x[], double v[])
 static void choose_outside(struct run *r)
 {
     struct motion *m = &r->motion;
-    if (strcmp(r->s->method, outside_name) != 0)
+    if (strcmp(given.method, outside_name) != 0)
         return;
-    if (!reference_begin(&r->reference, m->stepping.forces,
-                         r->s->tolerance))
-        program_give_up(PROGRAM, "no memory for the reference");
+    program_memory(
+        reference_begin(&r->reference, m->stepping.forces, given.tolerance),
+        "for the reference");
     m->outside = use_reference;
     m->with = &r->reference;
 }
@@ -170,7 +176,7 @@ static void set_threads(struct motion *m, int threads)
         m->gravity.threads = threads;
     if (m->bound && m->springs.bodies >= SPRINGS_SHARE &&
         !springs_threads(&m->springs, threads))
-        program_give_up(PROGRAM, "no memory for the threads");
+        program_give_up("no memory for the threads");
 }
 
 /* Returns for how many threads there is work. */
@@ -186,9 +192,9 @@ static void open_device(struct run *r)
 {
     struct gravity *g = &r->motion.gravity;
     char message[OPENCL_MESSAGE];
-    if (r->s->kernel < GRAVITY_OPENCL || !r->motion.attracts)
+    if (given.kernel < GRAVITY_OPENCL || !r->motion.attracts)
         return;
-    const bool single = r->s->kernel == GRAVITY_OPENCL_FLOAT;
+    const bool single = given.kernel == GRAVITY_OPENCL_FLOAT;
     const struct opencl_order order = {.bodies = g->bodies,
                                        .mass = g->mass,
                                        .k2 = g->k2,
@@ -196,7 +202,7 @@ static void open_device(struct run *r)
                                        .single = single};
     r->device = opencl_open(&order, message);
     if (!r->device)
-        program_refuse(PROGRAM, "--kernel: opencl: %s", message);
+        program_refuse("--kernel: opencl: %s", message);
     g->elsewhere = opencl_add;
     g->device = r->device;
 }
@@ -205,24 +211,24 @@ static void open_device(struct run *r)
 static void set_in_motion(struct run *r)
 {
     struct motion *m = &r->motion;
-    const bool outside = strcmp(r->s->method, outside_name) == 0;
+    const bool outside = strcmp(given.method, outside_name) == 0;
     if (!motion_begin(m, PROGRAM, &r->scene,
-                      outside ? "leapfrog" : r->s->method, r->s->dt))
+                      outside ? "leapfrog" : given.method, given.dt))
         exit(OPTIONS_FAILURE);
-    if (r->s->sums != SUMS_AUTO)
-        m->stepping.compensated = r->s->sums == SUMS_COMPENSATED;
-    m->stepping.tolerance = r->s->tolerance;
-    m->gravity.kernel = (enum gravity_kernel)r->s->kernel;
+    if (given.sums != SUMS_AUTO)
+        m->stepping.compensated = given.sums == SUMS_COMPENSATED;
+    m->stepping.tolerance = given.tolerance;
+    m->gravity.kernel = (enum gravity_kernel)given.kernel;
     if (m->gravity.kernel == GRAVITY_TREE && m->attracts &&
-        !gravity_use_tree(&m->gravity, r->s->theta))
-        program_give_up(PROGRAM, "no memory for the tree");
-    set_threads(m, r->s->threads);
-    m->spheres.rule = (enum spheres_rule)r->s->rule;
-    m->spheres.shift = (enum spheres_shift)r->s->shift;
-    m->spheres.order = (enum spheres_order)r->s->order;
+        !gravity_use_tree(&m->gravity, given.theta))
+        program_give_up("no memory for the tree");
+    set_threads(m, given.threads);
+    m->spheres.rule = (enum spheres_rule)given.rule;
+    m->spheres.shift = (enum spheres_shift)given.shift;
+    m->spheres.order = (enum spheres_order)given.order;
     choose_outside(r);
-    if (r->s->contact == LOCATED && m->collides && !motion_locate(m))
-        program_give_up(PROGRAM, "no memory for the contacts");
+    if (given.contact == LOCATED && m->collides && !motion_locate(m))
+        program_give_up("no memory for the contacts");
 }
 
 /* Returns the number of steps of dt in a time; *whole: whether it is one.
@@ -232,8 +238,7 @@ static uint64_t steps_in(double time, double dt, bool *whole)
 {
     const double n = time / dt;
     if (!(n < 9e15))
-        program_refuse(PROGRAM,
-                       "--dt: %g takes more than 9e15 steps for %g", dt,
+        program_refuse("--dt: %g takes more than 9e15 steps for %g", dt,
                        time);
     *whole = fabs(n - round(n)) <= fmin(1e-9 * n, 0.01);
     return (uint64_t)(*whole ? round(n) : n);
@@ -247,27 +252,25 @@ static void set_rows(struct run *r, double start)
 {
     const double dt = r->motion.stepping.dt;
     const double until =
-        isnan(r->s->until) ? start + 1000 * dt : r->s->until;
+        isnan(given.until) ? start + 1000 * dt : given.until;
     const uint64_t rows = r->tracks > 0 ? 100 : 1000;
     bool whole;
     if (!(until - start >= -1e-6 * dt))
-        program_refuse(PROGRAM,
-                       "--until: %.15g is before the scene's time, %.15g",
+        program_refuse("--until: %.15g is before the scene's time, %.15g",
                        until, start);
     r->last = steps_in(fmax(0, until - start), dt, &whole);
     r->last_step = whole ? 0 : until - (start + (double)r->last * dt);
     if (r->last_step < 1e-12 * fmax(fabs(start), fabs(until)))
         r->last_step = 0;
     r->every = r->last / rows > 0 ? r->last / rows : 1;
-    if (r->s->every == 0)
+    if (given.every == 0)
         return;
-    r->every = steps_in(r->s->every, dt, &whole);
-    const double nearest = fmax(1, round(r->s->every / dt)) * dt;
+    r->every = steps_in(given.every, dt, &whole);
+    const double nearest = fmax(1, round(given.every / dt)) * dt;
     if (!whole || r->every == 0)
-        program_refuse(PROGRAM,
-                       "--every: %g is no whole number of steps of %g; the "
+        program_refuse("--every: %g is no whole number of steps of %g; the "
                        "nearest is %.10g",
-                       r->s->every, dt, nearest);
+                       given.every, dt, nearest);
 }
 
 static void track_all(struct run *r)
@@ -285,12 +288,11 @@ static void track(struct run *r, const char *text)
         const unsigned long long id =
             *text >= '0' && *text <= '9' ? strtoull(text, &end, 10) : 0;
         if (!end || (*end != ',' && *end != '\0') || id >= r->scene.bodies)
-            program_refuse(PROGRAM,
-                           "--track: '%s' does not begin with one of the "
+            program_refuse("--track: '%s' does not begin with one of the "
                            "bodies 0 to %zu",
                            text, r->scene.bodies - 1);
         if (r->tracks == r->scene.bodies)
-            program_refuse(PROGRAM, "--track: more bodies than there are");
+            program_refuse("--track: more bodies than there are");
         r->tracked[r->tracks++] = (size_t)id;
         if (*end == '\0')
             return;
@@ -304,26 +306,23 @@ static void choose_columns(struct run *r)
 {
     char message[OBSERVABLES_MESSAGE];
     r->tracked = malloc(r->scene.bodies * sizeof *r->tracked);
-    if (!r->tracked)
-        program_give_up(PROGRAM,
-                        "no memory for the bodies that are tracked");
-    if (r->s->observe && !observables_read(&r->observables, r->s->observe,
+    program_memory(r->tracked, "for the bodies that are tracked");
+    if (given.observe && !observables_read(&r->observables, given.observe,
                                            r->scene.bodies, message))
-        program_refuse(PROGRAM, "--observe: %s", message);
-    if (r->s->track)
-        track(r, r->s->track);
-    else if (!r->s->observe)
+        program_refuse("--observe: %s", message);
+    if (given.track)
+        track(r, given.track);
+    else if (!given.observe)
         track_all(r);
     r->columns = 1 + r->observables.columns + 6 * r->tracks;
     r->row = malloc(r->columns * sizeof *r->row);
-    if (!r->row)
-        program_give_up(PROGRAM, "no memory for a row");
+    program_memory(r->row, "for a row");
 }
 
 /* Writes the head. A motion has no random numbers, and its seed is 0. */
 static void write_head(struct run *r)
 {
-    table_begin(r->out, r->s->command, 0);
+    table_begin(r->out, given.command, 0);
     table_column(r->out, "t", "time", "time, in the units of the scene");
     observables_head(&r->observables, r->out);
     observables_head_states(r->out, r->tracks, r->tracked);
@@ -403,8 +402,7 @@ static void begin_watch(struct run *r)
     r->watch.start = r->energy;
     r->watch.overlap = find_overlap(r);
     if (!isfinite(r->energy))
-        program_refuse(PROGRAM,
-                       "the energy at the start is %g, expected a number: "
+        program_refuse("the energy at the start is %g, expected a number: "
                        "are two bodies in one place, without a line soft?",
                        r->energy);
 }
@@ -420,7 +418,7 @@ static bool energy_is_in_bounds(struct run *r)
     const double scale = fabs(w->start) + w->depth; /* before this row */
     find_energy(r);
     const double grown = r->energy - w->start;
-    if (!isfinite(grown) || (scale > 0 && grown > r->s->bound * scale))
+    if (!isfinite(grown) || (scale > 0 && grown > given.bound * scale))
         return false;
     w->worst = fmax(w->worst, fabs(grown));
     return true;
@@ -542,13 +540,12 @@ static void print_passed(const struct run *r)
         snprintf(first, sizeof first, " (bodies %u and %u for one)",
                  (unsigned)p->through[0], (unsigned)p->through[1]);
     const uint64_t n = passed(r);
-    fprintf(stderr,
-            PROGRAM ": note: two bodies passed through each other within a "
-                    "step, %s%llu time%s%s: the step took them further "
-                    "than the sum of their radii; try a smaller --dt%s\n",
-            n >= SPHERES_PASSED ? "at least " : "", (unsigned long long)n,
-            n == 1 ? "" : "s", first,
-            r->motion.collides ? ", or --contact located" : "");
+    program_say("note: two bodies passed through each other within a step, "
+                "%s%llu time%s%s: the step took them further than the sum "
+                "of their radii; try a smaller --dt%s",
+                n >= SPHERES_PASSED ? "at least " : "",
+                (unsigned long long)n, n == 1 ? "" : "s", first,
+                r->motion.collides ? ", or --contact located" : "");
 }
 
 /* Notes what was wrong with a run that ended whole. */
@@ -556,25 +553,21 @@ static void print_note(const struct run *r)
 {
     const enum complaint c = find_complaint(r);
     if (c == NOTE_STEP)
-        fprintf(stderr,
-                PROGRAM ": note: omega dt of the stiffest spring is %.4g, "
-                        "and %s bears less than %.4g: try a smaller --dt\n",
-                stiffest_omega_dt(r), r->s->method,
-                r->motion.stepping.method->limit);
+        program_say("note: omega dt of the stiffest spring is %.4g, and %s "
+                    "bears less than %.4g: try a smaller --dt",
+                    stiffest_omega_dt(r), given.method,
+                    r->motion.stepping.method->limit);
     if (c == NOTE_PASSED)
         print_passed(r);
     if (c == NOTE_OVERLAP)
-        fprintf(stderr,
-                PROGRAM ": note: at the start bodies overlapped, or were "
-                        "outside of a wall, by %.3g, and what comes of "
-                        "that depends on the step\n",
-                r->watch.overlap);
+        program_say(
+            "note: at the start bodies overlapped, or were outside of a "
+            "wall, by %.3g, and what comes of that depends on the step",
+            r->watch.overlap);
     if (c == NOTE_ENERGY)
-        fprintf(
-            stderr,
-            PROGRAM ": note: the energy was wrong by up to %.3g %% of "
-                    "its scale, and nothing in the scene takes or gives "
-                    "any: try a smaller --dt\n",
+        program_say(
+            "note: the energy was wrong by up to %.3g %% of its scale, and "
+            "nothing in the scene takes or gives any: try a smaller --dt",
             100 * r->watch.worst / (fabs(r->watch.start) + r->watch.depth));
 }
 
@@ -611,7 +604,7 @@ static double wall_clock(void)
 static bool keep_if_due(struct run *r, double *kept)
 {
     const double now = r->kept ? wall_clock() : 0;
-    if (!r->kept || now - *kept < r->s->checkpoint)
+    if (!r->kept || now - *kept < given.checkpoint)
         return true;
     *kept = now;
     return keep_checkpoint(r);
@@ -626,16 +619,15 @@ static void resume(struct run *r, const struct checkpoint_numbers *n)
 {
     const uint64_t steps = (uint64_t)n->steps;
     if (steps > r->last || n->rows != (double)(steps / r->every + 1))
-        program_refuse(PROGRAM, damaged, r->s->output);
+        program_refuse(damaged, given.output);
     if (r->sum != 0 && r->sum != n->scene)
-        program_refuse(PROGRAM,
-                       "%s: is not the scene that %s.checkpoint began "
+        program_refuse("%s: is not the scene that %s.checkpoint began "
                        "with; without --resume the run begins anew",
-                       r->s->scene, r->s->output);
+                       given.scene, given.output);
     r->sum = n->scene;
     motion_resume(&r->motion, n->start, steps);
     if (!checkpoint_recall(&r->checkpoint, &r->motion))
-        program_refuse(PROGRAM, damaged, r->s->output);
+        program_refuse(damaged, given.output);
     r->motion.collisions = (uint64_t)n->collisions;
     r->evaluations = (uint64_t)n->evaluations;
     r->rows = (uint64_t)n->rows;
@@ -705,8 +697,8 @@ static enum ending take_last_step(struct run *r)
 {
     if (r->kept && !keep_checkpoint(r))
         return UNWRITTEN;
-    if (!motion_shorten(&r->motion, r->last_step))
-        program_give_up(PROGRAM, "no memory for the last step");
+    program_memory(motion_shorten(&r->motion, r->last_step),
+                   "for the last step");
     r->last_taken = true;
     const enum ending end = ending_of(motion_run(&r->motion, 1));
     return end == WHOLE ? add_row(r) : end;
@@ -748,10 +740,9 @@ static void explain_crowd(const struct run *r)
     char other[32] = "a wall";
     if (body[0] != body[1])
         snprintf(other, sizeof other, "body %zu", body[1]);
-    fprintf(stderr,
-            PROGRAM ": after t = %.10g contacts of body %zu and %s crowd: "
-                    "only walls hold what rests; try --contact stepwise\n",
-            r->time, body[0], other);
+    program_say("after t = %.10g contacts of body %zu and %s crowd: only "
+                "walls hold what rests; try --contact stepwise",
+                r->time, body[0], other);
 }
 
 /* Explains why a run failed: up to which time there are rows, and what to
@@ -761,25 +752,23 @@ static void explain(const struct run *r, enum ending end)
     if (end == STUCK && r->motion.impact.crowded)
         explain_crowd(r);
     else if (end == STUCK)
-        fprintf(stderr,
-                PROGRAM ": %s found no solution after t = %.10g: %s\n",
-                r->s->method, r->time,
-                is_adaptive(r->s) ? "no step is short enough"
+        program_say("%s found no solution after t = %.10g: %s",
+                    given.method, r->time,
+                    is_adaptive() ? "no step is short enough"
                                   : "try a smaller --dt");
     const char *failed = r->device ? opencl_failure(r->device) : NULL;
     if (failed)
-        fprintf(stderr, PROGRAM ": --kernel: opencl: after t = %.10g %s\n",
-                r->time, failed);
+        program_say("--kernel: opencl: after t = %.10g %s", r->time,
+                    failed);
     else if (end == INFINITE)
-        fprintf(stderr, PROGRAM ": blew up after t = %.10g (%s\n", r->time,
-                r->motion.orbits
-                    ? "an orbit has opened): try another --method"
-                    : "infinite coordinates): try a smaller --dt");
+        program_say("blew up after t = %.10g (%s", r->time,
+                    r->motion.orbits
+                        ? "an orbit has opened): try another --method"
+                        : "infinite coordinates): try a smaller --dt");
     if (end == TOO_MUCH)
-        fprintf(stderr,
-                PROGRAM ": blew up after t = %.10g (energy %.4g, now "
-                        "%.4g): try a smaller --dt\n",
-                r->time, r->watch.start, r->energy);
+        program_say("blew up after t = %.10g (energy %.4g, now %.4g): try "
+                    "a smaller --dt",
+                    r->time, r->watch.start, r->energy);
     if (end == WHOLE)
         print_note(r);
 }
@@ -790,10 +779,9 @@ static void explain(const struct run *r, enum ending end)
    process would leave its temporary file behind. */
 static void open_outputs(struct run *r)
 {
-    const struct settings *s = r->s;
-    r->out = program_table(PROGRAM, s->output);
-    r->summary = program_table(PROGRAM, s->summary);
-    r->save = s->save ? program_table(PROGRAM, s->save) : NULL;
+    r->out = program_table(PROGRAM, given.output);
+    r->summary = program_table(PROGRAM, given.summary);
+    r->save = given.save ? program_table(PROGRAM, given.save) : NULL;
     if (!r->kept)
         return;
     table_discard(r->out);
@@ -802,54 +790,49 @@ static void open_outputs(struct run *r)
 
 /* Refuses an output whose companion file (FILE.rows, FILE.checkpoint) is
    the scene, which would be lost. */
-static void refuse_scene_as_companion(const struct settings *s,
-                                      const char *suffix)
+static void refuse_scene_as_companion(const char *suffix)
 {
     char name[4096];
-    snprintf(name, sizeof name, "%s%s", s->output, suffix);
-    if (replace_loses(name, s->scene))
-        program_refuse(PROGRAM,
-                       "--output: '%s' is the scene, which would be lost",
+    snprintf(name, sizeof name, "%s%s", given.output, suffix);
+    if (replace_loses(name, given.scene))
+        program_refuse("--output: '%s' is the scene, which would be lost",
                        name);
 }
 
 /* Refuses a summary or saved scene with the name of a companion file. */
-static void refuse_companion(const struct settings *s, const char *option,
-                             const char *file)
+static void refuse_companion(const char *option, const char *file)
 {
     const char *const suffix[] = {".rows", ".checkpoint"};
-    const size_t n = strlen(s->output);
+    const size_t n = strlen(given.output);
     for (size_t i = 0; file && i < 2; ++i)
-        if (strncmp(file, s->output, n) == 0 &&
+        if (strncmp(file, given.output, n) == 0 &&
             strcmp(file + n, suffix[i]) == 0)
-            program_refuse(PROGRAM,
-                           "--%s: '%s' is a companion of the table", option,
+            program_refuse("--%s: '%s' is a companion of the table", option,
                            file);
 }
 
 static void check_files(const struct run *r)
 {
-    const struct settings *s = r->s;
     if (!r->kept)
         return;
-    refuse_scene_as_companion(s, ".rows");
-    refuse_scene_as_companion(s, ".checkpoint");
-    refuse_companion(s, "summary", s->summary);
-    refuse_companion(s, "save", s->save);
+    refuse_scene_as_companion(".rows");
+    refuse_scene_as_companion(".checkpoint");
+    refuse_companion("summary", given.summary);
+    refuse_companion("save", given.save);
 }
 
 /* Reads the scene (returns false), or continues from a checkpoint
    (true). */
 static bool read_start(struct run *r, struct checkpoint_numbers *known)
 {
-    const struct settings *s = r->s;
-    r->kept = checkpoint_possible(s->output) && !contact_may_wait(s);
+    r->kept = checkpoint_possible(given.output) && !contact_may_wait();
     check_files(r);
-    r->sum = checkpoint_sum(s->scene);
-    const bool again = s->resume && r->kept && checkpoint_exists(s->output);
-    if (again ? !checkpoint_resume(&r->checkpoint, PROGRAM, s->command,
-                                   s->output, &r->scene, known)
-              : !scene_read(&r->scene, PROGRAM, s->scene))
+    r->sum = checkpoint_sum(given.scene);
+    const bool again =
+        given.resume && r->kept && checkpoint_exists(given.output);
+    if (again ? !checkpoint_resume(&r->checkpoint, PROGRAM, given.command,
+                                   given.output, &r->scene, known)
+              : !scene_read(&r->scene, PROGRAM, given.scene))
         exit(OPTIONS_FAILURE);
     return again;
 }
@@ -878,7 +861,6 @@ static void refuse_unused(struct options *o, const struct motion *m)
    opened for writing, then begins the run or resumes it. */
 static void begin_run(struct run *r, struct options *o)
 {
-    const struct settings *s = r->s;
     struct checkpoint_numbers known = {0};
     const bool again = read_start(r, &known);
     set_in_motion(r);
@@ -892,7 +874,7 @@ static void begin_run(struct run *r, struct options *o)
     if (again)
         resume(r, &known);
     else if (r->kept && !checkpoint_begin(&r->checkpoint, PROGRAM,
-                                          s->command, s->output))
+                                          given.command, given.output))
         program_leave(r->checkpoint.locked ? OPTIONS_FAILURE
                                            : EXIT_FAILURE);
 }
@@ -900,7 +882,7 @@ static void begin_run(struct run *r, struct options *o)
 /* Writes the table: its head, then the rows that were kept. */
 static bool make_table(struct run *r)
 {
-    r->out = table_open(PROGRAM, r->s->output);
+    r->out = table_open(PROGRAM, given.output);
     if (!r->out)
         return false;
     write_head(r);
@@ -913,8 +895,7 @@ static bool make_table(struct run *r)
 /* Writes the last state as a scene. */
 static bool save_scene(struct run *r)
 {
-    if (!motion_note(&r->motion))
-        program_give_up(PROGRAM, "no memory for the scene to be saved");
+    program_memory(motion_note(&r->motion), "for the scene to be saved");
     scene_write(&r->scene, r->save);
     return table_close(r->save);
 }
@@ -949,11 +930,10 @@ static void summarise_energy(const struct run *r, enum ending end)
     const double worst =
         lost ? fmax(w->worst, fabs(w->seen - w->start)) : w->worst;
     struct table *t = r->summary;
-    table_real(t, "time", lost ? w->when : r->time);
-    table_real(t, "energy_start", w->start);
-    table_real(t, "energy", lost ? w->seen : r->energy);
-    table_real(t, "energy_error",
-               w->start != 0 ? worst / fabs(w->start) : worst);
+    TABLE_RESULTS(
+        t, {"time", lost ? w->when : r->time}, {"energy_start", w->start},
+        {"energy", lost ? w->seen : r->energy},
+        {"energy_error", w->start != 0 ? worst / fabs(w->start) : worst});
 }
 
 /* Writes the summary; timings are here and never in the table. */
@@ -969,17 +949,18 @@ static void summarise(const struct run *r, enum ending end)
     table_text(t, "note",
                notes[end == WHOLE ? find_complaint(r) : NO_NOTE]);
     table_count(t, "bodies", r->scene.bodies);
-    table_text(t, "method", r->s->method);
+    table_text(t, "method", given.method);
     table_text(t, "sums",
                p->own || p->compensated ? "compensated" : "plain");
-    table_real(t, "dt", r->motion.dt);
-    table_real(t, "last_step", r->last_taken ? r->last_step : r->motion.dt);
+    TABLE_RESULTS(
+        t, {"dt", r->motion.dt},
+        {"last_step", r->last_taken ? r->last_step : r->motion.dt});
     table_count(t, "steps", r->last_taken ? r->last + 1 : p->steps);
     table_count(t, "rows", r->rows);
     table_count(t, "evaluations",
                 r->evaluations + p->evaluations + r->reference.evaluations);
     table_count(t, "collisions", r->motion.collisions);
-    table_text(t, "contact", contact_names[r->s->contact]);
+    table_text(t, "contact", contact_names[given.contact]);
     table_count(t, "simultaneous", r->motion.impact.simultaneous);
     table_count(t, "grazing", r->motion.impact.grazing);
     table_count(t, "resting", r->motion.impact.resting);
@@ -989,11 +970,11 @@ static void summarise(const struct run *r, enum ending end)
                                   : "none");
     table_text(t, "vectors", vector_kind());
     table_count(t, "threads", (uint64_t)threads_used(&r->motion));
-    table_real(t, "seconds", r->seconds);
-    table_real(t, "steps_per_second",
-               r->timed > r->taken / 10 ? (double)r->timed / r->stepped
-               : r->seconds > 0         ? (double)r->taken / r->seconds
-                                        : 0);
+    TABLE_RESULTS(t, {"seconds", r->seconds},
+                  {"steps_per_second",
+                   r->timed > r->taken / 10 ? (double)r->timed / r->stepped
+                   : r->seconds > 0         ? (double)r->taken / r->seconds
+                                            : 0});
     if (!p->own)
         return;
     table_count(t, "own_steps", p->own->taken);
@@ -1104,35 +1085,35 @@ static const struct table_key keys[] = {
    a cell is opened. A method that estimates its error by differences would
    take the jumps for errors and shorten its steps in vain, and the
    equations of an implicit step might have no solution. */
-static void check_settings(struct options *o, const struct settings *s)
+static void check_settings(struct options *o)
 {
-    if (!s->scene)
+    if (!given.scene)
         options_fail(o, "a scene is needed, as in build/bin/scene "
                         "sun-earth | step - --until 365");
-    if (s->kernel < GRAVITY_OPENCL &&
-        !gravity_can((enum gravity_kernel)s->kernel))
+    if (given.kernel < GRAVITY_OPENCL &&
+        !gravity_can((enum gravity_kernel)given.kernel))
         options_fail(o, "--kernel: this machine has no %s",
-                     gravity_kernels[s->kernel]);
-    const struct stepping_method *const m = stepping_find(s->method);
-    if (s->kernel == GRAVITY_TREE &&
+                     gravity_kernels[given.kernel]);
+    const struct stepping_method *const m = stepping_find(given.method);
+    if (given.kernel == GRAVITY_TREE &&
         (!m || m->adaptive || m->family == STEPPING_IMPLICIT))
         options_fail(o,
                      "--kernel: the forces of a tree jump where a cell is "
                      "opened, and --method %s wants smooth ones",
-                     s->method);
-    if (strcmp(s->method, outside_name) == 0 && !reference_available)
+                     given.method);
+    if (strcmp(given.method, outside_name) == 0 && !reference_available)
         options_fail(o, "--method: this build has no rk8pd; install GSL "
                         "(apt-get install --no-install-recommends "
                         "libgsl-dev), then make");
-    if (contact_may_wait(s)) {
+    if (contact_may_wait()) {
         options_refuse(o, "checkpoint", "with located adaptive steps");
         options_refuse(o, "resume", "with located adaptive steps");
     }
-    if (!checkpoint_possible(s->output)) {
+    if (!checkpoint_possible(given.output)) {
         options_refuse(o, "checkpoint", "without -o FILE, a regular file");
         options_refuse(o, "resume", "without -o FILE, a regular file");
     }
-    program_apart(o, s->output, s->summary, "table");
+    program_apart(o, given.output, given.summary, "table");
 }
 
 static const char *const rule_names[] = {"all", "approaching", NULL};
@@ -1142,78 +1123,66 @@ static const char *const order_names[] = {"ascending", "descending",
 static const char *const sums_names[] = {"auto", "plain", "compensated",
                                          NULL};
 
-static void take_option(struct options *o, struct settings *s, int option)
+static void take_option(struct options *o, int option)
 {
     switch (option) {
     case OPTIONS_ARGUMENT:
-        s->scene = options_only(o, s->scene, "scene");
+        given.scene = options_only(o, given.scene, "scene");
         break;
-    case 't': s->until = options_real(o, -INFINITY, INFINITY); break;
+    case 't': given.until = options_real(o, -INFINITY, INFINITY); break;
     case 'm':
-        s->method = method_names[options_choice(o, method_names)];
+        given.method = method_names[options_choice(o, method_names)];
         break;
-    case 's': s->dt = options_real(o, OPTIONS_POSITIVE, INFINITY); break;
-    case 'd': s->every = options_real(o, OPTIONS_POSITIVE, INFINITY); break;
-    case 'O': s->observe = options_text(o); break;
-    case 'T': s->track = options_text(o); break;
-    case 'c': s->sums = options_choice(o, sums_names); break;
-    case 'k': s->kernel = (int)options_choice(o, gravity_kernels); break;
-    case 'W': s->theta = options_real(o, 0, GRAVITY_WIDEST); break;
-    case 'j': s->threads = (int)options_count(o, 1, 1024); break;
-    case 'r': s->rule = options_choice(o, rule_names); break;
-    case 'x': s->shift = options_choice(o, shift_names); break;
-    case 'l': s->contact = options_choice(o, contact_names); break;
-    case 'p': s->order = options_choice(o, order_names); break;
-    case 'B': s->bound = options_real(o, OPTIONS_POSITIVE, INFINITY); break;
-    case 'a': s->tolerance = options_real(o, 1e-15, 1); break;
-    case 'w': s->save = options_text(o); break;
-    case 'C': s->checkpoint = options_real(o, 0, INFINITY); break;
-    case 'R': s->resume = true; break;
-    case 'o': s->output = options_text(o); break;
-    case 'S': s->summary = options_text(o); break;
+    case 's': given.dt = options_positive(o, INFINITY); break;
+    case 'd': given.every = options_positive(o, INFINITY); break;
+    case 'O': given.observe = options_text(o); break;
+    case 'T': given.track = options_text(o); break;
+    case 'c': given.sums = options_choice(o, sums_names); break;
+    case 'k': given.kernel = (int)options_choice(o, gravity_kernels); break;
+    case 'W': given.theta = options_real(o, 0, GRAVITY_WIDEST); break;
+    case 'j': given.threads = (int)options_count(o, 1, 1024); break;
+    case 'r': given.rule = options_choice(o, rule_names); break;
+    case 'x': given.shift = options_choice(o, shift_names); break;
+    case 'l': given.contact = options_choice(o, contact_names); break;
+    case 'p': given.order = options_choice(o, order_names); break;
+    case 'B': given.bound = options_positive(o, INFINITY); break;
+    case 'a': given.tolerance = options_real(o, 1e-15, 1); break;
+    case 'w': given.save = options_text(o); break;
+    case 'C': given.checkpoint = options_real(o, 0, INFINITY); break;
+    case 'R': given.resume = true; break;
+    case 'o': given.output = options_text(o); break;
+    case 'S': given.summary = options_text(o); break;
     }
 }
 
-static void read_settings(struct settings *s, struct options *o, int argc,
-                          char *argv[])
+static void read_settings(struct options *o, int argc, char *argv[])
 {
     int option;
     list_methods();
-    *s = (struct settings){.method = "leapfrog",
-                           .until = NAN,
-                           .threads = 1,
-                           .theta = 0.5,
-                           .bound = 10,
-                           .tolerance = 1e-13,
-                           .checkpoint = 60,
-                           .summary = "/dev/null"};
     options_begin(o, PROGRAM, "Step a scene through time.", entries, argc,
                   argv);
     options_keys(o, keys);
     while ((option = options_next(o)) != -1)
-        take_option(o, s, option);
-    s->command = options_command(o);
-    check_settings(o, s);
+        take_option(o, option);
+    given.command = options_command(o);
+    check_settings(o);
 }
 
 /* A run that blew up has a summary, too, since its end is a result; one
    that was interrupted has none. */
 int main(int argc, char *argv[])
 {
-    static struct settings s;
     static struct run r;
     struct options o;
-    read_settings(&s, &o, argc, argv);
-    r.s = &s;
+    read_settings(&o, argc, argv);
     begin_run(&r, &o);
     table_keys(r.summary, keys);
     progress_catch_signals();
     progress_begin(&r.progress, PROGRAM, r.last, "steps");
     if (r.last_step > 0)
-        fprintf(stderr,
-                PROGRAM ": --until: %.15g is no whole number of steps of "
-                        "%.15g: the last one is shorter, %g\n",
-                s.until, r.motion.dt, r.last_step);
+        program_say("--until: %.15g is no whole number of steps of %.15g: "
+                    "the last one is shorter, %g",
+                    given.until, r.motion.dt, r.last_step);
     if (!r.kept)
         write_head(&r);
     const enum ending end = run_on(&r);

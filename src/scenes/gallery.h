@@ -30,6 +30,8 @@ struct gallery_choice {
     const char *key;
     double value;
 };
+#define GALLERY_CHOICES(...)                                               \
+    ((const struct gallery_choice[]){__VA_ARGS__, {0}})
 
 /* The scenes of chapters 9, 10 and 11. */
 extern const struct gallery_scene celestial_scenes[];

@@ -17,7 +17,7 @@ static void make_disks(struct scene *s, double seed)
     value[gallery_key(g, "particles")] = 2;
     value[gallery_key(g, "seed")] = seed;
     if (g->build(s, value))
-        program_give_up(PROGRAM, "no memory");
+        program_give_up("no memory");
 }
 
 /* Returns the mean pressure over a time T, as Z, from the virial of a whole
@@ -29,7 +29,7 @@ static double measure_pressure(const struct scene *s, double T)
     const char *why;
     double energy = 0;
     if (!models_begin(&r, &plan, s, T, &why))
-        program_give_up(PROGRAM, "%s", why);
+        program_give_up("%s", why);
     for (size_t c = 0; c < 2 * s->bodies; ++c) {
         const double v = s->velocity[c];
         energy += s->mass[c % s->bodies] * v * v / 2;
@@ -50,8 +50,7 @@ static struct averages_found find_pressure(const struct scene *s, double T)
         .tolerance = 0.01,
         .budget = AVERAGES_BUDGET};
     struct averages_found f;
-    if (!averages_find(&f, &q))
-        program_give_up(PROGRAM, "no memory");
+    program_memory(averages_find(&f, &q), NULL);
     return f;
 }
 
@@ -82,12 +81,12 @@ static void study_pair(struct study *s, double T, double seed)
    wanted. */
 static void study_disks(struct study *s)
 {
-    table_column(s->out, "T", "s", "time of the mean");
-    table_column(s->out, "seed", "", "of the start");
-    table_column(s->out, "Z", "", "mean pressure over all of T");
-    table_column(s->out, "answer", "", "what is said of it, nan: refused");
-    table_column(s->out, "error", "", "and its error");
-    table_column(s->out, "t", "s", "how much was simulated for that");
+    TABLE_COLUMNS(s->out, {"T", "s", "time of the mean"},
+                  {"seed", "", "of the start"},
+                  {"Z", "", "mean pressure over all of T"},
+                  {"answer", "", "what is said of it, nan: refused"},
+                  {"error", "", "and its error"},
+                  {"t", "s", "how much was simulated for that"});
     for (double T = 128; T < 2e5; T *= 4)
         for (int seed = 1; seed <= 20 && !progress_signal(); ++seed)
             study_pair(s, T, seed);

@@ -13,9 +13,9 @@
 
 #define PROGRAM "bonk-studies"
 
-struct settings {
+static struct {
     const char *scene; /* the only scene to map, or NULL: all of them */
-};
+} own;
 
 enum { ROWS = 16, KEYS = 4 };
 
@@ -74,7 +74,7 @@ static const struct subject subjects[] = {
 /* Ends the program: half an atlas is of no use. */
 _Noreturn static void fail(const char *why)
 {
-    program_give_up(PROGRAM, "%s", why);
+    program_give_up("%s", why);
 }
 
 /* Returns a scene of the gallery from one of its three lists. */
@@ -1092,13 +1092,12 @@ static const struct table_key atlas_keys[] = {
    errors of the truth the largest counts. */
 static void study_atlas(struct study *s)
 {
-    const struct settings *own = s->own;
     static struct map m;
     size_t faults[4] = {0};
     double unsure = 0;
     write_head(s->out);
     for (size_t i = 0; subjects[i].name && !progress_signal(); ++i) {
-        if (own->scene && strcmp(own->scene, subjects[i].name) != 0)
+        if (own.scene && strcmp(own.scene, subjects[i].name) != 0)
             continue;
         make_map(&m, &subjects[i]);
         write_map(&m, s, faults);
@@ -1150,11 +1149,10 @@ static void study_prices(struct study *s)
     }
 }
 
-static void take_option(struct options *o, int letter, void *own)
+static void take_option(struct options *o, int letter)
 {
-    struct settings *s = own;
     (void)letter;
-    s->scene = options_text(o);
+    own.scene = options_text(o);
 }
 
 int main(int argc, char *argv[])
@@ -1168,13 +1166,11 @@ int main(int argc, char *argv[])
         {"", 0, NULL, "--study atlas"},
         {"scene", 'c', "NAME", "this scene only"},
         {0}};
-    struct settings settings = {0};
     const struct study_program p = {.name = PROGRAM,
                                     .purpose = "Measure what is enough.",
                                     .events = "runs",
                                     .studies = studies,
                                     .options = own,
-                                    .take = take_option,
-                                    .own = &settings};
+                                    .take = take_option};
     return study_main(&p, argc, argv);
 }

@@ -14,10 +14,10 @@
 
 #define PROGRAM "bonkers-studies"
 
-struct settings {
+static struct {
     uint64_t most; /* collisions, or particles for the speed */
     double until;
-};
+} own = {.most = 1000000, .until = 10};
 
 /* Makes and starts a run; ends the program where memory is short, for then
    there is nothing to measure. */
@@ -29,7 +29,7 @@ static void begin_or_exit(struct bonkers *b,
     size_t wrong = 0;
     if (!start_fill(&start, request) ||
         !bonkers_begin(b, &start, 1, engine, &wrong) || wrong < b->gaps)
-        program_give_up(PROGRAM, "no memory for the particles");
+        program_give_up("no memory for the particles");
     start_free(&start);
 }
 
@@ -205,14 +205,12 @@ enum { SIZES = sizeof sizes / sizeof sizes[0] };
 static void note_ratios(struct table *summary, size_t movers,
                         const double speed[])
 {
-    char key[64];
-    for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e) {
-        snprintf(key, sizeof key, "%s/%s-%zu", bonkers_engine_names[e],
-                 bonkers_engine_names[e - 1], movers);
-        table_real(summary, key, speed[e] / speed[e - 1]);
-    }
-    snprintf(key, sizeof key, "slab/scan-%zu", movers);
-    table_real(summary, key, speed[BONKERS_SLAB] / speed[BONKERS_SCAN]);
+    for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e)
+        table_keyed(summary, speed[e] / speed[e - 1], "%s/%s-%zu",
+                    bonkers_engine_names[e], bonkers_engine_names[e - 1],
+                    movers);
+    table_keyed(summary, speed[BONKERS_SLAB] / speed[BONKERS_SCAN],
+                "slab/scan-%zu", movers);
 }
 
 /* Notes what needs a million particles. */
@@ -225,12 +223,11 @@ static void note_large(struct table *summary,
         least = fmin(least, speed[k][BONKERS_SLAB]);
     }
     const double *thousand = speed[4], *million = speed[7];
-    table_real(summary, "slab/naive",
-               million[BONKERS_SLAB] / million[BONKERS_NAIVE]);
-    table_real(summary, "heap-slowdown",
-               thousand[BONKERS_HEAP] / million[BONKERS_HEAP]);
-    table_real(summary, "slab-spread", most / least);
-    table_real(summary, "redone-percent", million[0]);
+    TABLE_RESULTS(
+        summary,
+        {"slab/naive", million[BONKERS_SLAB] / million[BONKERS_NAIVE]},
+        {"heap-slowdown", thousand[BONKERS_HEAP] / million[BONKERS_HEAP]},
+        {"slab-spread", most / least}, {"redone-percent", million[0]});
 }
 
 static const struct table_key speed_keys[] = {
@@ -244,7 +241,6 @@ static const struct table_key speed_keys[] = {
 
 static void study_speed(struct study *s)
 {
-    const struct settings *own = s->own;
     double speed[SIZES][BONKERS_ENGINES];
     size_t n = 0;
     bench_machine(s->out);
@@ -253,7 +249,7 @@ static void study_speed(struct study *s)
         table_column(s->out, bonkers_engine_names[e], "1/s",
                      "collisions a second of processor time");
     progress_begin(&s->progress, PROGRAM, SIZES, "sizes");
-    for (; n < SIZES && sizes[n] <= own->most && !progress_signal(); ++n) {
+    for (; n < SIZES && sizes[n] <= own.most && !progress_signal(); ++n) {
         compare_engines(s, sizes[n], speed[n]);
         table_print(s->out, "%-7zu %9.4g %9.4g %9.4g %9.4g\n", sizes[n],
                     speed[n][1], speed[n][2], speed[n][3], speed[n][4]);
@@ -275,7 +271,6 @@ static void throw_coins(struct table *summary, const char *name,
     enum { THROWS = 1000000 };
     const double a = 1 / mass1, b = 1 / mass2;
     const double smaller = (a < b ? a : b) / (a + b);
-    char key[64];
     struct random r;
     int ties = 0, up = 0;
     random_seed(&r, 1);
@@ -288,17 +283,15 @@ static void throw_coins(struct table *summary, const char *name,
         ties += tie;
         up += tie && error > 0;
     }
-    snprintf(key, sizeof key, "ties_%s", name);
-    table_real(summary, key, 100.0 * ties / THROWS);
-    snprintf(key, sizeof key, "up_%s", name);
-    table_real(summary, key, ties > 0 ? 100.0 * up / ties : 0);
+    table_keyed(summary, 100.0 * ties / THROWS, "ties_%s", name);
+    table_keyed(summary, ties > 0 ? 100.0 * up / ties : 0, "up_%s", name);
 }
 
 /* Three bodies whose energy drifts from the beginning. */
 static void begin_whole_ratio(struct bonkers *b)
 {
-    if (!bonkers_create(b, 3, 1, BONKERS_SCAN))
-        program_give_up(PROGRAM, "no memory for the particles");
+    program_memory(bonkers_create(b, 3, 1, BONKERS_SCAN),
+                   "for the particles");
     b->body[1] = (struct bonkers_body){1, 1, 0, 1};
     b->body[2] = (struct bonkers_body){2, -0.3, 0, 0.5};
     b->body[3] = (struct bonkers_body){3, 0.77, 0, 1 / 1.5};
@@ -363,26 +356,24 @@ static const struct table_key drift_keys[] = {
 
 static void study_drift(struct study *s)
 {
-    const struct settings *own = s->own;
     struct drift d;
     double error[3] = {0};
     begin_drift(&d);
-    progress_begin(&s->progress, PROGRAM, own->most, "collisions");
-    table_column(s->out, "n", "", "collisions");
-    table_column(s->out, "double", "", "relative error of the energy");
-    table_column(s->out, "whole", "", "the same, masses 1, 2 and 1.5");
-    table_column(s->out, "float", "", "the same in single precision");
-    for (uint64_t n = 100; n <= own->most && !progress_signal();
+    progress_begin(&s->progress, PROGRAM, own.most, "collisions");
+    TABLE_COLUMNS(s->out, {"n", "", "collisions"},
+                  {"double", "", "relative error of the energy"},
+                  {"whole", "", "the same, masses 1, 2 and 1.5"},
+                  {"float", "", "the same in single precision"});
+    for (uint64_t n = 100; n <= own.most && !progress_signal();
          n = next_stop(n)) {
         drift_on(&d, n, error);
-        table_row(s->out, 4,
-                  (double[]){(double)n, error[0], error[1],
-                             n <= SINGLE_MOST ? error[2] : NAN});
+        TABLE_ROW(s->out, (double)n, error[0], error[1],
+                  n <= SINGLE_MOST ? error[2] : NAN);
         progress_update(&s->progress, n, n);
     }
-    table_real(s->summary, "energy_error", error[0]);
-    table_real(s->summary, "energy_error_whole", error[1]);
-    table_real(s->summary, "energy_error_float", error[2]);
+    TABLE_RESULTS(s->summary, {"energy_error", error[0]},
+                  {"energy_error_whole", error[1]},
+                  {"energy_error_float", error[2]});
     throw_coins(s->summary, "whole", 1, 2);
     throw_coins(s->summary, "mixed", 1, 1 / 0.9);
     bonkers_free(&d.mixed);
@@ -445,13 +436,10 @@ static void note_misses(struct table *summary, uint64_t n,
                         const double row[])
 {
     static const char *const keys[] = {"scan", "biased", "float"};
-    char key[32];
     if (n != 1000 && n != 5000 && n != 10000 && n != 100000 && n != 1000000)
         return;
-    for (int k = 0; k < 3; ++k) {
-        snprintf(key, sizeof key, "%s_%d", keys[k], (int)n);
-        table_real(summary, key, row[2 + k]);
-    }
+    for (int k = 0; k < 3; ++k)
+        table_keyed(summary, row[2 + k], "%s_%d", keys[k], (int)n);
 }
 
 static const struct table_key reverse_keys[] = {
@@ -462,14 +450,13 @@ static const struct table_key reverse_keys[] = {
 /* The slow lines, which round every operation, stop earlier. */
 static void study_reverse(struct study *s)
 {
-    const struct settings *own = s->own;
-    progress_begin(&s->progress, PROGRAM, own->most, "collisions");
-    table_column(s->out, "n", "", "collisions there, and as many back");
-    table_column(s->out, "naive", "m", "largest error of a position");
-    table_column(s->out, "scan", "m", "the same");
-    table_column(s->out, "biased", "m", "the same, difference form");
-    table_column(s->out, "float", "m", "the same in single precision");
-    for (uint64_t n = 100; n <= own->most && !progress_signal();
+    progress_begin(&s->progress, PROGRAM, own.most, "collisions");
+    TABLE_COLUMNS(s->out, {"n", "", "collisions there, and as many back"},
+                  {"naive", "m", "largest error of a position"},
+                  {"scan", "m", "the same"},
+                  {"biased", "m", "the same, difference form"},
+                  {"float", "m", "the same in single precision"});
+    for (uint64_t n = 100; n <= own.most && !progress_signal();
          n = next_stop(n)) {
         const double row[] = {(double)n, miss(BONKERS_NAIVE, n),
                               miss(BONKERS_SCAN, n),
@@ -555,9 +542,9 @@ static double time_events(double until, const struct start_request *request,
 static void name_steps(struct table *out)
 {
     bench_machine(out);
-    table_column(out, "dt", "s", "step; 0: event-driven");
-    table_column(out, "seconds", "s", "processor time of one run");
-    table_column(out, "error", "m", "root mean square error of positions");
+    TABLE_COLUMNS(out, {"dt", "s", "step; 0: event-driven"},
+                  {"seconds", "s", "processor time of one run"},
+                  {"error", "m", "root mean square error of positions"});
 }
 
 static const struct table_key steps_keys[] = {
@@ -570,7 +557,6 @@ static const struct table_key steps_keys[] = {
    until it is one and a half millionths of a second, and once too often. */
 static void study_steps(struct study *s)
 {
-    const struct settings *own = s->own;
     const struct start_request request = {.kind = START_MIXED};
     struct bonkers_body body[LINE_BODIES];
     struct bonkers b;
@@ -578,19 +564,19 @@ static void study_steps(struct study *s)
     uint64_t n = 0;
     begin_or_exit(&b, &request, BONKERS_SCAN);
     line_copy(&truth, &b, LINE_WIDE);
-    line_run_to(&truth, own->until);
+    line_run_to(&truth, own.until);
     name_steps(s->out);
-    double seconds = time_events(own->until, &request, body, &n), dt = 0.1;
+    double seconds = time_events(own.until, &request, body, &n), dt = 0.1;
     const double error = distance(&truth, body);
     table_print(s->out, "%-9d %9.4g %9.4g\n", 0, seconds, error);
     for (; dt > 0.9e-6 && !progress_signal(); dt /= 2) {
-        seconds = time_walk(own->until, &b, dt, body);
+        seconds = time_walk(own.until, &b, dt, body);
         table_print(s->out, "%-9.4g %9.4g %9.4g\n", dt, seconds,
                     distance(&truth, body));
     }
     table_count(s->summary, "collisions", n);
-    table_real(s->summary, "error_events", error);
-    table_real(s->summary, "smallest_step", 2 * dt);
+    TABLE_RESULTS(s->summary, {"error_events", error},
+                  {"smallest_step", 2 * dt});
     bonkers_free(&b);
 }
 
@@ -624,9 +610,9 @@ static void study_collapse(struct study *s)
     const double pi = acos(-1);
     double border = 0;
     uint64_t next = 0;
-    table_column(s->out, "e", "", "restitution");
-    table_column(s->out, "n", "", "collisions; 0: without end");
-    table_column(s->out, "theory", "", "two to a round, pi/phi rounds");
+    TABLE_COLUMNS(s->out, {"e", "", "restitution"},
+                  {"n", "", "collisions; 0: without end"},
+                  {"theory", "", "two to a round, pi/phi rounds"});
     for (int k = 40; k <= 300 && !progress_signal(); ++k) {
         const double e = k / 500.0;
         const double cosine = (1 - e) * (1 - e) / (4 * e);
@@ -635,9 +621,8 @@ static void study_collapse(struct study *s)
             border = e;
         else if (next == 0)
             next = n;
-        table_row(s->out, 3,
-                  (double[]){e, (double)n,
-                             cosine < 1 ? 2 * pi / acos(cosine) : NAN});
+        TABLE_ROW(s->out, e, (double)n,
+                  cosine < 1 ? 2 * pi / acos(cosine) : NAN);
     }
     table_real(s->summary, "border", border);
     table_count(s->summary, "next", next);
@@ -675,8 +660,7 @@ static struct bonkers_body bounce_by_events(uint64_t *bounces)
 {
     struct bonkers b;
     double x[3], v[3];
-    if (!bonkers_create(&b, 1, 1, BONKERS_SCAN))
-        program_give_up(PROGRAM, "no memory for a ball");
+    program_memory(bonkers_create(&b, 1, 1, BONKERS_SCAN), "for a ball");
     b.gravity = pull;
     b.body[1] = (struct bonkers_body){1, 0, 0, 1};
     b.body[2].x = INFINITY;
@@ -735,8 +719,8 @@ static void time_beads(struct table *out, double until, double dt)
     for (; seconds < 0.02; ++times) {
         struct bonkers b;
         double x[BEADS + 2], v[BEADS + 2];
-        if (!bonkers_create(&b, BEADS, 1, BONKERS_SCAN))
-            program_give_up(PROGRAM, "no memory for the beads");
+        program_memory(bonkers_create(&b, BEADS, 1, BONKERS_SCAN),
+                       "for the beads");
         for (int i = 1; i <= BEADS; ++i)
             b.body[i] = (struct bonkers_body){0.2 * i, 0, 0, 1};
         b.gravity = pull;
@@ -771,21 +755,20 @@ static void note_ball(struct table *summary, const char *key,
 {
     char energy[40];
     snprintf(energy, sizeof energy, "%s_energy", key);
-    table_real(summary, key, a->x - bounced(1, long_run));
-    table_real(summary, energy, a->v * a->v / (2 * pull) + a->x - 1);
+    TABLE_RESULTS(summary, {key, a->x - bounced(1, long_run)},
+                  {energy, a->v * a->v / (2 * pull) + a->x - 1});
 }
 
 static void study_bounce(struct study *s)
 {
-    const struct settings *own = s->own;
     uint64_t bounces;
     const struct bonkers_body by_events = bounce_by_events(&bounces);
     table_count(s->summary, "bounces", bounces);
     note_ball(s->summary, "events", &by_events);
     name_steps(s->out);
-    time_beads(s->out, own->until, 0);
+    time_beads(s->out, own.until, 0);
     for (double dt = 0.1; dt > 0.9e-6 && !progress_signal(); dt /= 2)
-        time_beads(s->out, own->until, dt);
+        time_beads(s->out, own.until, dt);
     for (uint64_t n = 90000; n < 100000000 && !progress_signal(); n *= 10) {
         const struct bonkers_body a = bounce_in_steps(n);
         char key[40];
@@ -825,10 +808,10 @@ static const struct table_key row_keys[] = {
 
 static void study_row(struct study *s)
 {
-    table_column(s->out, "N", "", "bodies in the row");
-    table_column(s->out, "left", "", "collisions, struck from the left");
-    table_column(s->out, "right", "", "collisions, struck from the right");
-    table_column(s->out, "apart", "", "the same, the bodies 1 nm apart");
+    TABLE_COLUMNS(s->out, {"N", "", "bodies in the row"},
+                  {"left", "", "collisions, struck from the left"},
+                  {"right", "", "collisions, struck from the right"},
+                  {"apart", "", "the same, the bodies 1 nm apart"});
     for (size_t n = 10; n <= 160 && !progress_signal(); n *= 2) {
         const double row[] = {(double)n,
                               (double)strike(n, s->seed, 0, false),
@@ -836,9 +819,8 @@ static void study_row(struct study *s)
                               (double)strike(n, s->seed, 1e-9, true)};
         table_row(s->out, 4, row);
         if (n == 160) {
-            table_real(s->summary, "left", row[1]);
-            table_real(s->summary, "right", row[2]);
-            table_real(s->summary, "apart", row[3]);
+            TABLE_RESULTS(s->summary, {"left", row[1]}, {"right", row[2]},
+                          {"apart", row[3]});
         }
     }
 }
@@ -942,12 +924,11 @@ static const struct table_key islands_keys[] = {
 
 static void study_islands(struct study *s)
 {
-    const struct settings *own = s->own;
     const struct start_request request = {
         .kind = START_RANDOM, .movers = SHOWN, .seed = s->seed};
     struct bonkers b;
     begin_or_exit(&b, &request, BONKERS_SCAN);
-    fill_slab(&b, own->until);
+    fill_slab(&b, own.until);
     write_trails(s->out, b.gaps);
     table_count(s->summary, "islands", write_islands(s->out, b.gaps));
     table_count(s->summary, "collisions", b.collisions);
@@ -974,19 +955,17 @@ static const struct options_entry entries[] = {
     {"until", 't', "T", "length of the run, s (10)"},
     {0}};
 
-static void take_option(struct options *o, int letter, void *settings)
+static void take_option(struct options *o, int letter)
 {
-    struct settings *own = settings;
     switch (letter) {
-    case 'c': own->most = options_count(o, 100, 1000000000000); break;
-    case 'N': own->most = options_count(o, 4, BONKERS_MOVERS); break;
-    case 't': own->until = options_real(o, 1e-3, 1000); break;
+    case 'c': own.most = options_count(o, 100, 1000000000000); break;
+    case 'N': own.most = options_count(o, 4, BONKERS_MOVERS); break;
+    case 't': own.until = options_real(o, 1e-3, 1000); break;
     }
 }
 
 int main(int argc, char *argv[])
 {
-    struct settings own = {.most = 1000000, .until = 10};
     const struct study_program program = {
         .name = PROGRAM,
         .purpose = "Measure the engines of bonkers.",
@@ -995,7 +974,6 @@ int main(int argc, char *argv[])
         .seeds = UINT64_MAX,
         .drawing = "--study islands, row",
         .options = entries,
-        .take = take_option,
-        .own = &own};
+        .take = take_option};
     return study_main(&program, argc, argv);
 }

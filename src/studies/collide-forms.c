@@ -12,11 +12,15 @@
 
 #define PROGRAM "collide-forms"
 
-struct settings {
+static struct {
     double ratios[8], offset;
     size_t ratio_count;
     uint64_t tests, collisions, digits;
-};
+} own = {.ratios = {1000},
+         .ratio_count = 1,
+         .tests = 100000,
+         .collisions = 1000000,
+         .digits = 5};
 
 /* Most results exist once for each form: their key is a name and the form,
    as in energy_max_cm. */
@@ -81,43 +85,41 @@ static const struct table_key rounding_keys[] = {
 
 static void study_rounding(struct study *s)
 {
-    const struct settings *own = s->own;
     struct random r;
     const char *eps = "2^-52";
-    table_column(s->out, "R", "", "mass ratios are drawn from 1/R to R");
-    table_column(s->out, "form", "",
-                 "0 cm, 1 difference, 2 impulse, 3 complement, 4 smaller");
-    table_column(s->out, "dE_max", eps, "worst relative error of energy");
-    table_column(s->out, "dE_rms", eps, "root mean square of the same");
-    table_column(s->out, "dP_max", eps,
-                 "worst error of momentum / sum m|u|");
-    table_column(s->out, "dv_max", eps, "worst error of v / larger |u|");
-    progress_begin(&s->progress, PROGRAM, own->ratio_count * own->tests,
+    TABLE_COLUMNS(
+        s->out, {"R", "", "mass ratios are drawn from 1/R to R"},
+        {"form", "",
+         "0 cm, 1 difference, 2 impulse, 3 complement, 4 smaller"},
+        {"dE_max", eps, "worst relative error of energy"},
+        {"dE_rms", eps, "root mean square of the same"},
+        {"dP_max", eps, "worst error of momentum / sum m|u|"},
+        {"dv_max", eps, "worst error of v / larger |u|"});
+    progress_begin(&s->progress, PROGRAM, own.ratio_count * own.tests,
                    "pairs");
-    for (size_t k = 0; k < own->ratio_count; ++k) {
+    for (size_t k = 0; k < own.ratio_count; ++k) {
         struct rounding all[COLLIDE_FORMS] = {{0, 0, 0, 0}};
         random_seed(&r, s->seed); /* the same for every ratio */
-        for (uint64_t i = 0; i < own->tests && !progress_signal(); ++i) {
+        for (uint64_t i = 0; i < own.tests && !progress_signal(); ++i) {
             const double im1 = random_between(&r, 0.5, 1.5);
-            const double ratio = own->ratios[k];
+            const double ratio = own.ratios[k];
             const double im2 =
                 im1 * random_log_uniform(&r, 1 / ratio, ratio);
-            const double u1 = own->offset + random_between(&r, -1, 1);
-            const double u2 = own->offset + random_between(&r, -1, 1);
+            const double u1 = own.offset + random_between(&r, -1, 1);
+            const double u2 = own.offset + random_between(&r, -1, 1);
             for (int form = 0; form < COLLIDE_FORMS; ++form)
                 measure_rounding(&all[form], form, u1, u2, im1, im2);
-            progress_update(&s->progress, k * own->tests + i,
-                            k * own->tests + i);
+            progress_update(&s->progress, k * own.tests + i,
+                            k * own.tests + i);
         }
         if (progress_signal())
             return;
         for (int form = 0; form < COLLIDE_FORMS; ++form) {
             const struct rounding *a = &all[form];
-            const double rms = sqrt(a->energy_square / (double)own->tests);
-            table_row(s->out, 6,
-                      (double[]){own->ratios[k], form, a->energy_max, rms,
-                                 a->momentum_max, a->velocity_max});
-            if (k + 1 == own->ratio_count) {
+            const double rms = sqrt(a->energy_square / (double)own.tests);
+            TABLE_ROW(s->out, own.ratios[k], form, a->energy_max, rms,
+                      a->momentum_max, a->velocity_max);
+            if (k + 1 == own.ratio_count) {
                 summarise(s, "energy_max", form, a->energy_max);
                 summarise(s, "energy_rms", form, rms);
                 summarise(s, "momentum_max", form, a->momentum_max);
@@ -183,11 +185,10 @@ static const struct table_key drift_keys[] = {
    that a run that is interrupted ends soon. */
 static void study_drift(struct study *s)
 {
-    const struct settings *own = s->own;
     double v[COLLIDE_FORMS][BODIES], error[COLLIDE_FORMS + 1];
     double tenth[COLLIDE_FORMS] = {0}, predicted = 0;
     struct random r[COLLIDE_FORMS];
-    progress_begin(&s->progress, PROGRAM, own->collisions, "collisions");
+    progress_begin(&s->progress, PROGRAM, own.collisions, "collisions");
     table_column(s->out, "n", "", "collisions");
     for (int f = 0; f < COLLIDE_FORMS; ++f) {
         table_column(s->out, collide_form_names[f], "",
@@ -196,8 +197,8 @@ static void study_drift(struct study *s)
         random_seed(&r[f], s->seed);
     }
     const quad start = row_energy(v[0]);
-    for (uint64_t n = 0; n < own->collisions;) {
-        const uint64_t stop = next_stop(n, own->collisions);
+    for (uint64_t n = 0; n < own.collisions;) {
+        const uint64_t stop = next_stop(n, own.collisions);
         while (n < stop) {
             const uint64_t turn = stop - n < 1000000 ? stop - n : 1000000;
             for (int f = 0; f < COLLIDE_FORMS; ++f)
@@ -215,7 +216,7 @@ static void study_drift(struct study *s)
         error[0] = (double)n;
         for (int f = 0; f < COLLIDE_FORMS; ++f) {
             error[f + 1] = (double)(row_energy(v[f]) / start - 1);
-            if (n == own->collisions / 10)
+            if (n == own.collisions / 10)
                 tenth[f] = error[f + 1];
         }
         table_row(s->out, COLLIDE_FORMS + 1, error);
@@ -224,13 +225,12 @@ static void study_drift(struct study *s)
         summarise(s, "energy_error", f, error[f + 1]);
         summarise(s, "energy_error_tenth", f, tenth[f]);
     }
-    table_real(s->summary, "predicted_difference",
-               predicted / (double)start);
-    table_real(s->summary, "slope",
-               error[COLLIDE_DIFFERENCE + 1] / tenth[COLLIDE_DIFFERENCE]);
-    table_real(
-        s->summary, "improvement",
-        fabs(error[COLLIDE_DIFFERENCE + 1] / error[COLLIDE_SMALLER + 1]));
+    TABLE_RESULTS(
+        s->summary, {"predicted_difference", predicted / (double)start},
+        {"slope",
+         error[COLLIDE_DIFFERENCE + 1] / tenth[COLLIDE_DIFFERENCE]},
+        {"improvement",
+         fabs(error[COLLIDE_DIFFERENCE + 1] / error[COLLIDE_SMALLER + 1])});
 }
 
 /* Returns how many collisions the heavy ball, the light one and the wall
@@ -277,16 +277,15 @@ static const struct table_key galperin_keys[] = {
 
 static void study_galperin(struct study *s)
 {
-    const struct settings *own = s->own;
     double ratio = 1, row[COLLIDE_FORMS + 3];
-    table_column(s->out, "k", "", "the mass ratio is 100^k");
-    table_column(s->out, "N", "", "exact number of collisions");
+    TABLE_COLUMNS(s->out, {"k", "", "the mass ratio is 100^k"},
+                  {"N", "", "exact number of collisions"});
     for (int f = 0; f < COLLIDE_FORMS; ++f)
         table_column(s->out, collide_form_names[f], "",
                      "counted in this form");
     table_column(s->out, "float", "", "smaller, in single precision");
-    progress_begin(&s->progress, PROGRAM, own->digits, "mass ratios");
-    for (uint64_t k = 0; k <= own->digits; ++k, ratio *= 100) {
+    progress_begin(&s->progress, PROGRAM, own.digits, "mass ratios");
+    for (uint64_t k = 0; k <= own.digits; ++k, ratio *= 100) {
         row[0] = (double)k;
         row[1] = ceil(acos(-1) / atan(sqrt(1 / ratio))) - 1;
         const uint64_t limit = 2 * (uint64_t)row[1];
@@ -309,16 +308,15 @@ static void study_galperin(struct study *s)
    collides them. */
 static void study_map(struct study *s)
 {
-    const struct settings *own = s->own;
     const double im[] = {1, 0.25};
     struct random r;
     random_seed(&r, s->seed);
-    progress_begin(&s->progress, PROGRAM, own->tests, "pairs");
-    table_column(s->out, "u1", "m/s", "before, body 1");
-    table_column(s->out, "u2", "m/s", "before, body 2");
-    table_column(s->out, "v1", "m/s", "after, body 1");
-    table_column(s->out, "v2", "m/s", "after, body 2");
-    for (uint64_t n = 0; n < own->tests && !progress_signal();) {
+    progress_begin(&s->progress, PROGRAM, own.tests, "pairs");
+    TABLE_COLUMNS(s->out, {"u1", "m/s", "before, body 1"},
+                  {"u2", "m/s", "before, body 2"},
+                  {"v1", "m/s", "after, body 1"},
+                  {"v2", "m/s", "after, body 2"});
+    for (uint64_t n = 0; n < own.tests && !progress_signal();) {
         double u[2], v[2];
         random_direction(&r, 2, u);
         for (int i = 0; i < 2; ++i)
@@ -326,7 +324,7 @@ static void study_map(struct study *s)
         if (!(u[0] > u[1]))
             continue;
         collide(&v[0], &v[1], im[0], im[1], 1);
-        table_row(s->out, 4, (double[]){u[0], u[1], v[0], v[1]});
+        TABLE_ROW(s->out, u[0], u[1], v[0], v[1]);
         ++n;
     }
 }
@@ -358,11 +356,10 @@ static const struct table_key cost_keys[] = {
    time. */
 static void study_cost(struct study *s)
 {
-    const struct settings *own = s->own;
     static struct bench b;
     struct random r;
     double times[COLLIDE_FORMS][BENCH_ROUNDS];
-    const uint64_t passes = own->collisions / PAIRS + 1;
+    const uint64_t passes = own.collisions / PAIRS + 1;
     random_seed(&r, s->seed);
     for (int i = 0; i < PAIRS; ++i)
         for (int body = 0; body < 2; ++body) {
@@ -378,9 +375,9 @@ static void study_cost(struct study *s)
     if (progress_signal())
         return;
     bench_machine(s->out);
-    table_column(s->out, "form", "", "a form of the collision formula");
-    table_column(s->out, "median", "ns", "processor time a collision");
-    table_column(s->out, "least", "ns", "the shortest of five");
+    TABLE_COLUMNS(s->out, {"form", "", "a form of the collision formula"},
+                  {"median", "ns", "processor time a collision"},
+                  {"least", "ns", "the shortest of five"});
     for (int f = 0; f < COLLIDE_FORMS; ++f) {
         const double median = bench_median(times[f], BENCH_ROUNDS);
         table_print(s->out, "%-10s %6.2f %6.2f\n", collide_form_names[f],
@@ -409,33 +406,25 @@ static const struct options_entry entries[] = {
     {"digits", 'k', "K", "mass ratios up to 100^K (5)"},
     {0}};
 
-static void take_option(struct options *o, int letter, void *settings)
+static void take_option(struct options *o, int letter)
 {
-    struct settings *own = settings;
     switch (letter) {
     case 'R':
-        own->ratio_count = options_list(o, own->ratios, 8);
-        for (size_t i = 0; i < own->ratio_count; ++i)
-            if (!(own->ratios[i] >= 1 && own->ratios[i] <= 1e100))
+        own.ratio_count = options_list(o, own.ratios, 8);
+        for (size_t i = 0; i < own.ratio_count; ++i)
+            if (!(own.ratios[i] >= 1 && own.ratios[i] <= 1e100))
                 options_fail(o, "'%s' has a ratio outside 1 to 1e100",
                              options_text(o));
         break;
-    case 'O': own->offset = options_real(o, -1e100, 1e100); break;
-    case 'n': own->tests = options_count(o, 1, 1000000000); break;
-    case 'c':
-        own->collisions = options_count(o, 1000, 1000000000000);
-        break;
-    case 'k': own->digits = options_count(o, 0, 10); break;
+    case 'O': own.offset = options_real(o, -1e100, 1e100); break;
+    case 'n': own.tests = options_count(o, 1, 1000000000); break;
+    case 'c': own.collisions = options_count(o, 1000, 1000000000000); break;
+    case 'k': own.digits = options_count(o, 0, 10); break;
     }
 }
 
 int main(int argc, char *argv[])
 {
-    struct settings own = {.ratios = {1000},
-                           .ratio_count = 1,
-                           .tests = 100000,
-                           .collisions = 1000000,
-                           .digits = 5};
     const struct study_program program = {
         .name = PROGRAM,
         .purpose = "Compare five forms of a collision.",
@@ -444,7 +433,6 @@ int main(int argc, char *argv[])
         .seeds = UINT64_MAX,
         .drawing = "--study rounding, drift, map",
         .options = entries,
-        .take = take_option,
-        .own = &own};
+        .take = take_option};
     return study_main(&program, argc, argv);
 }

@@ -20,7 +20,7 @@ enum {
 };
 
 /* A list of numbers of disks is timed at one packing. */
-struct settings {
+static struct {
     size_t dimensions, sizes;
     double packing, particles[SIZES];
     bool steps;
@@ -28,48 +28,49 @@ struct settings {
         collisions; /* of a round; 0: as many as in a fifth of a second */
     uint64_t seed;
     const char *output, *summary, *command;
-};
+} own = {.dimensions = 2,
+         .sizes = 5,
+         .particles = {1e2, 1e3, 1e4, 1e5, 1e6},
+         .packing = 0.3,
+         .summary = "/dev/null"};
 
 /* Returns whether all are to be a fluid when they are timed: below the
    packing at which it freezes, unless --collisions asks for a short run. A
    dense lattice does not melt in few collisions, and a crystal is faster
    than a fluid, whose collisions change the partners; so where there is a
    fluid, disks start smaller, as a thin gas, and grow (warm_up). */
-static bool is_fluid(const struct settings *s)
+static bool is_fluid(void)
 {
-    return s->packing <= (s->dimensions == 2 ? 0.70 : 0.494) &&
-           !s->collisions;
+    return own.packing <= (own.dimensions == 2 ? 0.70 : 0.494) &&
+           !own.collisions;
 }
 
 /* Returns the diameter at the start, m. */
-static double first_diameter(const struct settings *s)
+static double first_diameter(void)
 {
-    const double thin = fmin(0.3 / s->packing, 1);
-    if (!is_fluid(s))
+    const double thin = fmin(0.3 / own.packing, 1);
+    if (!is_fluid())
         return 1;
-    return s->dimensions == 2 ? sqrt(thin) : cbrt(thin);
+    return own.dimensions == 2 ? sqrt(thin) : cbrt(thin);
 }
 
 /* Places disks of mass 1 kg, at kT = 1 J, on a lattice in a periodic
    box. */
-static void begin_or_exit(struct disks *d, const struct settings *s,
-                          size_t count)
+static void begin_or_exit(struct disks *d, size_t count)
 {
     const double pi = 3.14159265358979324;
-    const double each = s->dimensions == 2 ? pi / 4 : pi / 6;
-    const double volume = (double)count * each / s->packing;
+    const double each = own.dimensions == 2 ? pi / 4 : pi / 6;
+    const double volume = (double)count * each / own.packing;
     struct random r;
     random_seed(&r, 1);
-    if (!disks_create(d, s->dimensions, count))
-        program_give_up(PROGRAM, "no memory for the disks");
+    program_memory(disks_create(d, own.dimensions, count), "for the disks");
     d->boundary = DISKS_PERIODIC;
     for (size_t k = 0; k < d->dimensions; ++k)
-        d->box[k] = s->dimensions == 2 ? sqrt(volume) : cbrt(volume);
+        d->box[k] = own.dimensions == 2 ? sqrt(volume) : cbrt(volume);
     for (size_t i = 0; i < count; ++i)
-        d->disk[i].radius = first_diameter(s) / 2;
+        d->disk[i].radius = first_diameter() / 2;
     if (!disks_place_lattice(d))
-        program_give_up(PROGRAM,
-                        "--packing: the disks have no room on a lattice");
+        program_give_up("--packing: the disks have no room on a lattice");
     disks_set_temperature(d, 1, &r);
 }
 
@@ -77,8 +78,7 @@ static void begin_or_exit(struct disks *d, const struct settings *s,
 static void copy_or_exit(struct disks *to, const struct disks *from)
 {
     const size_t n = from->count;
-    if (!disks_create(to, from->dimensions, n))
-        program_give_up(PROGRAM, "no memory for the disks");
+    program_memory(disks_create(to, from->dimensions, n), "for the disks");
     struct disk *disk = to->disk;
     double *mass = to->mass;
     uint32_t *hits = to->hits;
@@ -87,8 +87,7 @@ static void copy_or_exit(struct disks *to, const struct disks *from)
     to->disk = memcpy(disk, from->disk, n * sizeof *disk);
     to->mass = memcpy(mass, from->mass, n * sizeof *mass);
     to->hits = memcpy(hits, from->hits, n * sizeof *hits);
-    if (!disks_plan(to))
-        program_give_up(PROGRAM, "no memory for the plans");
+    program_memory(disks_plan(to), "for the plans");
 }
 
 struct engines {
@@ -114,36 +113,34 @@ static void run_collisions(struct engines *e, bool fast, uint64_t more)
 /* Returns the collisions a second of a round. Without --collisions the
    clock is read after each piece, which is short enough for a slow engine
    and long enough for a fast one. */
-static double speed_of(struct engines *e, const struct settings *s,
-                       bool fast)
+static double speed_of(struct engines *e, bool fast)
 {
     const struct disks *d = fast ? &e->disks : &e->pairs;
-    const uint64_t bite = s->collisions ? s->collisions
-                          : fast        ? 10000
-                                        : 1 + 100000 / d->count;
+    const uint64_t bite = own.collisions ? own.collisions
+                          : fast         ? 10000
+                                         : 1 + 100000 / d->count;
     const uint64_t before = d->collisions;
     const double start = bench_seconds();
     double seconds = 0;
     do {
         run_collisions(e, fast, bite);
         seconds = bench_seconds() - start;
-    } while (!s->collisions && seconds < 0.2);
+    } while (!own.collisions && seconds < 0.2);
     return (double)(d->collisions - before) / seconds;
 }
 
 /* Times both engines: one round of each is discarded, then they alternate,
    and the medians count. *pairs is NaN if there are too many disks for
    pairs. */
-static void compare(struct engines *e, const struct settings *s,
-                    double *pairs, double *cells)
+static void compare(struct engines *e, double *pairs, double *cells)
 {
     const bool both = e->disks.count <= PAIRS_MOST;
     double rounds[2][BENCH_ROUNDS] = {{0}};
     for (int k = -1; k < BENCH_ROUNDS; ++k) {
         const int at = k < 0 ? 0 : k;
-        rounds[1][at] = speed_of(e, s, true);
+        rounds[1][at] = speed_of(e, true);
         if (both)
-            rounds[0][at] = speed_of(e, s, false);
+            rounds[0][at] = speed_of(e, false);
     }
     *cells = bench_median(rounds[1], BENCH_ROUNDS);
     *pairs = both ? bench_median(rounds[0], BENCH_ROUNDS) : NAN;
@@ -169,26 +166,24 @@ static double bytes_each(const struct cells *c)
 
 /* Two columns, stale events and renewed lists, show that the work for a
    collision does not depend on N, whatever the clock says. */
-static void write_head(struct table *t, const struct settings *s)
+static void write_head(struct table *t)
 {
     static const char *const asked[] = {"one by one", "four at a time",
                                         "eight at a time"};
-    table_begin(t, s->command, 1);
+    table_begin(t, own.command, 1);
     bench_machine(t);
     table_print(t, "# neighbours of cells: %s\n", asked[cells_lanes() / 4]);
-    if (s->steps) {
-        table_column(t, "step", "", "what is there");
-        table_column(t, "speed", "1/us", "collisions of processor time");
+    if (own.steps) {
+        TABLE_COLUMNS(t, {"step", "", "what is there"},
+                      {"speed", "1/us", "collisions of processor time"});
         return;
     }
-    table_column(t, "N", "", "disks or spheres");
-    table_column(t, "pairs", "1/s",
-                 "collisions a second of processor time");
-    table_column(t, "cells", "1/s",
-                 "collisions a second of processor time");
-    table_column(t, "bytes", "B", "of memory for a disk, with cells");
-    table_column(t, "stale", "", "stale events for a collision");
-    table_column(t, "renewed", "", "lists made anew for a collision");
+    TABLE_COLUMNS(t, {"N", "", "disks or spheres"},
+                  {"pairs", "1/s", "collisions a second of processor time"},
+                  {"cells", "1/s", "collisions a second of processor time"},
+                  {"bytes", "B", "of memory for a disk, with cells"},
+                  {"stale", "", "stale events for a collision"},
+                  {"renewed", "", "lists made anew for a collision"});
 }
 
 /* Writes a row for a number of disks, and its three lines of the
@@ -198,35 +193,30 @@ static void write_row(struct table *t, struct table *summary,
 {
     const double n = (double)e->disks.count;
     const double collisions = (double)e->disks.collisions;
-    char key[64];
     table_print(t, "%-8.0f %9.4g %9.4g %6.1f %6.3f %6.3f\n", n, pairs,
                 cells, bytes_each(&e->cells),
                 (double)e->cells.stale / collisions,
                 (double)e->cells.renewed / collisions);
-    snprintf(key, sizeof key, "cells_%.0f", n);
-    table_real(summary, key, cells);
-    snprintf(key, sizeof key, "bytes_%.0f", n);
-    table_real(summary, key, bytes_each(&e->cells));
-    snprintf(key, sizeof key, "cells/pairs_%.0f", n);
-    table_real(summary, key, cells / pairs);
+    table_keyed(summary, cells, "cells_%.0f", n);
+    table_keyed(summary, bytes_each(&e->cells), "bytes_%.0f", n);
+    table_keyed(summary, cells / pairs, "cells/pairs_%.0f", n);
 }
 
 /* Times what each step of the chapter saves, by taking them away one after
    the other: first neighbours are examined one at a time, then the calendar
    has one endless day, so that all events are on one page, which is
    searched for each event as pairs do. */
-static void write_steps(struct engines *e, const struct settings *s,
-                        struct table *out)
+static void write_steps(struct engines *e, struct table *out)
 {
     struct calendar *calendar = &e->cells.calendar;
     double pairs, lanes, cells, neighbours;
-    compare(e, s, &pairs, &lanes);
+    compare(e, &pairs, &lanes);
     e->cells.lanes = 1;
-    compare(e, s, &pairs, &cells);
+    compare(e, &pairs, &cells);
     calendar->width = INFINITY;
     for (uint32_t i = 0; i < e->disks.count; ++i)
         calendar_put(calendar, i, calendar->event[i].time);
-    compare(e, s, &pairs, &neighbours);
+    compare(e, &pairs, &neighbours);
     table_print(out,
                 "pairs %.3g\nneighbours %.3g\ncalendar %.3g\nlanes %.3g\n",
                 pairs / 1e6, neighbours / 1e6, cells / 1e6, lanes / 1e6);
@@ -250,52 +240,45 @@ static const struct table_key keys[] = {
     {"cells/pairs_<N>", "1", "ratio of speeds; nan: too many for pairs"},
     {0}};
 
-static void read_particles(struct settings *s, struct options *o)
+static void read_particles(struct options *o)
 {
-    s->sizes = options_list(o, s->particles, SIZES);
-    for (size_t k = 0; k < s->sizes; ++k)
-        if (!(s->particles[k] >= 3 && s->particles[k] <= DISKS_MOST) ||
-            s->particles[k] != floor(s->particles[k]))
+    own.sizes = options_list(o, own.particles, SIZES);
+    for (size_t k = 0; k < own.sizes; ++k)
+        if (!(own.particles[k] >= 3 && own.particles[k] <= DISKS_MOST) ||
+            own.particles[k] != floor(own.particles[k]))
             options_fail(o, "%g is not a whole number from 3 to %d",
-                         s->particles[k], DISKS_MOST);
+                         own.particles[k], DISKS_MOST);
 }
 
-static void read_settings(struct settings *s, int argc, char *argv[])
+static void read_settings(int argc, char *argv[])
 {
     struct options o;
     int option;
-    *s = (struct settings){.dimensions = 2,
-                           .sizes = 5,
-                           .particles = {1e2, 1e3, 1e4, 1e5, 1e6},
-                           .packing = 0.3,
-                           .summary = "/dev/null"};
     options_begin(&o, PROGRAM, "Time the engines of disks.", entries, argc,
                   argv);
     options_keys(&o, keys);
     while ((option = options_next(&o)) != -1)
         switch (option) {
-        case 'N': read_particles(s, &o); break;
-        case 'p': s->packing = options_real(&o, 1e-9, 1); break;
-        case 'd': s->dimensions = options_count(&o, 2, 3); break;
+        case 'N': read_particles(&o); break;
+        case 'p': own.packing = options_real(&o, 1e-9, 1); break;
+        case 'd': own.dimensions = options_count(&o, 2, 3); break;
         case 'c':
-            s->collisions = options_count(&o, 1, 1000000000000);
+            own.collisions = options_count(&o, 1, 1000000000000);
             break;
-        case 'x': s->steps = true; break;
-        case 'o': s->output = options_text(&o); break;
-        case 'S': s->summary = options_text(&o); break;
+        case 'x': own.steps = true; break;
+        case 'o': own.output = options_text(&o); break;
+        case 'S': own.summary = options_text(&o); break;
         }
-    s->command = options_command(&o);
-    program_apart(&o, s->output, s->summary, "table");
+    own.command = options_command(&o);
+    program_apart(&o, own.output, own.summary, "table");
 }
 static void make_cells(struct engines *e)
 {
     cells_free(&e->cells);
     if (!cells_suit(&e->disks))
         program_give_up(
-            PROGRAM,
             "--particles: too few for three cells along each side");
-    if (!cells_create(&e->cells, &e->disks))
-        program_give_up(PROGRAM, "no memory for the cells");
+    program_memory(cells_create(&e->cells, &e->disks), "for the cells");
 }
 
 /* Returns the radius to which disk i grows, m: nine tenths of the way to
@@ -340,12 +323,12 @@ static bool grow(struct engines *e)
    first: at the packing 0.70 Z is 11.1 and falls towards the fluid's 10.3
    for some hundred collisions of each disk; hence three million collisions
    at the end. */
-static void warm_up(struct engines *e, const struct settings *s)
+static void warm_up(struct engines *e)
 {
     const uint64_t n = e->disks.count;
     bool whole = e->disks.disk[0].radius == 0.5;
     make_cells(e);
-    run_collisions(e, true, s->collisions ? s->collisions : 5 * n);
+    run_collisions(e, true, own.collisions ? own.collisions : 5 * n);
     while (!whole && !progress_signal()) {
         disks_settle(&e->disks);
         make_cells(e);
@@ -358,11 +341,11 @@ static void warm_up(struct engines *e, const struct settings *s)
 /* Returns how many tiles make up so many disks along each axis, 1 if none
    are laid. A million disks would take minutes to melt; some thousands that
    have melted are laid side by side instead. */
-static size_t tiles_along(const struct settings *s, size_t count)
+static size_t tiles_along(size_t count)
 {
     size_t along = 1;
-    for (size_t k = 2; is_fluid(s); ++k) {
-        const size_t tiles = s->dimensions == 2 ? k * k : k * k * k;
+    for (size_t k = 2; is_fluid(); ++k) {
+        const size_t tiles = own.dimensions == 2 ? k * k : k * k * k;
         if (count / tiles < 4000)
             break;
         along = count % tiles == 0 ? k : along;
@@ -372,11 +355,10 @@ static size_t tiles_along(const struct settings *s, size_t count)
 
 /* Replaces the disks by copies of them. Each copy draws velocities of its
    own, and after five collisions of each disk no tile is like another. */
-static void lay_tiles(struct engines *e, const struct settings *s,
-                      size_t along, size_t count)
+static void lay_tiles(struct engines *e, size_t along, size_t count)
 {
     struct disks tile = e->disks, *d = &e->disks;
-    begin_or_exit(d, s, count);
+    begin_or_exit(d, count);
     for (size_t k = 0; k < d->dimensions; ++k)
         d->box[k] = (double)along * tile.box[k];
     for (size_t i = 0; i < count; ++i) {
@@ -392,34 +374,33 @@ static void lay_tiles(struct engines *e, const struct settings *s,
 
 /* Makes the disks that are timed. A run that is to be short warms up as
    shortly. */
-static void make_fluid(struct engines *e, const struct settings *s,
-                       size_t count)
+static void make_fluid(struct engines *e, size_t count)
 {
-    const size_t along = tiles_along(s, count);
+    const size_t along = tiles_along(count);
     const size_t plane = along * along;
-    begin_or_exit(&e->disks, s,
-                  count / (s->dimensions == 2 ? plane : plane * along));
-    warm_up(e, s);
+    begin_or_exit(&e->disks,
+                  count / (own.dimensions == 2 ? plane : plane * along));
+    warm_up(e);
     if (along == 1)
         return;
     disks_settle(&e->disks);
-    lay_tiles(e, s, along, count);
+    lay_tiles(e, along, count);
     make_cells(e);
     run_collisions(e, true, 5 * count);
 }
 
-static void time_size(const struct settings *s, size_t count,
-                      struct table *out, struct table *summary)
+static void time_size(size_t count, struct table *out,
+                      struct table *summary)
 {
     struct engines e = {0};
     double pairs, cells;
-    make_fluid(&e, s, count);
+    make_fluid(&e, count);
     if (count <= PAIRS_MOST)
         copy_or_exit(&e.pairs, &e.disks);
-    if (s->steps)
-        write_steps(&e, s, out);
+    if (own.steps)
+        write_steps(&e, out);
     else {
-        compare(&e, s, &pairs, &cells);
+        compare(&e, &pairs, &cells);
         write_row(out, summary, &e, pairs, cells);
     }
     cells_free(&e.cells);
@@ -429,15 +410,14 @@ static void time_size(const struct settings *s, size_t count,
 
 int main(int argc, char *argv[])
 {
-    struct settings s;
     struct progress progress;
-    read_settings(&s, argc, argv);
+    read_settings(argc, argv);
     struct table *out, *summary;
-    program_open(PROGRAM, s.output, s.summary, keys, &out, &summary);
-    progress_begin(&progress, PROGRAM, s.sizes, "sizes");
-    write_head(out, &s);
-    for (size_t k = 0; k < s.sizes && !progress_signal(); ++k) {
-        time_size(&s, (size_t)s.particles[k], out, summary);
+    program_open(PROGRAM, own.output, own.summary, keys, &out, &summary);
+    progress_begin(&progress, PROGRAM, own.sizes, "sizes");
+    write_head(out);
+    for (size_t k = 0; k < own.sizes && !progress_signal(); ++k) {
+        time_size((size_t)own.particles[k], out, summary);
         progress_update(&progress, k + 1, k + 1);
     }
     return program_close(out, summary, progress_end(&progress));

@@ -13,11 +13,11 @@
 
 enum { MOST_STARTS = 100000 };
 
-struct settings {
+static struct {
     uint64_t samples;
     uint64_t starts; /* 0: as many as is usual for the study */
     double every;    /* s */
-};
+} own = {.samples = 1000000, .every = 0.01};
 
 /* Makes `count` equal disks between the walls of a square box, all of speed
    v. Ends the program if there is no memory or no room. */
@@ -32,7 +32,7 @@ static void begin_or_exit(struct disks *d, size_t count, double r,
         if (disks_place_lattice(d) && disks_plan(d))
             return;
     }
-    program_give_up(PROGRAM, "no memory or no room for the disks");
+    program_give_up("no memory or no room for the disks");
 }
 
 static const double radius = 0.15; /* of the four in a box of 1 m */
@@ -78,15 +78,14 @@ static const char *const clocks[CLOCKS] = {"clock", "article", "mended"};
 static double sample_by(int way, const struct study *s, struct loop *l,
                         double bins[BINS], double *overlap)
 {
-    const struct settings *own = s->own;
     begin_four(&l->d, 1, s->seed);
     const double energy = disks_energy(&l->d);
     l->next = disks_next(&l->d);
-    for (uint64_t k = 1; k <= own->samples; ++k) {
+    for (uint64_t k = 1; k <= own.samples; ++k) {
         if (way == OURS)
-            loop_go_to(l, (double)k * own->every);
+            loop_go_to(l, (double)k * own.every);
         else
-            loop_turn(l, own->every);
+            loop_turn(l, own.every);
         sample(l, bins, overlap);
     }
     return energy;
@@ -97,20 +96,16 @@ static double sample_by(int way, const struct study *s, struct loop *l,
 static void sum_up(struct study *s, const char *name, const struct loop *l,
                    double energy, double overlap, const double bins[BINS])
 {
-    const struct settings *own = s->own;
     const double impulse = l->d.impulse[0] + l->d.impulse[1];
     const double nkt = disks_energy(&l->d); /* 2 E / D */
     const double edge = (bins[15] + bins[84]) / 16 * BINS;
     const double values[] = {impulse / (4 * nkt * l->t), overlap,
                              disks_energy(&l->d) / energy - 1,
-                             (edge / (double)own->samples / 2.630625 - 1) *
+                             (edge / (double)own.samples / 2.630625 - 1) *
                                  100}; /* direct sampling */
     static const char *const keys[] = {"Z", "overlap", "energy", "edge"};
-    for (int k = 0; k < 4; ++k) {
-        char key[32];
-        snprintf(key, sizeof key, "%s_%s", keys[k], name);
-        table_real(s->summary, key, values[k]);
-    }
+    for (int k = 0; k < 4; ++k)
+        table_keyed(s->summary, values[k], "%s_%s", keys[k], name);
 }
 
 static const struct table_key clock_keys[] = {
@@ -123,7 +118,6 @@ static const struct table_key clock_keys[] = {
 /* Counts become densities in the table. */
 static void study_clock(struct study *s)
 {
-    const struct settings *own = s->own;
     static double bins[CLOCKS][BINS];
     table_column(s->out, "x", "m", "lower edge of the bin");
     for (int way = 0; way < CLOCKS; ++way) {
@@ -134,7 +128,7 @@ static void study_clock(struct study *s)
         disks_free(&l.d);
         table_column(s->out, clocks[way], "1/m", "density of a coordinate");
     }
-    const double scale = BINS / (8 * (double)own->samples);
+    const double scale = BINS / (8 * (double)own.samples);
     for (int bin = 0; bin < BINS; ++bin) {
         double row[1 + CLOCKS] = {(double)bin / BINS};
         for (int way = 0; way < CLOCKS; ++way)
@@ -148,7 +142,7 @@ static void write_place(struct study *s, struct loop *l)
 {
     double place[DISKS_AXES];
     disks_position(&l->d, 0, place);
-    table_row(s->out, 3, (double[]){l->d.now, place[0], place[1]});
+    TABLE_ROW(s->out, l->d.now, place[0], place[1]);
 }
 
 /* Goes to the next row: of the events (way 0), of the clock (1), or of the
@@ -171,10 +165,9 @@ static void go_to_row(struct loop *l, int way, int k, double every)
    to and fro for ever, and its clock stands still. */
 static void study_timeline(struct study *s)
 {
-    const struct settings *own = s->own;
-    table_column(s->out, "t", "s", "events; clock times; the article's");
-    table_column(s->out, "x", "m", "of the first disk");
-    table_column(s->out, "y", "m", "of the first disk");
+    TABLE_COLUMNS(s->out, {"t", "s", "events; clock times; the article's"},
+                  {"x", "m", "of the first disk"},
+                  {"y", "m", "of the first disk"});
     for (int way = 0; way < 3; ++way) {
         struct loop l = {.offset = -1};
         begin_four(&l.d, 1, s->seed);
@@ -183,7 +176,7 @@ static void study_timeline(struct study *s)
         l.next = disks_next(&l.d);
         write_place(s, &l);
         for (int k = 1; l.d.now < 1.5 && k < 1000; ++k) {
-            go_to_row(&l, way, k, own->every);
+            go_to_row(&l, way, k, own.every);
             write_place(s, &l);
         }
         table_print(s->out, "\n\n");
@@ -222,8 +215,7 @@ static double median_miss(const struct study *s, double e, double t,
                           double *collisions)
 {
     static double worst[MOST_STARTS];
-    const struct settings *own = s->own;
-    const uint64_t starts = own->starts ? own->starts : 101;
+    const uint64_t starts = own.starts ? own.starts : 101;
     *collisions = 0;
     for (uint64_t i = 0; i < starts; ++i) {
         struct disks d;
@@ -249,21 +241,20 @@ static const struct table_key reverse_keys[] = {
 static void study_reverse(struct study *s)
 {
     double one[16], four[16], n = 0, other;
-    table_column(s->out, "t", "s", "times the root of E: there, and back");
-    table_column(s->out, "n", "", "collisions there, mean");
-    table_column(s->out, "miss_1", "m", "median miss, E = 1 J");
-    table_column(s->out, "miss_4", "m", "the same, E = 4 J");
+    TABLE_COLUMNS(s->out,
+                  {"t", "s", "times the root of E: there, and back"},
+                  {"n", "", "collisions there, mean"},
+                  {"miss_1", "m", "median miss, E = 1 J"},
+                  {"miss_4", "m", "the same, E = 4 J"});
     for (int k = 0; k < 16; ++k) {
         const double t = 0.5 * (k + 1);
         one[k] = median_miss(s, 1, t, &n);
         four[k] = median_miss(s, 4, t / 2, &other);
-        table_row(s->out, 4, (double[]){t, n, one[k], four[k]});
+        TABLE_ROW(s->out, t, n, one[k], four[k]);
     }
-    table_real(s->summary, "miss_5", one[9]);
-    table_real(s->summary, "miss_8", one[15]);
-    table_real(s->summary, "collisions", n);
-    table_real(s->summary, "rate_1", log(one[14] / one[2]) / 6);
-    table_real(s->summary, "rate_4", log(four[14] / four[2]) / 3);
+    TABLE_RESULTS(s->summary, {"miss_5", one[9]}, {"miss_8", one[15]},
+                  {"collisions", n}, {"rate_1", log(one[14] / one[2]) / 6},
+                  {"rate_4", log(four[14] / four[2]) / 3});
 }
 
 /* Returns the square root with 113 bits. The library has none, but two
@@ -335,11 +326,10 @@ static void throw_kind(int kind, double size, struct random *r, double x[],
    errors: for grazing pairs those of our time and of the distance, for the
    others those of both times, divided by the gap, to which the time is
    about equal. */
-static void worst_of(const struct study *s, int kind, double size,
-                     struct random *r, double worst[])
+static void worst_of(int kind, double size, struct random *r,
+                     double worst[])
 {
-    const struct settings *own = s->own;
-    const uint64_t pairs = own->starts ? own->starts : 1000;
+    const uint64_t pairs = own.starts ? own.starts : 1000;
     const double scale = kind == GRAZE ? 1 : size;
     for (uint64_t i = 0; i < pairs; ++i) {
         double x[3], v[3], book, ours;
@@ -369,19 +359,18 @@ static void study_contact(struct study *s)
                                        "ours", "book_exact", "ours_exact"};
     struct random r;
     random_seed(&r, s->seed);
-    table_column(s->out, "s", "", "gap, or what lacks to sigma; sigma = 1");
-    table_column(s->out, "time", "", "grazing: error of the time");
-    table_column(s->out, "place", "",
-                 "grazing: error of the distance then");
-    table_column(s->out, "book", "",
-                 "gap s: relative error, textbook's root");
-    table_column(s->out, "ours", "", "gap s: relative error, stable root");
-    table_column(s->out, "book'", "", "the textbook's, exact places");
-    table_column(s->out, "ours'", "", "the stable root, exact places");
+    TABLE_COLUMNS(s->out,
+                  {"s", "", "gap, or what lacks to sigma; sigma = 1"},
+                  {"time", "", "grazing: error of the time"},
+                  {"place", "", "grazing: error of the distance then"},
+                  {"book", "", "gap s: relative error, textbook's root"},
+                  {"ours", "", "gap s: relative error, stable root"},
+                  {"book'", "", "the textbook's, exact places"},
+                  {"ours'", "", "the stable root, exact places"});
     for (int k = 1; k <= 50; ++k) {
         double row[1 + 2 * KINDS] = {ldexp(1, -k)};
         for (int kind = GRAZE; kind < KINDS; ++kind)
-            worst_of(s, kind, row[0], &r, &row[1 + 2 * kind]);
+            worst_of(kind, row[0], &r, &row[1 + 2 * kind]);
         table_row(s->out, 1 + 2 * KINDS, row);
         for (int c = 0; c < 2 * KINDS; ++c)
             if (k == (c < 2 ? 40 : 26))
@@ -404,8 +393,7 @@ static bool collapses(struct disks *d, size_t n, double restitution,
 /* Returns the fraction of the starts that collapse. */
 static double fraction_of_collapses(struct study *s, size_t n, double e)
 {
-    const struct settings *own = s->own;
-    const uint64_t starts = own->starts ? own->starts : 10;
+    const uint64_t starts = own.starts ? own.starts : 10;
     double collapsed = 0;
     for (uint64_t i = 0; i < starts; ++i) {
         struct disks d;
@@ -430,9 +418,8 @@ static void write_end(struct study *s)
                     d.disk[i].since == d.now);
         last += d.disk[i].since == d.now;
     }
-    table_real(s->summary, "bound", last);
-    table_real(s->summary, "time", d.now);
-    table_real(s->summary, "collisions", (double)d.collisions);
+    TABLE_RESULTS(s->summary, {"bound", last}, {"time", d.now},
+                  {"collisions", (double)d.collisions});
     disks_free(&d);
 }
 
@@ -445,11 +432,10 @@ static const struct table_key collapse_keys[] = {
 static void study_collapse(struct study *s)
 {
     static const size_t sizes[] = {10, 30, 100};
-    table_column(s->out, "e", "", "restitution");
-    table_column(s->out, "p_10", "",
-                 "share of starts that collapse, N = 10");
-    table_column(s->out, "p_30", "", "the same, N = 30");
-    table_column(s->out, "p_100", "", "the same, N = 100");
+    TABLE_COLUMNS(s->out, {"e", "", "restitution"},
+                  {"p_10", "", "share of starts that collapse, N = 10"},
+                  {"p_30", "", "the same, N = 30"},
+                  {"p_100", "", "the same, N = 100"});
     for (double e = 0.05; e < 0.99 && !progress_signal(); e += 0.05) {
         double row[4] = {e};
         for (int k = 0; k < 3; ++k)
@@ -513,10 +499,9 @@ static void compare_engines(struct study *s, size_t n)
 static void study_speed(struct study *s)
 {
     bench_machine(s->out);
-    table_column(s->out, "N", "", "disks");
-    table_column(s->out, "pairs", "1/s",
-                 "collisions, every pair looked at");
-    table_column(s->out, "plan", "1/s", "collisions, a plan remembered");
+    TABLE_COLUMNS(s->out, {"N", "", "disks"},
+                  {"pairs", "1/s", "collisions, every pair looked at"},
+                  {"plan", "1/s", "collisions, a plan remembered"});
     for (size_t n = 4; n <= 1024 && !progress_signal(); n *= 2)
         compare_engines(s, n);
 }
@@ -575,16 +560,14 @@ static const struct table_key pressure_keys[] = {
 
 static void study_pressure(struct study *s)
 {
-    const struct settings *own = s->own;
     double different = 0;
     bench_machine(s->out);
-    table_column(s->out, "n", "", "collisions of a run");
-    table_column(s->out, "pairs", "s",
-                 "processor time, every pair looked at");
-    table_column(s->out, "plan", "s", "processor time, a plan remembered");
-    table_column(s->out, "error", "", "rms of Z - 2.69889");
-    table_column(s->out, "bias", "", "mean of Z - 2.69889");
-    for (double n = 100; n <= (double)own->samples && !progress_signal();
+    TABLE_COLUMNS(s->out, {"n", "", "collisions of a run"},
+                  {"pairs", "s", "processor time, every pair looked at"},
+                  {"plan", "s", "processor time, a plan remembered"},
+                  {"error", "", "rms of Z - 2.69889"},
+                  {"bias", "", "mean of Z - 2.69889"});
+    for (double n = 100; n <= (double)own.samples && !progress_signal();
          n *= sqrt(10)) {
         double row[5] = {floor(n)};
         different += find_errors(s->seed, row);
@@ -618,19 +601,17 @@ static const struct options_entry entries[] = {
      "collapse (10)"},
     {0}};
 
-static void take_option(struct options *o, int letter, void *settings)
+static void take_option(struct options *o, int letter)
 {
-    struct settings *own = settings;
     switch (letter) {
-    case 'e': own->every = options_real(o, 1e-6, 1); break;
-    case 'k': own->samples = options_count(o, 1, 1000000000); break;
-    case 'n': own->starts = options_count(o, 1, MOST_STARTS); break;
+    case 'e': own.every = options_real(o, 1e-6, 1); break;
+    case 'k': own.samples = options_count(o, 1, 1000000000); break;
+    case 'n': own.starts = options_count(o, 1, MOST_STARTS); break;
     }
 }
 
 int main(int argc, char *argv[])
 {
-    struct settings own = {.samples = 1000000, .every = 0.01};
     const struct study_program program = {
         .name = PROGRAM,
         .purpose = "Measure hard disks, and what fails.",
@@ -640,7 +621,6 @@ int main(int argc, char *argv[])
         .drawing =
             "--study clock, timeline, reverse, contact, collapse, pressure",
         .options = entries,
-        .take = take_option,
-        .own = &own};
+        .take = take_option};
     return study_main(&program, argc, argv);
 }

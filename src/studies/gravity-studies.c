@@ -16,17 +16,16 @@
 
 #define PROGRAM "gravity-studies"
 
-struct settings {
+static struct {
     double orbits;              /* 0: the study's own number */
     double factor, moon, mixed; /* of the ring, see the options */
     size_t kernel;
-};
+} own = {.factor = 1};
 
 /* Returns how long a study runs, in its own unit. */
-static double duration(const struct study *s, double usual)
+static double duration(double usual)
 {
-    const struct settings *own = s->own;
-    return own->orbits > 0 ? own->orbits : usual;
+    return own.orbits > 0 ? own.orbits : usual;
 }
 
 /* A scene, what attracts in it, and the method that moves it. */
@@ -42,7 +41,7 @@ static void make_scene(struct scene *s, const char *name,
 {
     const char *wrong = gallery_choose(s, celestial_scenes, name, chosen);
     if (wrong)
-        program_give_up(PROGRAM, "%s", wrong);
+        program_give_up("%s", wrong);
 }
 
 static void begin_sky(struct sky *k, const char *name,
@@ -52,10 +51,10 @@ static void begin_sky(struct sky *k, const char *name,
     struct scene *s = &k->scene;
     make_scene(s, name, chosen);
     gravity_create(&k->gravity, s->bodies, s->mass, s->k2, s->softening);
-    if (!stepping_begin(&k->stepping, stepping_find(method),
-                        gravity_forces(&k->gravity), dt, s->position,
-                        s->velocity))
-        program_give_up(PROGRAM, "no memory");
+    program_memory(stepping_begin(&k->stepping, stepping_find(method),
+                                  gravity_forces(&k->gravity), dt,
+                                  s->position, s->velocity),
+                   NULL);
 }
 
 static void end_sky(struct sky *k)
@@ -108,13 +107,11 @@ static void measure_year(struct study *s)
         relative_to_first(&k.scene, 1, x, v);
         t = stepping_time(&k.stepping);
     } while (t < 100 || x[0] < 0 || x[1] < 0);
-    table_real(s->summary, "axis", a);
-    table_real(s->summary, "eccentricity", e);
-    table_real(s->summary, "period", t - x[1] / v[1]);
-    table_real(s->summary, "closed_period",
-               2 * KEPLER_PI * sqrt(a * a * a / pull));
-    table_real(s->summary, "drift",
-               (m[0] * y[0] + m[1] * y[1]) / (m[0] + m[1]) / t);
+    TABLE_RESULTS(
+        s->summary, {"axis", a}, {"eccentricity", e},
+        {"period", t - x[1] / v[1]},
+        {"closed_period", 2 * KEPLER_PI * sqrt(a * a * a / pull)},
+        {"drift", (m[0] * y[0] + m[1] * y[1]) / (m[0] + m[1]) / t});
     end_sky(&k);
 }
 
@@ -126,23 +123,21 @@ static void compare_with_laws(struct study *s, struct sky k[2],
     const double turned = sqrt(pull) * 913 * 2, h = sqrt(pull) * 2;
     double after[3], v[3];
     relative_to_first(&k[0].scene, 1, after, v);
-    table_real(s->summary, "euler_radius", length(after));
-    table_real(s->summary, "euler_law", cbrt(1 + 6 * h * turned));
+    TABLE_RESULTS(s->summary, {"euler_radius", length(after)},
+                  {"euler_law", cbrt(1 + 6 * h * turned)});
     relative_to_first(&k[1].scene, 1, after, v);
     const double off[3] = {after[0] - x[0], after[1] - x[1], 0};
-    table_real(s->summary, "leapfrog_error", length(off));
-    table_real(s->summary, "leapfrog_law", turned * h * h / 3);
+    TABLE_RESULTS(s->summary, {"leapfrog_error", length(off)},
+                  {"leapfrog_law", turned * h * h / 3});
 }
 
 static void name_paths(struct table *out)
 {
-    table_column(out, "t", "d", "time");
-    table_column(out, "x", "AU", "the Earth from the Sun, closed form");
-    table_column(out, "y", "AU", "");
-    table_column(out, "x_e", "AU", "Euler's method");
-    table_column(out, "y_e", "AU", "");
-    table_column(out, "x_l", "AU", "leapfrog");
-    table_column(out, "y_l", "AU", "");
+    TABLE_COLUMNS(out, {"t", "d", "time"},
+                  {"x", "AU", "the Earth from the Sun, closed form"},
+                  {"y", "AU", ""}, {"x_e", "AU", "Euler's method"},
+                  {"y_e", "AU", ""}, {"x_l", "AU", "leapfrog"},
+                  {"y_l", "AU", ""});
 }
 
 static const struct table_key sun_earth_keys[] = {
@@ -218,8 +213,8 @@ static double orbit_error(double e, const char *method, double evaluations)
     const uint64_t steps =
         (uint64_t)fmax(1, round(evaluations / (double)stages));
     begin_sky(&k, "sun-earth",
-              (struct gallery_choice[]){{"mass", 0}, {"speed", speed}, {0}},
-              method, period / (double)steps);
+              GALLERY_CHOICES({"mass", 0}, {"speed", speed}), method,
+              period / (double)steps);
     stepping_run(&k.stepping, steps);
     const double error =
         hypot(k.scene.position[1] - 1, k.scene.position[3]);
@@ -234,10 +229,9 @@ static void write_long_path(struct table *out)
     struct sky k;
     const double axis = 1 / 1.95;
     const double period = 2 * KEPLER_PI / CELESTIAL_K * axis * sqrt(axis);
-    begin_sky(
-        &k, "sun-earth",
-        (struct gallery_choice[]){{"mass", 0}, {"speed", sqrt(0.05)}, {0}},
-        "leapfrog", period / 1000);
+    begin_sky(&k, "sun-earth",
+              GALLERY_CHOICES({"mass", 0}, {"speed", sqrt(0.05)}),
+              "leapfrog", period / 1000);
     table_print(out,
                 "\n\n# e = 0.95, leapfrog, 1000 steps an orbit: x y\n");
     for (int n = 0; n <= 6000; ++n) {
@@ -261,7 +255,6 @@ static void study_eccentric(struct study *s)
     static const char *const methods[] = {"leapfrog", "rk4", "kahan-li8"};
     static const double e[] = {0,  .1,  .2, .3,  .4,  .5,  .6,  .7,
                                .8, .85, .9, .93, .95, .97, .98, .99};
-    char key[24];
     table_column(s->out, "e", "", "eccentricity");
     for (int i = 0; i < 3; ++i)
         table_column(s->out, methods[i], "",
@@ -271,11 +264,11 @@ static void study_eccentric(struct study *s)
         for (int i = 0; i < 3; ++i)
             row[1 + i] = orbit_error(e[n], methods[i], 1e4);
         table_row(s->out, 4, row);
-        snprintf(key, sizeof key, "kahan-li8_%g", e[n]);
-        table_real(s->summary, key, row[3]);
+        table_keyed(s->summary, row[3], "kahan-li8_%g", e[n]);
     }
-    table_real(s->summary, "leapfrog", orbit_error(.99, methods[0], 1e4));
-    table_real(s->summary, "more", orbit_error(.99, methods[0], 1e6));
+    TABLE_RESULTS(s->summary,
+                  {"leapfrog", orbit_error(.99, methods[0], 1e4)},
+                  {"more", orbit_error(.99, methods[0], 1e6)});
     write_long_path(s->out);
 }
 
@@ -284,8 +277,7 @@ static void begin_flyby(struct sky *k, const char *method, double step,
                         double softening, const struct kepler_elements *o)
 {
     double x[3], v[3];
-    begin_sky(k, "sun-earth", (struct gallery_choice[]){{"mass", 0}, {0}},
-              method, step);
+    begin_sky(k, "sun-earth", GALLERY_CHOICES({"mass", 0}), method, step);
     k->gravity.softening = softening;
     kepler_place(CELESTIAL_K2, o, x, v);
     for (size_t i = 0; i < 3; ++i) {
@@ -337,13 +329,13 @@ static const char *const fall_columns[2 * FALLS] = {"dE_l", "dE_k", "dE_s",
 
 static void name_falls(struct table *out)
 {
-    table_column(out, "q", "AU", "closest approach");
-    table_column(out, fall_columns[0], "", "energy: leapfrog");
-    table_column(out, fall_columns[1], "", "energy: kahan-li8");
-    table_column(out, fall_columns[2], "", "energy: leapfrog, softened");
-    table_column(out, fall_columns[3], "AU", "place: leapfrog");
-    table_column(out, fall_columns[4], "AU", "place: kahan-li8");
-    table_column(out, fall_columns[5], "AU", "place: leapfrog, softened");
+    TABLE_COLUMNS(out, {"q", "AU", "closest approach"},
+                  {fall_columns[0], "", "energy: leapfrog"},
+                  {fall_columns[1], "", "energy: kahan-li8"},
+                  {fall_columns[2], "", "energy: leapfrog, softened"},
+                  {fall_columns[3], "AU", "place: leapfrog"},
+                  {fall_columns[4], "AU", "place: kahan-li8"},
+                  {fall_columns[5], "AU", "place: leapfrog, softened"});
 }
 
 static const struct table_key encounter_keys[] = {
@@ -360,7 +352,6 @@ static void study_encounter(struct study *s)
 {
     const double dt = 0.01;
     double worst[2] = {0};
-    char key[24];
     name_falls(s->out);
     for (double q = 0.3; q > 2e-6; q /= sqrt(sqrt(10))) {
         double row[1 + 2 * FALLS] = {q}, *energy = row + 1,
@@ -370,14 +361,13 @@ static void study_encounter(struct study *s)
         fly_by(q, "leapfrog", dt, 0.01, &energy[2], &place[2]);
         table_row(s->out, 1 + 2 * FALLS, row);
         for (int k = 0; k < 2 * FALLS; ++k) {
-            snprintf(key, sizeof key, "%s_%.2g", fall_columns[k], q);
-            table_real(s->summary, key, row[1 + k]);
+            table_keyed(s->summary, row[1 + k], "%s_%.2g", fall_columns[k],
+                        q);
         }
         worst[0] = fmax(worst[0], energy[2]);
         worst[1] = fmax(worst[1], place[2]);
     }
-    table_real(s->summary, "dE_s", worst[0]);
-    table_real(s->summary, "dx_s", worst[1]);
+    TABLE_RESULTS(s->summary, {"dE_s", worst[0]}, {"dx_s", worst[1]});
 }
 
 static const double jupiters[] = {1, 30, 100, 300};
@@ -396,8 +386,7 @@ static double eccentricity_of(const struct scene *s, size_t i)
 static double century_with_jupiter(double jupiter)
 {
     struct sky k;
-    begin_sky(&k, "solar-system",
-              (struct gallery_choice[]){{"jupiter", jupiter}, {0}},
+    begin_sky(&k, "solar-system", GALLERY_CHOICES({"jupiter", jupiter}),
               "leapfrog", 365.25 / 180);
     const double before = energy_of(&k);
     stepping_run(&k.stepping, 18000);
@@ -426,16 +415,15 @@ static void study_planets(struct study *s)
 {
     struct sky k[JUPITERS];
     double before[JUPITERS], error = 0;
-    const double years = duration(s, 1000);
+    const double years = duration(1000);
     table_column(s->out, "t", "a", "time, in years of 365.25 days");
     for (int i = 0; i < JUPITERS; ++i) {
         begin_sky(&k[i], "solar-system",
-                  (struct gallery_choice[]){
-                      {"jupiter", jupiters[i]}, {"planets", 5}, {0}},
+                  GALLERY_CHOICES({"jupiter", jupiters[i]}, {"planets", 5}),
                   "kahan-li8", 365.25 / 60);
         before[i] = energy_of(&k[i]);
-        table_column(s->out, "e_E", "", "eccentricity of the Earth");
-        table_column(s->out, "e_M", "", "eccentricity of Mars");
+        TABLE_COLUMNS(s->out, {"e_E", "", "eccentricity of the Earth"},
+                      {"e_M", "", "eccentricity of Mars"});
     }
     for (double t = 0; t <= years && !progress_signal(); t += 5) {
         double row[1 + 2 * JUPITERS] = {t};
@@ -445,8 +433,8 @@ static void study_planets(struct study *s)
         const int last = JUPITERS - 1;
         error = fmax(error, fabs(energy_of(&k[last]) / before[last] - 1));
     }
-    table_real(s->summary, "energy_300", error);
-    table_real(s->summary, "eight", century_with_jupiter(300));
+    TABLE_RESULTS(s->summary, {"energy_300", error},
+                  {"eight", century_with_jupiter(300)});
     for (int i = 0; i < JUPITERS; ++i)
         end_sky(&k[i]);
 }
@@ -456,8 +444,7 @@ static void study_planets(struct study *s)
 static void write_paths(struct study *s, double distance, double days)
 {
     struct sky k;
-    begin_sky(&k, "circumbinary",
-              (struct gallery_choice[]){{"distance", distance}, {0}},
+    begin_sky(&k, "circumbinary", GALLERY_CHOICES({"distance", distance}),
               "kahan-li8", 1);
     const double *x = k.scene.position;
     table_print(s->out, "\n\n# planet at %g AU: t x y of A, B, P\n",
@@ -488,9 +475,7 @@ static void study_circumbinary(struct study *s)
     write_paths(s, 0.445, 1900);
     begin_sky(&k, "circumbinary", NULL, "kahan-li8", 0.5);
     const double *v = k.scene.velocity;
-    table_real(s->summary, "v_A", -v[3]);
-    table_real(s->summary, "v_B", v[4]);
-    table_real(s->summary, "v_P", v[5]);
+    TABLE_RESULTS(s->summary, {"v_A", -v[3]}, {"v_B", v[4]}, {"v_P", v[5]});
     stepping_run(&k.stepping, 800);
     table_real(s->summary, "error",
                hypot(k.scene.position[2] - .13282865947670180,
@@ -513,10 +498,8 @@ static int survivors(double distance, double periods)
     for (int phase = 0; phase < 8; ++phase) {
         struct sky k;
         begin_sky(&k, "circumbinary",
-                  (struct gallery_choice[]){{"distance", distance * binary},
-                                            {"phase", phase / 8.},
-                                            {"planet", 0},
-                                            {0}},
+                  GALLERY_CHOICES({"distance", distance * binary},
+                                  {"phase", phase / 8.}, {"planet", 0}),
                   "leapfrog", binary_period / 100);
         const double *x = k.scene.position;
         double r = distance;
@@ -541,25 +524,22 @@ static const struct table_key survival_keys[] = {
    phases survive. */
 static void study_survival(struct study *s)
 {
-    const double periods = duration(s, 1000);
+    const double periods = duration(1000);
     double safe = 0;
-    table_column(s->out, "a", "", "distance, the stars' being 1");
-    table_column(s->out, "r", "AU", "the same");
-    table_column(s->out, "n", "", "phases of 8 that survive");
+    TABLE_COLUMNS(s->out, {"a", "", "distance, the stars' being 1"},
+                  {"r", "AU", "the same"},
+                  {"n", "", "phases of 8 that survive"});
     for (int n = 0; n <= 20 && !progress_signal(); ++n) {
         const double distance = 1.8 + 0.04 * n;
         const int alive = survivors(distance, periods);
         if (alive < 8)
             safe = distance + 0.04;
-        table_row(s->out, 3,
-                  (double[]){distance, distance * binary, alive});
+        TABLE_ROW(s->out, distance, distance * binary, alive);
     }
     const double mu = 0.2026 / (0.6897 + 0.2026);
     const double law = 1.60 + 4.12 * mu - 5.09 * mu * mu;
-    table_real(s->summary, "safe", safe);
-    table_real(s->summary, "safe_AU", safe * binary);
-    table_real(s->summary, "law", law);
-    table_real(s->summary, "law_AU", law * binary);
+    TABLE_RESULTS(s->summary, {"safe", safe}, {"safe_AU", safe * binary},
+                  {"law", law}, {"law_AU", law * binary});
 }
 
 /* Gives the largest relative error of the energy in so many periods of the
@@ -591,13 +571,10 @@ static void note_precision(struct table *summary, const char *method,
                            double evaluations, double energy, double place)
 {
     static const int quoted[] = {100, 141, 200, 800, 1600};
-    char key[40];
     for (size_t i = 0; i < sizeof quoted / sizeof quoted[0]; ++i)
         if (quoted[i] == (int)round(evaluations)) {
-            snprintf(key, sizeof key, "dE_%s_%d", method, quoted[i]);
-            table_real(summary, key, energy);
-            snprintf(key, sizeof key, "dx_%s_%d", method, quoted[i]);
-            table_real(summary, key, place);
+            table_keyed(summary, energy, "dE_%s_%d", method, quoted[i]);
+            table_keyed(summary, place, "dx_%s_%d", method, quoted[i]);
         }
 }
 
@@ -613,17 +590,17 @@ static void study_work(struct study *s)
     static const char *const methods[] = {
         "symplectic-euler", "leapfrog", "rk4", "yoshida4", "pefrl",
         "yoshida6",         "kahan-li8"};
-    const double periods = duration(s, 100);
-    table_column(s->out, "f", "", "evaluations in a period of the stars");
-    table_column(s->out, "dE", "", "largest error of the energy");
-    table_column(s->out, "dx", "AU", "error of place after 400 d");
+    const double periods = duration(100);
+    TABLE_COLUMNS(s->out, {"f", "", "evaluations in a period of the stars"},
+                  {"dE", "", "largest error of the energy"},
+                  {"dx", "AU", "error of place after 400 d"});
     for (size_t i = 0; i < sizeof methods / sizeof methods[0]; ++i) {
         table_print(s->out, "%s# %s\n", i ? "\n\n" : "", methods[i]);
         for (double n = 50; n < 7000 && !progress_signal(); n *= sqrt(2)) {
             double energy, place = NAN;
             precision(methods[i], n, periods, &energy, &place);
             if (energy < 1)
-                table_row(s->out, 3, (double[]){n, energy, place});
+                TABLE_ROW(s->out, n, energy, place);
             note_precision(s->summary, methods[i], n, energy, place);
         }
     }
@@ -636,8 +613,7 @@ static void begin_ellipses(struct sky *k, struct jacobi *j)
     struct stepping *const p = &k->stepping;
     if (!p->method->orbits)
         return;
-    if (!jacobi_create(j, s->bodies, s->mass, s->k2))
-        program_give_up(PROGRAM, "no memory");
+    program_memory(jacobi_create(j, s->bodies, s->mass, s->k2), NULL);
     p->forces = jacobi_forces(j);
     p->flow = jacobi_flow;
 }
@@ -690,15 +666,13 @@ static const struct table_key ellipses_keys[] = {
 static void record_masses(struct study *s, const char *method)
 {
     double error[7];
-    char key[40];
     for (int n = 0; n < 7; ++n) {
         const double factor = pow(10, 0.5 * n - 2);
         error[n] = century(method, 2, factor);
-        table_row(s->out, 3, (double[]){2, factor, error[n]});
+        TABLE_ROW(s->out, 2, factor, error[n]);
     }
     table_real(s->summary, method, century(method, 4, 1));
-    snprintf(key, sizeof key, "%s_slope", method);
-    table_real(s->summary, key, log10(error[6] / error[4]));
+    table_keyed(s->summary, log10(error[6] / error[4]), "%s_slope", method);
 }
 
 /* Writes the error against the days from kick to kick, then against the
@@ -706,15 +680,15 @@ static void record_masses(struct study *s, const char *method)
    out. */
 static void study_ellipses(struct study *s)
 {
-    table_column(s->out, "d", "d", "from kick to kick");
-    table_column(s->out, "m", "", "factor on the planets' masses");
-    table_column(s->out, "dE", "", "largest error of the energy");
+    TABLE_COLUMNS(s->out, {"d", "d", "from kick to kick"},
+                  {"m", "", "factor on the planets' masses"},
+                  {"dE", "", "largest error of the energy"});
     for (int i = 0; i < ALONG; ++i) {
         table_print(s->out, "# %s\n", along[i]);
         for (double d = 0.25; d < 20 && !progress_signal(); d *= sqrt(2)) {
             const double e = century(along[i], d, 1);
             if (e < 1)
-                table_row(s->out, 3, (double[]){d, 1, e});
+                TABLE_ROW(s->out, d, 1, e);
         }
         table_print(s->out, "\n\n");
     }
@@ -736,8 +710,8 @@ static void study_two_suns(struct study *s)
                {"sbab4", 10},         {"sbab4", 30}};
     bench_machine(s->out);
     table_print(s->out, "# rows: method and steps in a period\n");
-    table_column(s->out, "s", "s", "processor time, median of five");
-    table_column(s->out, "dE", "", "largest error of the energy");
+    TABLE_COLUMNS(s->out, {"s", "s", "processor time, median of five"},
+                  {"dE", "", "largest error of the energy"});
     for (size_t i = 0; i < sizeof row / sizeof *row; ++i) {
         double cost[BENCH_ROUNDS], error = 0;
         for (int k = 0; k < BENCH_ROUNDS && !progress_signal(); ++k) {
@@ -785,8 +759,8 @@ static struct broken run_until_broken(struct study *s, size_t count)
         2 * KEPLER_PI / sqrt(celestial_choreography(count) / sqrt(8));
     double before = 0;
     begin_sky(&k, "choreography",
-              (struct gallery_choice[]){{"particles", (double)count}, {0}},
-              "kahan-li8", period / PARTS_OF_ORBIT / 5);
+              GALLERY_CHOICES({"particles", (double)count}), "kahan-li8",
+              period / PARTS_OF_ORBIT / 5);
     table_print(s->out, "\n\n# %zu bodies: orbits, deviation\n", count);
     while (b.orbits < 20 && before < 0.1) {
         stepping_run(&k.stepping, 5);
@@ -807,9 +781,7 @@ static struct broken run_until_broken(struct study *s, size_t count)
 static void write_count_key(struct study *s, const char *what, size_t count,
                             double value)
 {
-    char key[40];
-    snprintf(key, sizeof key, "%s_%zu", what, count);
-    table_real(s->summary, key, value);
+    table_keyed(s->summary, value, "%s_%zu", what, count);
 }
 
 static const struct table_key choreography_keys[] = {
@@ -889,9 +861,8 @@ static void study_eight(struct study *s)
                     methods[i]);
         for (double n = 100; n < 2e5; n *= 2) {
             const double steps = round(n / stages);
-            table_row(s->out, 2,
-                      (double[]){steps * stages,
-                                 closure(methods[i], steps, true)});
+            TABLE_ROW(s->out, steps * stages,
+                      closure(methods[i], steps, true));
         }
     }
     table_real(s->summary, "closure", closure("kahan-li8", 2000, true));
@@ -908,24 +879,22 @@ static void study_ring_speeds(struct study *s)
 {
     const double sigma = 0.02, inner = 2, outer = 2.5;
     const double area = KEPLER_PI * (outer - inner) * (outer + inner);
-    table_column(s->out, "r", "AU", "distance from the planet");
-    table_column(s->out, "v_0", "AU/d", "no ring");
-    table_column(s->out, "v", "AU/d", "a ring of 0.02 planets");
-    table_column(s->out, "v_l", "AU/d", "0.02 planets on every AU^2");
+    TABLE_COLUMNS(s->out, {"r", "AU", "distance from the planet"},
+                  {"v_0", "AU/d", "no ring"},
+                  {"v", "AU/d", "a ring of 0.02 planets"},
+                  {"v_l", "AU/d", "0.02 planets on every AU^2"});
     for (int n = 0; n <= 1200; ++n) {
         const double r = 1.5 + n / 800. + 1e-4;
         const double pull = celestial_ring_pull(sigma, inner, outer, r);
-        table_row(s->out, 4,
-                  (double[]){r, CELESTIAL_K * sqrt(1 / r),
-                             CELESTIAL_K * sqrt(1 / r + r * pull),
-                             CELESTIAL_K * sqrt(1 / r + r * area * pull)});
+        TABLE_ROW(s->out, r, CELESTIAL_K * sqrt(1 / r),
+                  CELESTIAL_K * sqrt(1 / r + r * pull),
+                  CELESTIAL_K * sqrt(1 / r + r * area * pull));
     }
     for (int k = 2; k <= 8; k += 2) {
-        char key[20];
-        snprintf(key, sizeof key, "edge_%d", k);
-        table_real(
-            s->summary, key,
-            celestial_ring_pull(sigma, inner, outer, outer + pow(10, -k)));
+        table_keyed(
+            s->summary,
+            celestial_ring_pull(sigma, inner, outer, outer + pow(10, -k)),
+            "edge_%d", k);
     }
     table_real(s->summary, "per_decade", 2 * log(10) * sigma / area);
 }
@@ -983,25 +952,20 @@ enum { PARTICLES = 3072 };
    kernel. */
 static void begin_ring(const struct study *s, struct sky *k, double period)
 {
-    const struct settings *own = s->own;
     begin_sky(k, "ring",
-              (struct gallery_choice[]){{"factor", own->factor},
-                                        {"moon", own->moon},
-                                        {"moon-distance", 2.7},
-                                        {"mixed", own->mixed},
-                                        {"seed", (double)s->seed},
-                                        {0}},
+              GALLERY_CHOICES({"factor", own.factor}, {"moon", own.moon},
+                              {"moon-distance", 2.7}, {"mixed", own.mixed},
+                              {"seed", (double)s->seed}),
               "leapfrog", period / 200);
-    k->gravity.kernel = (enum gravity_kernel)own->kernel;
+    k->gravity.kernel = (enum gravity_kernel)own.kernel;
 }
 
 /* Writes all positions relative to the planet, with the masses. */
 static void write_ring(const struct study *s, const struct scene *scene)
 {
-    const struct settings *own = s->own;
     table_print(
         s->out, "# kernel %s\n# x y of the planet, the ring%s; mass\n",
-        gravity_kernels[own->kernel], own->moon > 0 ? ", the moon" : "");
+        gravity_kernels[own.kernel], own.moon > 0 ? ", the moon" : "");
     for (size_t i = 0; i < scene->bodies; ++i) {
         double x[3], v[3];
         relative_to_first(scene, i, x, v);
@@ -1018,9 +982,8 @@ static void judge_ring(const struct study *s, const struct sky *k,
     const double heat = stirring(&k->scene, PARTICLES);
     table_print(s->out, "\n\n# energy error, dispersion, stirring\n");
     table_print(s->out, "%.3g %.4g %.4g\n", energy, clumps, heat);
-    table_real(s->summary, "energy", energy);
-    table_real(s->summary, "dispersion", clumps);
-    table_real(s->summary, "stirring", heat);
+    TABLE_RESULTS(s->summary, {"energy", energy}, {"dispersion", clumps},
+                  {"stirring", heat});
 }
 
 static const struct table_key ring_keys[] = {
@@ -1032,7 +995,7 @@ static const struct table_key ring_keys[] = {
 static void study_ring(struct study *s)
 {
     const double period = 2 * KEPLER_PI / CELESTIAL_K * 2.25 * sqrt(2.25);
-    const double orbits = duration(s, 2);
+    const double orbits = duration(2);
     struct sky k;
     begin_ring(s, &k, period);
     const double before = energy_of(&k);
@@ -1053,10 +1016,9 @@ static double precession(double e, double softening)
     const double axis = 1 / (1 + e);
     const double period = 2 * KEPLER_PI / CELESTIAL_K * axis * sqrt(axis);
     double x[3], v[3], before, now;
-    begin_sky(
-        &k, "sun-earth",
-        (struct gallery_choice[]){{"mass", 0}, {"speed", sqrt(1 - e)}, {0}},
-        "kahan-li8", period / 400);
+    begin_sky(&k, "sun-earth",
+              GALLERY_CHOICES({"mass", 0}, {"speed", sqrt(1 - e)}),
+              "kahan-li8", period / 400);
     k.gravity.softening = softening;
     now = 0;
     do { /* until the next aphelion */
@@ -1077,16 +1039,14 @@ static double precession(double e, double softening)
 /* The change of a circle's period is known without a run. */
 static void study_softening(struct study *s)
 {
-    table_column(s->out, "eps", "AU", "softening");
-    table_column(s->out, "theory", "rad", "-3 pi (eps / p)^2");
-    table_column(s->out, "turn", "rad", "of the ellipse, e = 0.2");
-    table_column(s->out, "period", "", "of the circle, relative change");
+    TABLE_COLUMNS(s->out, {"eps", "AU", "softening"},
+                  {"theory", "rad", "-3 pi (eps / p)^2"},
+                  {"turn", "rad", "of the ellipse, e = 0.2"},
+                  {"period", "", "of the circle, relative change"});
     for (double eps = 1e-3; eps < 0.5; eps *= sqrt(sqrt(10))) {
         const double p = 1 - 0.2;
-        table_row(s->out, 4,
-                  (double[]){eps, -3 * KEPLER_PI * eps * eps / (p * p),
-                             precession(0.2, eps),
-                             pow(1 + eps * eps, 0.75) - 1});
+        TABLE_ROW(s->out, eps, -3 * KEPLER_PI * eps * eps / (p * p),
+                  precession(0.2, eps), pow(1 + eps * eps, 0.75) - 1);
     }
 }
 
@@ -1172,14 +1132,14 @@ static void sum_singly(const struct scene *s, size_t i,
 static void compare_singly(const struct scene *s, double row[2 + ORDERS])
 {
     const size_t every = s->bodies > 256 ? s->bodies / 256 : 1;
-    double own = 0, error[1 + ORDERS] = {0};
+    double size = 0, error[1 + ORDERS] = {0};
     for (size_t i = 1; i < s->bodies; i += every) {
         const struct pulls p = pulls_at(s, i);
         float sum[ORDERS][2];
         sum_singly(s, i, sum);
         for (int c = 0; c < 2; ++c) {
             const double right = p.planet[c] + p.ring[c];
-            own += p.ring[c] * p.ring[c];
+            size += p.ring[c] * p.ring[c];
             error[ORDERS] += p.lost[c] * p.lost[c];
             for (int k = 0; k < ORDERS; ++k)
                 error[k] += (sum[k][c] - right) * (sum[k][c] - right);
@@ -1187,7 +1147,7 @@ static void compare_singly(const struct scene *s, double row[2 + ORDERS])
     }
     row[0] = (double)s->bodies - 1;
     for (int k = 0; k <= ORDERS; ++k)
-        row[1 + k] = sqrt(error[k] / own);
+        row[1 + k] = sqrt(error[k] / size);
 }
 
 /* Forces in single precision for a run, to see what its energy tells. */
@@ -1211,9 +1171,8 @@ static void begin_single(struct sky *k, double particles)
 {
     const double step = 2 * KEPLER_PI / CELESTIAL_K * 3.375 / 200;
     begin_sky(k, "ring",
-              (struct gallery_choice[]){{"particles", particles},
-                                        {"factor", 3072 / particles},
-                                        {0}},
+              GALLERY_CHOICES({"particles", particles},
+                              {"factor", 3072 / particles}),
               "leapfrog", step);
 }
 
@@ -1248,11 +1207,8 @@ static void note_singly(struct study *s, const double row[])
 {
     static const char *const names[] = {"first", "last", "carried",
                                         "model"};
-    char key[32];
-    for (int k = 0; k <= ORDERS; ++k) {
-        snprintf(key, sizeof key, "%s_%.0f", names[k], row[0]);
-        table_real(s->summary, key, row[1 + k]);
-    }
+    for (int k = 0; k <= ORDERS; ++k)
+        table_keyed(s->summary, row[1 + k], "%s_%.0f", names[k], row[0]);
     table_row(s->out, 2 + ORDERS, row);
 }
 
@@ -1261,12 +1217,11 @@ static void note_singly(struct study *s, const double row[])
 static void study_single(struct study *s)
 {
     struct sky k;
-    table_column(s->out, "N", "", "particles of a ring of one mass");
-    table_column(s->out, "first", "",
-                 "error of its own pull, planet first");
-    table_column(s->out, "last", "", "planet last");
-    table_column(s->out, "carried", "", "compensated, planet first");
-    table_column(s->out, "model", "", "pulls rounded as the planet's");
+    TABLE_COLUMNS(s->out, {"N", "", "particles of a ring of one mass"},
+                  {"first", "", "error of its own pull, planet first"},
+                  {"last", "", "planet last"},
+                  {"carried", "", "compensated, planet first"},
+                  {"model", "", "pulls rounded as the planet's"});
     for (double n = 192; n < 65536 && !progress_signal(); n *= 4) {
         double row[2 + ORDERS];
         begin_single(&k, n);
@@ -1274,8 +1229,8 @@ static void study_single(struct study *s)
         note_singly(s, row);
         end_sky(&k);
     }
-    table_real(s->summary, "energy", energy_singly(true));
-    table_real(s->summary, "double", energy_singly(false));
+    TABLE_RESULTS(s->summary, {"energy", energy_singly(true)},
+                  {"double", energy_singly(false)});
 }
 
 #ifdef VECTOR_AVX512
@@ -1481,8 +1436,7 @@ static void study_speed(struct study *s)
     double general[BENCH_ROUNDS], by_hand[BENCH_ROUNDS];
     begin_sky(&k, "ring", NULL, "leapfrog", 4);
     double *a = malloc(3 * k.scene.bodies * sizeof *a);
-    if (!a)
-        program_give_up(PROGRAM, "no memory");
+    program_memory(a, NULL);
     bench_machine(s->out);
     table_print(s->out,
                 "# %zu bodies\n# kernel, ordered pairs a second, "
@@ -1519,33 +1473,29 @@ static void compare_threads(struct study *s, struct sky *k, double a[])
         }
         ratio[at] = pairs[1][at] / pairs[0][at];
     }
-    table_row(s->out, 4,
-              (double[]){(double)k->scene.bodies,
-                         bench_median(pairs[0], BENCH_ROUNDS),
-                         bench_median(pairs[1], BENCH_ROUNDS),
-                         bench_median(ratio, BENCH_ROUNDS)});
+    TABLE_ROW(s->out, (double)k->scene.bodies,
+              bench_median(pairs[0], BENCH_ROUNDS),
+              bench_median(pairs[1], BENCH_ROUNDS),
+              bench_median(ratio, BENCH_ROUNDS));
 }
 
 /* Measures rings of 63 to 4095 particles by one thread and by two. */
 static void study_threads(struct study *s)
 {
-    const struct settings *own = s->own;
     bench_machine(s->out);
     table_print(s->out, "# kernel %s, 2 threads\n",
-                gravity_kernels[own->kernel]);
-    table_column(s->out, "N", "", "bodies of a ring");
-    table_column(s->out, "one", "1/s", "pairs, one thread, by the clock");
-    table_column(s->out, "many", "1/s", "pairs, as many as there are");
-    table_column(s->out, "ratio", "", "median of the rounds'");
+                gravity_kernels[own.kernel]);
+    TABLE_COLUMNS(s->out, {"N", "", "bodies of a ring"},
+                  {"one", "1/s", "pairs, one thread, by the clock"},
+                  {"many", "1/s", "pairs, as many as there are"},
+                  {"ratio", "", "median of the rounds'"});
     for (size_t n = 63; n < 5000 && !progress_signal(); n = 4 * n + 3) {
         struct sky k;
-        begin_sky(&k, "ring",
-                  (struct gallery_choice[]){{"particles", (double)n}, {0}},
+        begin_sky(&k, "ring", GALLERY_CHOICES({"particles", (double)n}),
                   "leapfrog", 4);
-        k.gravity.kernel = (enum gravity_kernel)own->kernel;
+        k.gravity.kernel = (enum gravity_kernel)own.kernel;
         double *a = calloc(3 * k.scene.bodies, sizeof *a);
-        if (!a)
-            program_give_up(PROGRAM, "no memory");
+        program_memory(a, NULL);
         compare_threads(s, &k, a);
         free(a);
         end_sky(&k);
@@ -1561,7 +1511,7 @@ static double time_forces(struct sky *k, int way, double a[])
     struct gravity *g = &k->gravity;
     g->kernel = way == DIRECT ? GRAVITY_PORTABLE : gravity_fastest();
     if (way >= NARROW && !gravity_use_tree(g, way == NARROW ? 0.2 : 0.5))
-        program_give_up(PROGRAM, "no memory for the tree");
+        program_give_up("no memory for the tree");
     memset(a, 0, 3 * g->bodies * sizeof *a);
     const double begin = bench_seconds();
     gravity_add(g, k->scene.position, a);
@@ -1571,7 +1521,7 @@ static double time_forces(struct sky *k, int way, double a[])
 /* Gives the ring's own acceleration at body i, a[] without the planet's.
    That is so much larger that beside it every tree would look exact. */
 static void without_planet(const struct sky *k, size_t i, const double a[],
-                           double own[3])
+                           double ring[3])
 {
     const struct scene *s = &k->scene;
     double d[3], r2 = s->softening * s->softening;
@@ -1580,8 +1530,8 @@ static void without_planet(const struct sky *k, size_t i, const double a[],
         r2 += d[c] * d[c];
     }
     for (size_t c = 0; c < 3; ++c)
-        own[c] = a[c * s->bodies + i] -
-                 s->k2 * s->mass[0] / (r2 * sqrt(r2)) * d[c];
+        ring[c] = a[c * s->bodies + i] -
+                  s->k2 * s->mass[0] / (r2 * sqrt(r2)) * d[c];
 }
 
 /* Returns the root mean square error of the tree's a against the direct sum
@@ -1590,13 +1540,13 @@ static double tree_error(const struct sky *k, const double a[],
                          const double b[])
 {
     const size_t n = k->scene.bodies;
-    double error = 0, size = 0, own[3];
+    double error = 0, size = 0, ring[3];
     for (size_t i = 1; i < n; ++i) {
-        without_planet(k, i, b, own);
+        without_planet(k, i, b, ring);
         for (size_t c = 0; c < 3; ++c) {
             const double d = a[c * n + i] - b[c * n + i];
             error += d * d;
-            size += own[c] * own[c];
+            size += ring[c] * ring[c];
         }
     }
     return sqrt(error / size);
@@ -1607,13 +1557,10 @@ static void compare_tree(struct study *s, size_t particles)
 {
     struct sky k;
     double ms[WAYS][BENCH_ROUNDS];
-    begin_sky(
-        &k, "ring",
-        (struct gallery_choice[]){{"particles", (double)particles}, {0}},
-        "leapfrog", 4);
+    begin_sky(&k, "ring", GALLERY_CHOICES({"particles", (double)particles}),
+              "leapfrog", 4);
     double *a = malloc(WAYS * 3 * k.scene.bodies * sizeof *a);
-    if (!a)
-        program_give_up(PROGRAM, "no memory");
+    program_memory(a, NULL);
     const size_t n = 3 * k.scene.bodies;
     for (int i = -1; i < BENCH_ROUNDS; ++i)
         for (int w = 0; w < WAYS; ++w)
@@ -1684,26 +1631,25 @@ static const struct options_entry entries[] = {
     {0}};
 
 /* A kernel that this processor lacks is refused at once. */
-static void take_option(struct options *o, int letter, void *settings)
+static void take_option(struct options *o, int letter)
 {
-    struct settings *own = settings;
     switch (letter) {
-    case 'n': own->orbits = options_real(o, OPTIONS_POSITIVE, 1e6); break;
-    case 'f': own->factor = options_real(o, 0, 1e5); break;
-    case 'm': own->moon = options_real(o, 0, 0.1); break;
-    case 'x': own->mixed = (double)options_count(o, 0, 6); break;
+    case 'n': own.orbits = options_positive(o, 1e6); break;
+    case 'f': own.factor = options_real(o, 0, 1e5); break;
+    case 'm': own.moon = options_real(o, 0, 0.1); break;
+    case 'x': own.mixed = (double)options_count(o, 0, 6); break;
     case 'k':
-        own->kernel = options_choice(o, gravity_kernels);
-        if (!gravity_can((enum gravity_kernel)own->kernel))
+        own.kernel = options_choice(o, gravity_kernels);
+        if (!gravity_can((enum gravity_kernel)own.kernel))
             options_fail(o, "this processor has no %s", options_text(o));
-        if (own->kernel == GRAVITY_TREE)
+        if (own.kernel == GRAVITY_TREE)
             options_fail(o, "--kernel: a tree is measured by --study tree");
     }
 }
 
 int main(int argc, char *argv[])
 {
-    struct settings own = {.factor = 1, .kernel = gravity_fastest()};
+    own.kernel = gravity_fastest();
     const struct study_program program = {
         .name = PROGRAM,
         .purpose = "Measure bodies that attract each other.",
@@ -1712,7 +1658,6 @@ int main(int argc, char *argv[])
         .seeds = 1000000000000000,
         .drawing = "--study ring",
         .options = entries,
-        .take = take_option,
-        .own = &own};
+        .take = take_option};
     return study_main(&program, argc, argv);
 }

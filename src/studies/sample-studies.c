@@ -22,11 +22,16 @@ enum {
     PATIENCE = 200000000 /* throws */
 };
 
-struct settings {
+static struct {
     size_t disks, radii, steps;
     double radius[LIST], step[LIST];
     uint64_t samples;
-};
+} own = {.disks = 4,
+         .radii = 1,
+         .radius = {0.15},
+         .steps = 1,
+         .step = {0.1},
+         .samples = 100000};
 
 static const struct options_entry entries[] = {
     {"samples", 'k', "K", "configurations or sweeps (100000)"},
@@ -41,15 +46,14 @@ static const struct options_entry entries[] = {
 /* Ends the program without memory. */
 static _Noreturn void end_without_memory(void)
 {
-    program_give_up(PROGRAM, "no memory; use fewer disks or samples");
+    program_give_up("no memory; use fewer disks or samples");
 }
 
 /* Disks of this radius in the unit box. */
-static void make_box(struct sampling *p, const struct settings *own,
-                     double radius)
+static void make_box(struct sampling *p, double radius)
 {
     if (!sampling_create(p, 2, DISKS_WALLS, (const double[]){1, 1},
-                         own->disks, radius, 0, 0))
+                         own.disks, radius, 0, 0))
         end_without_memory();
 }
 
@@ -61,7 +65,7 @@ static void start_chain(struct sampling *p, double step, uint64_t sweeps,
         char why[60];
         snprintf(why, sizeof why, "--radii: %g leaves no room",
                  p->disks.disk[0].radius);
-        program_give_up(PROGRAM, "%s", why);
+        program_give_up("%s", why);
     }
     for (uint64_t k = 0; k < sweeps * p->disks.count; ++k)
         sampling_try(p, step, r);
@@ -153,20 +157,18 @@ static void write_sides(struct study *s, const char *way,
 {
     static const char *const sides[] = {"walls", "pairs"};
     for (size_t k = 0; k < 2; ++k) {
-        char key[40];
-        snprintf(key, sizeof key, "%s_%s", way, sides[k]);
-        table_real(s->summary, key, means_mean(m, WALLS + k));
-        snprintf(key, sizeof key, "%s_%s_error", way, sides[k]);
-        table_real(s->summary, key, means_error(m, WALLS + k));
+        table_keyed(s->summary, means_mean(m, WALLS + k), "%s_%s", way,
+                    sides[k]);
+        table_keyed(s->summary, means_error(m, WALLS + k), "%s_%s_error",
+                    way, sides[k]);
     }
 }
 
 static void write_mistakes(struct study *s, const struct means means[])
 {
-    const struct settings *own = s->own;
-    const double width = (1 - 2 * own->radius[0]) / BINS;
+    const double width = (1 - 2 * own.radius[0]) / BINS;
     for (size_t b = 0; b < BINS; ++b) {
-        double row[1 + 2 * WAYS] = {own->radius[0] +
+        double row[1 + 2 * WAYS] = {own.radius[0] +
                                     ((double)b + 0.5) * width};
         for (int way = 0; way < WAYS; ++way) {
             row[1 + 2 * way] = means_mean(&means[way], b);
@@ -197,21 +199,20 @@ static const struct table_key mistakes_keys[] = {
    one before. */
 static void study_mistakes(struct study *s)
 {
-    const struct settings *own = s->own;
     struct means means[WAYS];
     struct sampling p;
     struct random r;
-    make_box(&p, own, own->radius[0]);
+    make_box(&p, own.radius[0]);
     random_seed(&r, s->seed);
     table_column(s->out, "x", "m", "middle of the bin");
     for (int way = 0; way < WAYS; ++way) {
-        table_column(s->out, way_names[way], "1/m", "density of x and y");
-        table_column(s->out, "e", "1/m", "its error");
+        TABLE_COLUMNS(s->out, {way_names[way], "1/m", "density of x and y"},
+                      {"e", "1/m", "its error"});
         if (!means_create(&means[way], QUANTITIES))
             end_without_memory();
-        start_chain(&p, own->step[0], 1000, &r);
-        for (uint64_t k = 0; k < own->samples && !progress_signal(); ++k)
-            take((enum way)way, &means[way], &p, own->step[0], &r);
+        start_chain(&p, own.step[0], 1000, &r);
+        for (uint64_t k = 0; k < own.samples && !progress_signal(); ++k)
+            take((enum way)way, &means[way], &p, own.step[0], &r);
     }
     write_mistakes(s, means);
     for (int way = 0; way < WAYS; ++way)
@@ -254,13 +255,12 @@ static double inefficiency(size_t n, const double x[])
 static void study_chain(struct study *s, size_t k, double x[],
                         struct random *r)
 {
-    const struct settings *own = s->own;
     static const char *const keys[] = {"acceptance", "g_x", "g_edge"};
-    const double radius = own->radius[k / own->steps];
-    const double step = own->step[k % own->steps];
-    const size_t n = own->samples;
+    const double radius = own.radius[k / own.steps];
+    const double step = own.step[k % own.steps];
+    const size_t n = own.samples;
     struct sampling p;
-    make_box(&p, own, radius);
+    make_box(&p, radius);
     start_chain(&p, step, n / 10, r);
     const double acceptance = run_chain(&p, step, n, x, x + n, r);
     const double row[] = {radius,
@@ -270,11 +270,8 @@ static void study_chain(struct study *s, size_t k, double x[],
                           inefficiency(n, x + n),
                           statistics_moments(n, x).mean};
     table_row(s->out, 6, row);
-    for (size_t q = 0; q < 3; ++q) {
-        char key[40];
-        snprintf(key, sizeof key, "%s_%zu", keys[q], k + 1);
-        table_real(s->summary, key, row[2 + q]);
-    }
+    for (size_t q = 0; q < 3; ++q)
+        table_keyed(s->summary, row[2 + q], "%s_%zu", keys[q], k + 1);
     sampling_free(&p);
 }
 
@@ -286,19 +283,18 @@ static const struct table_key memory_keys[] = {
 
 static void study_memory(struct study *s)
 {
-    const struct settings *own = s->own;
-    double *x = malloc(2 * own->samples * sizeof *x);
+    double *x = malloc(2 * own.samples * sizeof *x);
     struct random r;
     if (!x)
         end_without_memory();
     random_seed(&r, s->seed);
-    table_column(s->out, "r", "m", "radius");
-    table_column(s->out, "step", "m", "longest move along an axis");
-    table_column(s->out, "acceptance", "", "of moves");
-    table_column(s->out, "gx", "sweeps", "inefficiency of x of disk 1");
-    table_column(s->out, "ge", "sweeps", "of the share in the end bins");
-    table_column(s->out, "mean", "m", "mean x of disk 1");
-    const size_t chains = own->radii * own->steps;
+    TABLE_COLUMNS(s->out, {"r", "m", "radius"},
+                  {"step", "m", "longest move along an axis"},
+                  {"acceptance", "", "of moves"},
+                  {"gx", "sweeps", "inefficiency of x of disk 1"},
+                  {"ge", "sweeps", "of the share in the end bins"},
+                  {"mean", "m", "mean x of disk 1"});
+    const size_t chains = own.radii * own.steps;
     for (size_t k = 0; k < chains && !progress_signal(); ++k)
         study_chain(s, k, x, &r);
     free(x);
@@ -307,28 +303,25 @@ static void study_memory(struct study *s)
 /* Throws until so many configurations have fitted, or PATIENCE times. */
 static void study_acceptance(struct study *s)
 {
-    const struct settings *own = s->own;
     struct random r;
     random_seed(&r, s->seed);
-    table_column(s->out, "r", "m", "radius");
-    table_column(s->out, "packing", "", "share of the box that is filled");
-    table_column(s->out, "acceptance", "", "share of throws");
-    table_column(s->out, "e", "", "its error");
-    for (size_t k = 0; k < own->radii && !progress_signal(); ++k) {
+    TABLE_COLUMNS(s->out, {"r", "m", "radius"},
+                  {"packing", "", "share of the box that is filled"},
+                  {"acceptance", "", "share of throws"},
+                  {"e", "", "its error"});
+    for (size_t k = 0; k < own.radii && !progress_signal(); ++k) {
         struct sampling p;
         uint64_t fitted = 0, throws = 0;
-        make_box(&p, own, own->radius[k]);
-        for (; fitted < own->samples && throws < PATIENCE; ++throws) {
+        make_box(&p, own.radius[k]);
+        for (; fitted < own.samples && throws < PATIENCE; ++throws) {
             if (progress_signal())
                 break;
-            fitted += sampling_throw(&p, &r) == own->disks;
+            fitted += sampling_throw(&p, &r) == own.disks;
         }
         const double acceptance = (double)fitted / (double)throws;
         if (fitted > 0)
-            table_row(s->out, 4,
-                      (double[]){own->radius[k], disks_packing(&p.disks),
-                                 acceptance,
-                                 acceptance / sqrt((double)fitted)});
+            TABLE_ROW(s->out, own.radius[k], disks_packing(&p.disks),
+                      acceptance, acceptance / sqrt((double)fitted));
         sampling_free(&p);
     }
 }
@@ -428,13 +421,12 @@ static void run_method(enum method method, struct sampling *p, double step,
 static void measure(struct study *s, enum method method, struct sampling *p,
                     struct random *r, const double reference[HALF])
 {
-    const struct settings *own = s->own;
     const double radius = p->disks.disk[0].radius;
     double sum[TIMES] = {0}, until = first_time;
     for (int seed = -1; seed < SEEDS; ++seed) {
         if (seed == 0)
             memset(sum, 0, sizeof sum); /* the first one warms up */
-        run_method(method, p, own->step[0], r, reference, sum);
+        run_method(method, p, own.step[0], r, reference, sum);
     }
     for (int t = 0; t < TIMES; ++t, until *= 4)
         table_print(s->out, "%s-%g %g %.9g %.4g\n", method_names[method],
@@ -446,22 +438,20 @@ static void measure(struct study *s, enum method method, struct sampling *p,
    falls straight to the end, which shows that the two agree. */
 static void study_cost(struct study *s)
 {
-    const struct settings *own = s->own;
     struct random r;
     random_seed(&r, s->seed);
     bench_machine(s->out);
-    table_column(s->out, "method", "", "and radius");
-    table_column(s->out, "r", "m", "radius");
-    table_column(s->out, "time", "s", "of the processor, for a run");
-    table_column(s->out, "error", "",
-                 "rms of the density, in units of its mean");
-    for (size_t k = 0; k < own->radii && !progress_signal(); ++k) {
+    TABLE_COLUMNS(
+        s->out, {"method", "", "and radius"}, {"r", "m", "radius"},
+        {"time", "s", "of the processor, for a run"},
+        {"error", "", "rms of the density, in units of its mean"});
+    for (size_t k = 0; k < own.radii && !progress_signal(); ++k) {
         double reference[HALF] = {0};
         struct sampling p;
-        make_box(&p, own, own->radius[k]);
-        begin_method(DYNAMICS, &p, own->step[0], &r);
-        for (uint64_t n = 0; n < own->samples && !progress_signal(); ++n) {
-            next_try(DYNAMICS, &p, own->step[0], &r);
+        make_box(&p, own.radius[k]);
+        begin_method(DYNAMICS, &p, own.step[0], &r);
+        for (uint64_t n = 0; n < own.samples && !progress_signal(); ++n) {
+            next_try(DYNAMICS, &p, own.step[0], &r);
             add_places(&p, reference);
         }
         for (int method = 0; method < METHODS; ++method)
@@ -590,16 +580,15 @@ static double find_truth(double packing, double step, uint64_t chains,
 static void study_pressure(struct study *s)
 {
     static const double packing[] = {0.3, 0.65}, step[] = {1.2, 0.3};
-    const struct settings *own = s->own;
     struct random r;
     random_seed(&r, s->seed);
     bench_machine(s->out);
-    table_column(s->out, "method", "", "and packing");
-    table_column(s->out, "time", "s", "of the processor, for a run");
-    table_column(s->out, "error", "", "rms of Z");
+    TABLE_COLUMNS(s->out, {"method", "", "and packing"},
+                  {"time", "s", "of the processor, for a run"},
+                  {"error", "", "rms of Z"});
     for (int k = 0; k < 2; ++k) {
         const double truth =
-            find_truth(packing[k], step[k], own->samples, &r);
+            find_truth(packing[k], step[k], own.samples, &r);
         table_print(s->out, "# packing %g: Z %.5f\n", packing[k],
                     1 + truth);
         for (int way = 0; way < GAUGINGS; ++way) {
@@ -624,22 +613,21 @@ static const struct table_key one_way_keys[] = {
    its row. */
 static void study_one_way(struct study *s)
 {
-    const struct settings *own = s->own;
     struct means m;
     struct gauge g;
     random_seed(&g.r, s->seed);
-    const double both = find_truth(0.65, 0.3, own->samples, &g.r);
+    const double both = find_truth(0.65, 0.3, own.samples, &g.r);
     begin_gauge(&g, CHAINS, 0.65, 0.3);
     start_chain(&g.p, g.step, 0, &g.r);
     if (!means_create(&m, 1))
         end_without_memory();
-    for (uint64_t n = 0; n < own->samples && !progress_signal(); ++n) {
+    for (uint64_t n = 0; n < own.samples && !progress_signal(); ++n) {
         means_add(&m, 0, follow_chain(&g, 0));
         means_next(&m);
     }
-    table_real(s->summary, "Z_both", 1 + both);
-    table_real(s->summary, "Z_x", 1 + means_mean(&m, 0));
-    table_real(s->summary, "Z_x_error", means_error(&m, 0));
+    TABLE_RESULTS(s->summary, {"Z_both", 1 + both},
+                  {"Z_x", 1 + means_mean(&m, 0)},
+                  {"Z_x_error", means_error(&m, 0)});
     means_free(&m);
     sampling_free(&g.p);
 }
@@ -665,25 +653,18 @@ static size_t read_lengths(struct options *o, double x[], double limit)
     return n;
 }
 
-static void take_option(struct options *o, int letter, void *settings)
+static void take_option(struct options *o, int letter)
 {
-    struct settings *own = settings;
     switch (letter) {
-    case 'N': own->disks = options_count(o, 1, 1000); break;
-    case 'r': own->radii = read_lengths(o, own->radius, 0.5); break;
-    case 'd': own->steps = read_lengths(o, own->step, 1); break;
-    case 'k': own->samples = options_count(o, 100, 1000000000); break;
+    case 'N': own.disks = options_count(o, 1, 1000); break;
+    case 'r': own.radii = read_lengths(o, own.radius, 0.5); break;
+    case 'd': own.steps = read_lengths(o, own.step, 1); break;
+    case 'k': own.samples = options_count(o, 100, 1000000000); break;
     }
 }
 
 int main(int argc, char *argv[])
 {
-    struct settings own = {.disks = 4,
-                           .radii = 1,
-                           .radius = {0.15},
-                           .steps = 1,
-                           .step = {0.1},
-                           .samples = 100000};
     const struct study_program program = {
         .name = PROGRAM,
         .purpose = "Compare samplers of disks in a box.",
@@ -691,7 +672,6 @@ int main(int argc, char *argv[])
         .studies = studies,
         .seeds = UINT64_MAX,
         .options = entries,
-        .take = take_option,
-        .own = &own};
+        .take = take_option};
     return study_main(&program, argc, argv);
 }

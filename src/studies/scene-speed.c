@@ -40,7 +40,7 @@ static double time_numbers(char text[][WIDTH], bool ours, size_t ways[])
         sum += value;
     }
     if (!(sum > 0))
-        program_give_up(PROGRAM, "numbers cannot be read");
+        program_give_up("numbers cannot be read");
     return (bench_seconds() - start) / NUMBERS;
 }
 
@@ -91,12 +91,11 @@ static void time_scene(size_t bodies, struct table *out, struct random *r)
     struct scene s;
     struct scene_error e;
     char *text = write_gas(bodies, &length, r);
-    if (!text)
-        program_give_up(PROGRAM, "no memory for a scene");
+    program_memory(text, "for a scene");
     for (int k = -1; k < BENCH_ROUNDS; ++k) {
         const double start = bench_seconds();
         if (!scene_parse(&s, text, length, &e))
-            program_give_up(PROGRAM, "%s", e.text);
+            program_give_up("%s", e.text);
         seconds[k < 0 ? 0 : k] = bench_seconds() - start;
         scene_free(&s);
     }
@@ -111,12 +110,12 @@ static void write_table(struct table *out, const char *command)
     random_seed(&r, 1);
     table_begin(out, command, 1);
     bench_machine(out);
-    table_column(out, "n", "", "digits of a number");
-    table_column(out, "ours", "ns", "processor time to read it");
-    table_column(out, "strtod", "ns", "the same, by the C library");
-    table_column(out, "short", "", "share read by one operation");
-    table_column(out, "pair", "", "share read as a head and a tail");
-    table_column(out, "library", "", "share left to the library");
+    TABLE_COLUMNS(out, {"n", "", "digits of a number"},
+                  {"ours", "ns", "processor time to read it"},
+                  {"strtod", "ns", "the same, by the C library"},
+                  {"short", "", "share read by one operation"},
+                  {"pair", "", "share read as a head and a tail"},
+                  {"library", "", "share left to the library"});
     for (int digits = 1; digits <= MOST_DIGITS; ++digits)
         time_digits(digits, out, &r);
     table_print(out, "\n\n# scene bodies megabytes seconds\n");

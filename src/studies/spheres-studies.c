@@ -18,10 +18,10 @@
 
 enum { MOST_RUNS = 1000 };
 
-struct settings {
+static struct {
     uint64_t runs; /* with different starts */
     double until;  /* of the study of the law, s */
-};
+} own = {.runs = 8, .until = 600};
 
 static const double usual_length = 60; /* of all other studies, s */
 
@@ -31,7 +31,7 @@ static void make_scene(struct scene *s, const char *name,
 {
     const char *wrong = gallery_choose(s, hard_scenes, name, chosen);
     if (wrong)
-        program_give_up(PROGRAM, "%s", wrong);
+        program_give_up("%s", wrong);
 }
 
 /* Three ways to resolve a step: all pairs that overlap collide (as in the
@@ -54,7 +54,7 @@ static void begin(struct run *r, int way, double dt)
     r->dt = dt;
     if (!spheres_create(&r->spheres, &r->scene,
                         way == PAPER ? SPHERES_ALL : SPHERES_APPROACHING))
-        program_give_up(PROGRAM, "no memory for the spheres");
+        program_give_up("no memory for the spheres");
     r->spheres.dt = dt;
     r->spheres.shift = way == BACK ? SPHERES_BACK : SPHERES_BY_RADIUS;
 }
@@ -137,8 +137,7 @@ static void gas_by_steps(struct run *r, double until, double value[])
 
 static void as_disks(struct disks *d, const struct scene *s)
 {
-    if (!hard_disks(d, s))
-        program_give_up(PROGRAM, "no memory for the disks");
+    program_memory(hard_disks(d, s), "for the disks");
 }
 
 /* Measures a gas by events with the engine of chapter 7, from its sums. */
@@ -146,8 +145,7 @@ static void gas_by_events(struct disks *d, double until, double value[])
 {
     struct cells c;
     const double E = disks_energy(d);
-    if (!cells_create(&c, d))
-        program_give_up(PROGRAM, "no memory for the cells");
+    program_memory(cells_create(&c, d), "for the cells");
     cells_run(&c, warm_time, UINT64_MAX);
     const struct disks before = *d;
     cells_run(&c, warm_time + until, UINT64_MAX);
@@ -167,8 +165,7 @@ static void run_gas(uint64_t seed, int way, double dt, double until,
                     double value[])
 {
     struct run r;
-    make_scene(&r.scene, "gas",
-               (struct gallery_choice[]){{"seed", (double)seed}, {0}});
+    make_scene(&r.scene, "gas", GALLERY_CHOICES({"seed", (double)seed}));
     if (way < WAYS) {
         begin(&r, way, dt);
         gas_by_steps(&r, until, value);
@@ -188,9 +185,8 @@ static void average(const struct study *s, int way, double dt,
                     double mean[], double error[])
 {
     static double values[MEASURED][MOST_RUNS];
-    const struct settings *own = s->own;
     mean[ENERGY] = error[ENERGY] = 0;
-    for (uint64_t i = 0; i < own->runs; ++i) {
+    for (uint64_t i = 0; i < own.runs; ++i) {
         double value[MEASURED];
         run_gas(s->seed + i, way, dt, usual_length, value);
         for (int k = 0; k < MEASURED; ++k)
@@ -199,7 +195,7 @@ static void average(const struct study *s, int way, double dt,
     }
     for (int k = 0; k < ENERGY; ++k) {
         const struct blocks_average a =
-            blocks_average_of(own->runs, values[k]);
+            blocks_average_of(own.runs, values[k]);
         mean[k] = a.mean;
         error[k] = a.error;
     }
@@ -218,8 +214,8 @@ static void pressure_columns(struct study *s)
     for (int way = 0; way < WAYS; ++way) {
         for (int k = 0; k < ENERGY; ++k) {
             const char *unit = k == RATE || k == RECEDING ? "1/s" : "";
-            table_column(s->out, symbols[k], unit, ways[way]);
-            table_column(s->out, "error", unit, "its error");
+            TABLE_COLUMNS(s->out, {symbols[k], unit, ways[way]},
+                          {"error", unit, "its error"});
         }
         table_column(s->out, "dE/E", "", "the energy's worst error");
     }
@@ -335,18 +331,15 @@ static void count_pairs(const struct disks *d, double shell[])
    longer than the flight; returns the virial over N kT. */
 static double fill_shells(const struct study *s, double shell[])
 {
-    const struct settings *own = s->own;
     const double seed = (double)s->seed;
     struct run r;
     struct disks d;
     struct cells c;
-    make_scene(&r.scene, "gas",
-               (struct gallery_choice[]){{"seed", seed}, {0}});
+    make_scene(&r.scene, "gas", GALLERY_CHOICES({"seed", seed}));
     as_disks(&d, &r.scene);
     scene_free(&r.scene);
-    const double E = disks_energy(&d), end = own->until;
-    if (!cells_create(&c, &d))
-        program_give_up(PROGRAM, "no memory for the cells");
+    const double E = disks_energy(&d), end = own.until;
+    program_memory(cells_create(&c, &d), "for the cells");
     cells_run(&c, warm_time, UINT64_MAX);
     const double before = d.virial;
     for (double at = 0.1; at <= end && !progress_signal(); at += 0.1) {
@@ -476,8 +469,7 @@ static double near_by_events(struct run *r)
     struct cells c;
     double near = 0;
     as_disks(&d, &r->scene);
-    if (!cells_create(&c, &d))
-        program_give_up(PROGRAM, "no memory for the cells");
+    program_memory(cells_create(&c, &d), "for the cells");
     for (int k = 0; k < 200; ++k) {
         cells_run(&c, warm_time + 0.2 * k, UINT64_MAX);
         copy_positions(&r->scene, &d);
@@ -518,8 +510,7 @@ static double identity(struct run *r)
 static void begin_gas(struct run *r, const char *name, uint64_t seed,
                       enum scene_wall wall, int way, double dt)
 {
-    make_scene(&r->scene, name,
-               (struct gallery_choice[]){{"seed", (double)seed}, {0}});
+    make_scene(&r->scene, name, GALLERY_CHOICES({"seed", (double)seed}));
     r->scene.wall[0] = r->scene.wall[1] = wall;
     begin(r, way, dt);
 }
@@ -634,8 +625,8 @@ static void study_checks(struct study *s)
     begin_gas(&r, "gas", s->seed, SCENE_HARD, PAPER, 1);
     const double near = near_by_events(&r);
     end(&r);
-    table_column(s->out, "way", "", "0 paper, 1 approaching, 2 back");
-    table_column(s->out, "dt", "s", "step");
+    TABLE_COLUMNS(s->out, {"way", "", "0 paper, 1 approaching, 2 back"},
+                  {"dt", "s", "step"});
     for (int k = 0; k < CHECKS; ++k)
         table_column(s->out, checks[k], "", "what it finds");
     for (int way = 0; way < WAYS; way += 2)
@@ -644,10 +635,8 @@ static void study_checks(struct study *s)
             do_checks(s, way, row[1], truth, near, row + 2);
             table_row(s->out, 2 + CHECKS, row);
             for (int k = 0; k < CHECKS; ++k) {
-                char key[40];
-                snprintf(key, sizeof key, "%s_%s_%d", checks[k], ways[way],
-                         fine ? 2 : 4);
-                table_real(s->summary, key, row[2 + k]);
+                table_keyed(s->summary, row[2 + k], "%s_%s_%d", checks[k],
+                            ways[way], fine ? 2 : 4);
             }
         }
 }
@@ -669,14 +658,11 @@ static void make_row(struct scene *s, int row, double gap,
                      double restitution)
 {
     make_scene(s, "cradle",
-               (struct gallery_choice[]){{"left", rows[row].left},
-                                         {"right", rows[row].right},
-                                         {"first", rows[row].first},
-                                         {"last", rows[row].last},
-                                         {"middle", rows[row].middle},
-                                         {"gap", gap},
-                                         {"restitution", restitution},
-                                         {0}});
+               GALLERY_CHOICES(
+                   {"left", rows[row].left}, {"right", rows[row].right},
+                   {"first", rows[row].first}, {"last", rows[row].last},
+                   {"middle", rows[row].middle}, {"gap", gap},
+                   {"restitution", restitution}));
 }
 
 /* Begins a row by events, with the engine of chapter 2. */
@@ -684,9 +670,10 @@ static void begin_events(struct bonkers *b, const struct scene *s)
 {
     struct start start;
     size_t wrong;
-    if (!hard_start(&start, s) ||
-        !bonkers_begin(b, &start, s->restitution, BONKERS_SCAN, &wrong))
-        program_give_up(PROGRAM, "no memory for a row");
+    program_memory(
+        hard_start(&start, s) &&
+            bonkers_begin(b, &start, s->restitution, BONKERS_SCAN, &wrong),
+        "for a row");
     start_free(&start);
 }
 
@@ -762,11 +749,9 @@ static void row_at_once(int row, double v[])
 static void write_velocities(struct study *s, const char *kind, int row,
                              const double v[])
 {
-    for (int i = 0; i < BALLS; ++i) {
-        char key[40];
-        snprintf(key, sizeof key, "%s_%s_%d", kind, rows[row].name, i + 1);
-        table_real(s->summary, key, v[i]);
-    }
+    for (int i = 0; i < BALLS; ++i)
+        table_keyed(s->summary, v[i], "%s_%s_%d", kind, rows[row].name,
+                    i + 1);
 }
 
 enum { KINDS = 4 };
@@ -816,8 +801,8 @@ static const struct table_key rows_keys[] = {
 static void study_rows(struct study *s)
 {
     double worst[KINDS] = {0}, line[2 + KINDS];
-    table_column(s->out, "row", "", "one two three both double ...");
-    table_column(s->out, "n", "", "collisions, by events");
+    TABLE_COLUMNS(s->out, {"row", "", "one two three both double ..."},
+                  {"n", "", "collisions, by events"});
     for (int k = 0; k < KINDS; ++k)
         table_column(s->out, kinds[k].name, "m/s",
                      "worst difference, by steps");
@@ -839,8 +824,8 @@ static void study_late(struct study *s)
     double x[BALLS], v[BALLS], place[BALLS], velocity[BALLS];
     table_column(s->out, "dt", "s", "step; v = 1 m/s, 2r = 0.2 m");
     for (int way = 0; way < WAYS; ++way) {
-        table_column(s->out, "dv", "m/s", ways[way]);
-        table_column(s->out, "dx", "m", "of the last ball");
+        TABLE_COLUMNS(s->out, {"dv", "m/s", ways[way]},
+                      {"dx", "m", "of the last ball"});
     }
     row_by_events(DOUBLE, 0.01, until, x, v);
     for (double n = 3e4; n >= 4; n = floor(n / 1.17)) {
@@ -883,18 +868,19 @@ static void study_rest(struct study *s)
     make_row(&r.scene, 0, 0.001, 0.9);
     begin(&r, APPROACHING, 0.0005);
     begin_events(&b, &r.scene);
-    table_column(s->out, "t", "s", "time");
-    table_column(s->out, "events", "J", "energy by events");
-    table_column(s->out, "steps", "J", "energy by steps");
+    TABLE_COLUMNS(s->out, {"t", "s", "time"},
+                  {"events", "J", "energy by events"},
+                  {"steps", "J", "energy by steps"});
     for (int i = 0; i < BALLS; ++i)
         table_column(s->out, "x", "m", "of a ball, by steps");
     for (int k = 0; k * every <= until && !progress_signal(); ++k) {
         write_cradle(s->out, k * every, &b, &r);
         steps(&r, every);
     }
-    table_real(s->summary, "difference",
-               fabs(energy(&r.scene) / bonkers_energy(&b) - 1));
-    table_real(s->summary, "left", energy(&r.scene) / 0.5);
+    TABLE_RESULTS(
+        s->summary,
+        {"difference", fabs(energy(&r.scene) / bonkers_energy(&b) - 1)},
+        {"left", energy(&r.scene) / 0.5});
     bonkers_free(&b);
     end(&r);
 }
@@ -904,8 +890,7 @@ enum { RACK = 16, OUTCOMES = 100 };
 static void make_break(struct scene *s, double jitter, uint64_t seed)
 {
     make_scene(s, "break",
-               (struct gallery_choice[]){
-                   {"jitter", jitter}, {"seed", (double)seed}, {0}});
+               GALLERY_CHOICES({"jitter", jitter}, {"seed", (double)seed}));
 }
 
 static const double usual_break = 0.5; /* s */
@@ -937,8 +922,7 @@ static void break_by_events(double jitter, uint64_t seed, double x[])
         scene.high[k] = far;
     }
     as_disks(&d, &scene);
-    if (!disks_plan(&d))
-        program_give_up(PROGRAM, "no memory for the break");
+    program_memory(disks_plan(&d), "for the break");
     disks_run(&d, usual_break, UINT64_MAX);
     for (size_t i = 0; i < RACK; ++i) {
         double place[DISKS_AXES];
@@ -987,16 +971,13 @@ enum { BREAKS = 4 };
 /* Writes the outcomes of three orders of the pairs. */
 static void write_orders(struct table *out, double x[BREAKS][2 * RACK])
 {
-    table_column(out, "x", "m", "steps, ascending; then by events");
-    table_column(out, "y", "m", "");
-    table_column(out, "x'", "m", "steps, descending");
-    table_column(out, "y'", "m", "");
-    table_column(out, "x''", "m", "steps, the deepest first");
-    table_column(out, "y''", "m", "");
+    TABLE_COLUMNS(out, {"x", "m", "steps, ascending; then by events"},
+                  {"y", "m", ""}, {"x'", "m", "steps, descending"},
+                  {"y'", "m", ""}, {"x''", "m", "steps, the deepest first"},
+                  {"y''", "m", ""});
     for (size_t i = 0; i < RACK; ++i)
-        table_row(out, 6,
-                  (double[]){x[0][i], x[0][RACK + i], x[1][i],
-                             x[1][RACK + i], x[3][i], x[3][RACK + i]});
+        TABLE_ROW(out, x[0][i], x[0][RACK + i], x[1][i], x[1][RACK + i],
+                  x[3][i], x[3][RACK + i]);
 }
 
 /* Writes the outcomes of a hundred racks, as a cloud of points. */
@@ -1028,18 +1009,17 @@ static void study_break(struct study *s)
         break_by_events(1e-12, i, outcome[i]);
     write_orders(s->out, stepped);
     write_racks(s->out, outcome);
-    table_real(s->summary, "orders", distance(stepped[0], stepped[1]));
-    table_real(s->summary, "halved", distance(stepped[0], stepped[2]));
-    table_real(s->summary, "ascending", nearest(stepped[0], outcome));
-    table_real(s->summary, "deepest", nearest(stepped[3], outcome));
+    TABLE_RESULTS(s->summary, {"orders", distance(stepped[0], stepped[1])},
+                  {"halved", distance(stepped[0], stepped[2])},
+                  {"ascending", nearest(stepped[0], outcome)},
+                  {"deepest", nearest(stepped[3], outcome)});
     table_count(s->summary, "outcomes", distinct(outcome, OUTCOMES));
 }
 
 /* Makes bodies for contacts under gravity, without walls. */
 static void make_bodies(struct scene *s, size_t bodies, double radius)
 {
-    if (!scene_create(s, bodies))
-        program_give_up(PROGRAM, "no memory for the balls");
+    program_memory(scene_create(s, bodies), "for the balls");
     s->contact = true;
     s->gravity[2] = -2;
     for (size_t i = 0; i < bodies; ++i)
@@ -1077,7 +1057,7 @@ static void move(struct motion *m, struct scene *s, const char *method,
 {
     if (!motion_begin(m, PROGRAM, s, method, dt) ||
         (located && !motion_locate(m)))
-        program_give_up(PROGRAM, "no memory for a motion");
+        program_give_up("no memory for a motion");
     m->spheres.rule = SPHERES_APPROACHING;
     m->spheres.shift = SPHERES_BACK;
 }
@@ -1155,20 +1135,17 @@ static double moment_order(int way, const double exact[9])
 static void summarise_moments(struct study *s, const double exact[9])
 {
     double x[9], y[9], fine[9];
-    char key[40];
-    for (int way = 0; way < MOMENTS; ++way) {
-        snprintf(key, sizeof key, "order_%s", moments[way].name);
-        table_real(s->summary, key, moment_order(way, exact));
-    }
+    for (int way = 0; way < MOMENTS; ++way)
+        table_keyed(s->summary, moment_order(way, exact), "order_%s",
+                    moments[way].name);
     table_count(s->summary, "collisions",
                 move_three("leapfrog", 0.5, true, 4096, x));
     move_three("leapfrog", 0, true, 256, x);
     move_three("leapfrog", 0, false, 256, y);
     move_three("kahan-li8", 0, true, 300, fine);
-    table_real(s->summary, "located", largest_difference(x, fine, 9));
-    table_real(s->summary, "stepwise", largest_difference(y, fine, 9));
-    table_real(s->summary, "bounce", drop_ball(1));
-    table_real(s->summary, "bounces", drop_ball(0.8));
+    TABLE_RESULTS(s->summary, {"located", largest_difference(x, fine, 9)},
+                  {"stepwise", largest_difference(y, fine, 9)},
+                  {"bounce", drop_ball(1)}, {"bounces", drop_ball(0.8)});
 }
 
 static const struct table_key moment_keys[] = {
@@ -1265,7 +1242,6 @@ static void touch_row(struct study *s, int way)
 {
     struct scene scene;
     struct motion m;
-    char key[40];
     make_touching(&scene, way, BALLS);
     move(&m, &scene, "leapfrog", 0.01 / pair_omega, false);
     for (int k = 0; k <= 300; ++k) {
@@ -1279,10 +1255,9 @@ static void touch_row(struct study *s, int way)
     table_real(s->summary, touchings[way].name,
                largest_difference(scene.velocity,
                                   (double[BALLS]){0, 0, 0, 0, 1}, BALLS));
-    for (int i = 0; i < BALLS; ++i) {
-        snprintf(key, sizeof key, "%s_%d", touchings[way].name, i + 1);
-        table_real(s->summary, key, scene.velocity[i]);
-    }
+    for (int i = 0; i < BALLS; ++i)
+        table_keyed(s->summary, scene.velocity[i], "%s_%d",
+                    touchings[way].name, i + 1);
     motion_end(&m);
     scene_free(&scene);
 }
@@ -1322,14 +1297,13 @@ static void write_worst_speeds(struct study *s, double linear, double hertz,
                                double dashpot, double e)
 {
     static const int lengths[] = {3, 6, 15, 30, 60, 150};
-    char key[40];
     for (int k = 0; k < 6; ++k) {
         const int n = lengths[k];
-        snprintf(key, sizeof key, "linear_in_%d", n);
-        table_real(s->summary, key,
-                   worst_parting_speed(0, dashpot, linear, n, e));
-        snprintf(key, sizeof key, "hertz_in_%d", n);
-        table_real(s->summary, key, worst_parting_speed(1, 0, hertz, n, 1));
+        table_keyed(s->summary,
+                    worst_parting_speed(0, dashpot, linear, n, e),
+                    "linear_in_%d", n);
+        table_keyed(s->summary, worst_parting_speed(1, 0, hertz, n, 1),
+                    "hertz_in_%d", n);
     }
 }
 
@@ -1357,18 +1331,17 @@ static void study_touch(struct study *s)
         table_column(s->out, "v", "m/s", "velocity of a ball");
     for (int way = 0; way < TOUCHING; ++way)
         touch_row(s, way);
-    table_real(s->summary, "formula",
-               exp(-pi * zeta / sqrt(1 - zeta * zeta)));
-    table_real(s->summary, "restitution",
-               parting_speed(0, 2 * zeta * 50, 0, 0.001 / pair_omega));
-    table_real(s->summary, "hertz_formula",
-               2.94327 * pow(2.5 / (4 * touchings[1].stiffness), 0.4));
-    table_real(s->summary, "hertz_time", hertz_time());
+    TABLE_RESULTS(s->summary,
+                  {"formula", exp(-pi * zeta / sqrt(1 - zeta * zeta))},
+                  {"restitution",
+                   parting_speed(0, 2 * zeta * 50, 0, 0.001 / pair_omega)},
+                  {"hertz_formula",
+                   2.94327 * pow(2.5 / (4 * touchings[1].stiffness), 0.4)},
+                  {"hertz_time", hertz_time()});
     energy_range(0.1, &least, &most);
     table_real(s->summary, "energy_01", fmax(1 - least, most - 1));
     energy_range(2, &least, &most);
-    table_real(s->summary, "least_2", least);
-    table_real(s->summary, "most_2", most);
+    TABLE_RESULTS(s->summary, {"least_2", least}, {"most_2", most});
     write_worst_speeds(s, pi / (pair_omega * sqrt(1 - zeta * zeta)),
                        hertz_time(), 2 * zeta * 50,
                        exp(-pi * zeta / sqrt(1 - zeta * zeta)));
@@ -1380,11 +1353,8 @@ static void make_packed(struct scene *s, double packing, uint64_t seed)
     const double area = 250 * 3.14159265358979324 * 0.01 / packing;
     const double height = sqrt(area / 1.5);
     make_scene(s, "gas",
-               (struct gallery_choice[]){{"width", 1.5 * height},
-                                         {"height", height},
-                                         {"lattice", 1},
-                                         {"seed", (double)seed},
-                                         {0}});
+               GALLERY_CHOICES({"width", 1.5 * height}, {"height", height},
+                               {"lattice", 1}, {"seed", (double)seed}));
 }
 
 enum { LOCATED = WAYS + 1 }; /* WAYS: by events */
@@ -1442,15 +1412,14 @@ static void cost_of(const struct study *s, double packing, int way,
                     double dt, struct blocks_average *virial, double *cost)
 {
     static double values[MOST_RUNS], seconds[MOST_RUNS];
-    const struct settings *own = s->own;
     const double until = length_of(way, usual_length);
-    for (uint64_t i = 0; i < own->runs; ++i) {
+    for (uint64_t i = 0; i < own.runs; ++i) {
         struct scene scene;
         make_packed(&scene, packing, s->seed + i);
         values[i] = time_run(&scene, way, dt, until, &seconds[i]);
     }
-    *virial = blocks_average_of(own->runs, values);
-    *cost = bench_median(seconds, own->runs) /
+    *virial = blocks_average_of(own.runs, values);
+    *cost = bench_median(seconds, own.runs) /
             (length_of(way, warm_time) + until);
 }
 
@@ -1465,16 +1434,17 @@ static const struct {
 
 static void name_costs(struct table *out)
 {
-    table_column(out, "row", "", "packing and dt");
-    table_column(out, "packing", "", "of 250 disks of radius 0.1 m");
-    table_column(out, "dt", "s", "step; v = 1 m/s");
-    table_column(out, "events", "s", "processor time of a second");
-    table_column(out, "Z", "", "1 + virial/(2 N kT), by events");
-    table_column(out, "error", "", "its statistical error");
+    TABLE_COLUMNS(out, {"row", "", "packing and dt"},
+                  {"packing", "", "of 250 disks of radius 0.1 m"},
+                  {"dt", "s", "step; v = 1 m/s"},
+                  {"events", "s", "processor time of a second"},
+                  {"Z", "", "1 + virial/(2 N kT), by events"},
+                  {"error", "", "its statistical error"});
     for (int k = 0; k < 3; ++k) {
-        table_column(out, cost_columns[k].name, "s", cost_columns[k].text);
-        table_column(out, "dZ/Z", "", "relative error of Z, absolute");
-        table_column(out, "error", "", "its statistical error");
+        TABLE_COLUMNS(out,
+                      {cost_columns[k].name, "s", cost_columns[k].text},
+                      {"dZ/Z", "", "relative error of Z, absolute"},
+                      {"error", "", "its statistical error"});
     }
 }
 
@@ -1543,18 +1513,16 @@ static const struct options_entry entries[] = {
     {"until", 'u', "T", "how long, s (600)"},
     {0}};
 
-static void take_option(struct options *o, int letter, void *settings)
+static void take_option(struct options *o, int letter)
 {
-    struct settings *own = settings;
     switch (letter) {
-    case 'n': own->runs = options_count(o, 2, MOST_RUNS); break;
-    case 'u': own->until = options_real(o, 0.01, 1e6); break;
+    case 'n': own.runs = options_count(o, 2, MOST_RUNS); break;
+    case 'u': own.until = options_real(o, 0.01, 1e6); break;
     }
 }
 
 int main(int argc, char *argv[])
 {
-    struct settings own = {.runs = 8, .until = 600};
     const struct study_program program = {
         .name = PROGRAM,
         .purpose = "Measure spheres in steps, and what fails.",
@@ -1563,7 +1531,6 @@ int main(int argc, char *argv[])
         .seeds = 1000000000,
         .drawing = "--study pressure, law, checks, cost",
         .options = entries,
-        .take = take_option,
-        .own = &own};
+        .take = take_option};
     return study_main(&program, argc, argv);
 }

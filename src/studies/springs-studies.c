@@ -14,14 +14,14 @@
 
 #define PROGRAM "springs-studies"
 
-struct settings {
+static struct {
     double until; /* end of the study of membranes, s */
-};
+} own = {.until = 40};
 
 /* Ends the program for want of memory. */
 static _Noreturn void no_memory(void)
 {
-    program_give_up(PROGRAM, "there is no memory");
+    program_give_up("there is no memory");
 }
 
 /* A scene, its springs, and how it is stepped. */
@@ -38,7 +38,7 @@ static void make(struct scene *s, const char *name,
 {
     const char *wrong = gallery_choose(s, elastic_scenes, name, chosen);
     if (wrong)
-        program_give_up(PROGRAM, "%s", wrong);
+        program_give_up("%s", wrong);
 }
 
 /* Prepares r->scene to be stepped. */
@@ -118,13 +118,12 @@ static const struct table_key critical_keys[] = {
 static void study_critical(struct study *s)
 {
     const double t = 3;
-    table_column(s->out, "e", "",
-                 "damping is 1 + e times the critical one");
-    table_column(s->out, "q", "m",
-                 "the place at t = 3 s, by a power series");
-    table_column(s->out, "book", "m", "the same by two exponentials");
-    table_column(s->out, "q_below", "m", "the place for 1 - e");
-    table_column(s->out, "book_below", "m", "the same by a cosine");
+    TABLE_COLUMNS(s->out,
+                  {"e", "", "damping is 1 + e times the critical one"},
+                  {"q", "m", "the place at t = 3 s, by a power series"},
+                  {"book", "m", "the same by two exponentials"},
+                  {"q_below", "m", "the place for 1 - e"},
+                  {"book_below", "m", "the same by a cosine"});
     for (int k = 4; k <= 60; ++k) {
         const double e = pow(10, -0.25 * k);
         const double row[] = {e, by_series(1 + e, t), by_the_book(1 + e, t),
@@ -165,7 +164,7 @@ static void study_regimes(struct study *s)
     for (int k = 0; k < DAMPINGS; ++k) {
         table_column(s->out, "q", "m", "place of the mass");
         make(&r[k].scene, "oscillator",
-             (struct gallery_choice[]){{"damping", dampings[k]}, {0}});
+             GALLERY_CHOICES({"damping", dampings[k]}));
         set_off(&r[k], stepping_find("leapfrog"), 0.05);
     }
     for (int n = 0; n <= 150; ++n) {
@@ -209,11 +208,11 @@ static double spin(const struct scene *s)
 
 static void name_dumbbells(struct table *out)
 {
-    table_column(out, "t", "s", "time");
-    table_column(out, "L_full", "kg m^2/s", "dashpot as printed");
-    table_column(out, "L_axial", "kg m^2/s", "dashpot along the axis");
-    table_column(out, "E_full", "J", "energy, dashpot as printed");
-    table_column(out, "E_axial", "J", "energy, dashpot along the axis");
+    TABLE_COLUMNS(out, {"t", "s", "time"},
+                  {"L_full", "kg m^2/s", "dashpot as printed"},
+                  {"L_axial", "kg m^2/s", "dashpot along the axis"},
+                  {"E_full", "J", "energy, dashpot as printed"},
+                  {"E_axial", "J", "energy, dashpot along the axis"});
 }
 
 static void note_dumbbells(struct run r[2], double row[5])
@@ -249,10 +248,9 @@ static void study_spin(struct study *s)
         law = fmax(law, fabs(row[1] / (start * exp(-row[0])) - 1));
         table_row(s->out, 5, row);
     }
-    table_real(s->summary, "left", row[1] / start);
-    table_real(s->summary, "off_law", law);
-    table_real(s->summary, "axial_change", row[2] / start - 1);
-    table_real(s->summary, "axial_energy", row[4]);
+    TABLE_RESULTS(s->summary, {"left", row[1] / start}, {"off_law", law},
+                  {"axial_change", row[2] / start - 1},
+                  {"axial_energy", row[4]});
     tidy_up(&r[0]);
     tidy_up(&r[1]);
 }
@@ -268,17 +266,13 @@ static void study_path(struct study *s)
     make(&r.scene, "double-pendulum", NULL);
     set_off(&r, stepping_find("yoshida4"), every / 40);
     const double *x = r.scene.position, *z = x + 6, start = energy(&r);
-    table_column(s->out, "t", "s", "time");
-    table_column(s->out, "x1", "m", "upper body");
-    table_column(s->out, "z1", "m", "upper body");
-    table_column(s->out, "x2", "m", "lower body");
-    table_column(s->out, "z2", "m", "lower body");
-    table_column(s->out, "stretch", "m", "of the upper spring");
+    TABLE_COLUMNS(s->out, {"t", "s", "time"}, {"x1", "m", "upper body"},
+                  {"z1", "m", "upper body"}, {"x2", "m", "lower body"},
+                  {"z2", "m", "lower body"},
+                  {"stretch", "m", "of the upper spring"});
     for (double row = 0; row * every <= until; ++row) {
         const double length = hypot(x[1], z[1] - 1);
-        table_row(
-            s->out, 6,
-            (double[]){row * every, x[1], z[1], x[2], z[2], length - 1});
+        TABLE_ROW(s->out, row * every, x[1], z[1], x[2], z[2], length - 1);
         stepping_run(&r.stepping, 40);
     }
     table_real(s->summary, "energy", start);
@@ -321,10 +315,10 @@ static void name_errors(struct table *out, bool timed)
 {
     if (timed)
         bench_machine(out);
-    table_column(out, "dt", "s", "step");
-    table_column(out, "n", "", "evaluations of the forces");
-    table_column(out, "error", "m", "of a place, after 10 s");
-    table_column(out, "energy", "J", "change of the energy");
+    TABLE_COLUMNS(out, {"dt", "s", "step"},
+                  {"n", "", "evaluations of the forces"},
+                  {"error", "m", "of a place, after 10 s"},
+                  {"energy", "J", "change of the energy"});
     if (timed)
         table_column(out, "cost", "s", "processor time");
 }
@@ -483,7 +477,7 @@ static bool rod_swing(uint64_t n, double place[4])
 {
     struct rod o = {0};
     make(&o.run.scene, "double-pendulum",
-         (struct gallery_choice[]){{"stiffness1", 0}, {0}});
+         GALLERY_CHOICES({"stiffness1", 0}));
     set_off(&o.run, stepping_find("leapfrog"), 10 / (double)n);
     const double *const x = o.run.scene.position, *const z = x + 6;
     springs_accelerate(&o.run.springs, x, o.run.scene.velocity, o.a);
@@ -501,7 +495,7 @@ static void spring_swing(double stiffness, double place[4])
     const uint64_t n = (uint64_t)(10 * 100 * sqrt(stiffness / 100)) + 1000;
     struct run r;
     make(&r.scene, "double-pendulum",
-         (struct gallery_choice[]){{"stiffness1", stiffness}, {0}});
+         GALLERY_CHOICES({"stiffness1", stiffness}));
     set_off(&r, stepping_find("kahan-li8"), 10 / (double)n);
     stepping_run(&r.stepping, n);
     const double *const x = r.scene.position, *const z = x + 6;
@@ -521,20 +515,17 @@ static void study_rod(struct study *s)
 {
     double rigid[4], place[4];
     rod_swing(100000, rigid);
-    table_column(s->out, "dt", "s", "step; next block: stiffness, N/m");
-    table_column(s->out, "error", "m",
-                 "of the rod's step; next block: from spring to rod");
+    TABLE_COLUMNS(s->out, {"dt", "s", "step; next block: stiffness, N/m"},
+                  {"error", "m",
+                   "of the rod's step; next block: from spring to rod"});
     for (uint64_t n = 10; n <= 20480; n *= 2)
         if (rod_swing(n, place))
-            table_row(s->out, 2,
-                      (double[]){10 / (double)n,
-                                 largest_difference(place, rigid, 4)});
+            TABLE_ROW(s->out, 10 / (double)n,
+                      largest_difference(place, rigid, 4));
     table_print(s->out, "\n\n");
     for (double stiffness = 100; stiffness < 2e6; stiffness *= sqrt(10)) {
         spring_swing(stiffness, place);
-        table_row(
-            s->out, 2,
-            (double[]){stiffness, largest_difference(place, rigid, 4)});
+        TABLE_ROW(s->out, stiffness, largest_difference(place, rigid, 4));
     }
     table_real(s->summary, "spring_to_rod",
                largest_difference(after_10, rigid, 4));
@@ -549,12 +540,12 @@ static void make_at_rest(struct scene *s, bool pendulum)
 {
     if (!pendulum) {
         make(s, "membrane",
-             (struct gallery_choice[]){
-                 {"rest", 0.8}, {"amplitude", 0}, {"damping", 0}, {0}});
+             GALLERY_CHOICES({"rest", 0.8}, {"amplitude", 0},
+                             {"damping", 0}));
         return;
     }
     make(s, "double-pendulum",
-         (struct gallery_choice[]){{"angle1", 0}, {"angle2", 0}, {0}});
+         GALLERY_CHOICES({"angle1", 0}, {"angle2", 0}));
     s->position[7] = -2 * 1.8 / 5000;
     s->position[8] = s->position[7] - 1 - 1.8 / 5;
 }
@@ -656,11 +647,11 @@ static void find_limits(const struct stepping_method *m, double limit[2])
 
 static void name_limits(struct table *out)
 {
-    table_column(out, "limit", "", "omega dt, from the theory");
-    table_column(out, "pendulum", "", "omega dt, found with the pendulum");
-    table_column(out, "dt_1", "s", "the same step");
-    table_column(out, "membrane", "", "omega dt, found on the membrane");
-    table_column(out, "dt_2", "s", "the same step");
+    TABLE_COLUMNS(out, {"limit", "", "omega dt, from the theory"},
+                  {"pendulum", "", "omega dt, found with the pendulum"},
+                  {"dt_1", "s", "the same step"},
+                  {"membrane", "", "omega dt, found on the membrane"},
+                  {"dt_2", "s", "the same step"});
 }
 
 static const struct table_key limits_keys[] = {
@@ -674,18 +665,14 @@ static void study_limits(struct study *s)
     for (const struct stepping_method *m = stepping_next(NULL);
          m && !progress_signal(); m = stepping_next(m)) {
         double limit[2];
-        char key[40];
         find_limits(m, limit);
         /* The frequencies of the fastest modes: (10.5, eq:pendulum-limit),
            and (10.9, eq:membrane-dispersion) with D along one axis. */
         const double dt[2] = {limit[0] / 70.74605996, limit[1] / 15.103518};
         table_print(s->out, "# %s\n", m->name);
-        table_row(s->out, 5,
-                  (double[]){m->limit, limit[0], dt[0], limit[1], dt[1]});
-        snprintf(key, sizeof key, "pendulum_%s", m->name);
-        table_real(s->summary, key, dt[0]);
-        snprintf(key, sizeof key, "membrane_%s", m->name);
-        table_real(s->summary, key, dt[1]);
+        TABLE_ROW(s->out, m->limit, limit[0], dt[0], limit[1], dt[1]);
+        table_keyed(s->summary, dt[0], "pendulum_%s", m->name);
+        table_keyed(s->summary, dt[1], "membrane_%s", m->name);
     }
 }
 
@@ -735,15 +722,14 @@ static const struct table_key quartic_keys[] = {
 
 static void study_quartic(struct study *s)
 {
-    table_column(s->out, "A", "m", "amplitude");
-    table_column(s->out, "T", "s", "period");
-    table_column(s->out, "AT", "m s", "their product");
+    TABLE_COLUMNS(s->out, {"A", "m", "amplitude"}, {"T", "s", "period"},
+                  {"AT", "m s", "their product"});
     for (double a = 0.4; a > 0.002; a /= sqrt(2)) {
         const double t = period(a);
-        table_row(s->out, 3, (double[]){a, t, a * t});
+        TABLE_ROW(s->out, a, t, a * t);
     }
-    table_real(s->summary, "T_0.1", period(0.1));
-    table_real(s->summary, "AT", 0.002 * period(0.002));
+    TABLE_RESULTS(s->summary, {"T_0.1", period(0.1)},
+                  {"AT", 0.002 * period(0.002)});
 }
 
 /* Returns the amplitude, m, of the mode with r and `half` half waves in the
@@ -779,11 +765,8 @@ static double others(const struct scene *s, size_t n, double a)
 static void make_membrane(struct scene *s, double rest, double a, bool free)
 {
     make(s, "membrane",
-         (struct gallery_choice[]){{"rest", rest},
-                                   {"amplitude", a},
-                                   {"damping", 0},
-                                   {"free", free},
-                                   {0}});
+         GALLERY_CHOICES({"rest", rest}, {"amplitude", a}, {"damping", 0},
+                         {"free", free}));
 }
 
 enum { MEMBRANES = 3 };
@@ -796,8 +779,9 @@ static void begin_membranes(struct study *s, struct run r[MEMBRANES])
 {
     table_column(s->out, "t", "s", "time");
     for (int k = 0; k < MEMBRANES; ++k) {
-        table_column(s->out, "a", "", "of the first mode, over the start");
-        table_column(s->out, "rest", "", "of the other modes, the same");
+        TABLE_COLUMNS(s->out,
+                      {"a", "", "of the first mode, over the start"},
+                      {"rest", "", "of the other modes, the same"});
         make_membrane(&r[k].scene, k == 2 ? 0.8 : 1, lifted[k], k > 0);
         set_off(&r[k], stepping_find("pefrl"), 0.02);
     }
@@ -807,14 +791,11 @@ static void note_amplitudes(struct study *s, int row, const double values[])
 {
     static const char *const keys[] = {NULL,        "a",  "rest",     NULL,
                                        "free_rest", NULL, "taut_rest"};
-    char key[24];
     if (row != 10 && row != 50 && row != 100 && row != 400 && row != 4000)
         return;
     for (int k = 0; k < 7; ++k)
-        if (keys[k]) {
-            snprintf(key, sizeof key, "%s_%d", keys[k], row / 10);
-            table_real(s->summary, key, values[k]);
-        }
+        if (keys[k])
+            table_keyed(s->summary, values[k], "%s_%d", keys[k], row / 10);
 }
 
 static const struct table_key membranes_keys[] = {
@@ -827,10 +808,9 @@ static const struct table_key membranes_keys[] = {
 
 static void study_membranes(struct study *s)
 {
-    const struct settings *own = s->own;
     struct run r[MEMBRANES];
     begin_membranes(s, r);
-    for (int row = 0; 0.1 * row <= own->until; ++row) {
+    for (int row = 0; 0.1 * row <= own.until; ++row) {
         double values[1 + 2 * MEMBRANES] = {0.1 * row};
         for (int k = 0; k < MEMBRANES; ++k) {
             values[2 * k + 1] = amplitude(&r[k].scene, 8, 1, 1) / lifted[k];
@@ -893,14 +873,9 @@ static double measured(size_t n, size_t r, size_t half, size_t axis)
     struct run o;
     double home = 0;
     make(&o.scene, "membrane",
-         (struct gallery_choice[]){{"nx", (double)n},
-                                   {"ny", (double)n},
-                                   {"rest", 0.8},
-                                   {"amplitude", 1e-5},
-                                   {"damping", 0},
-                                   {"r", (double)r},
-                                   {"s", (double)half},
-                                   {0}});
+         GALLERY_CHOICES({"nx", (double)n}, {"ny", (double)n},
+                         {"rest", 0.8}, {"amplitude", 1e-5}, {"damping", 0},
+                         {"r", (double)r}, {"s", (double)half}));
     const size_t body = turn_to(&o.scene, axis, &home);
     set_off(&o, stepping_find("pefrl"), 0.01);
     const double time = ten_halves(&o, axis * n * n + body, home);
@@ -917,9 +892,9 @@ static void study_dispersion(struct study *s)
 {
     const size_t n = 8;
     double worst = 0;
-    table_column(s->out, "r", "", "half waves along x; one along y");
-    table_column(s->out, "across", "rad/s", "measured, motion along z");
-    table_column(s->out, "along", "rad/s", "measured, motion along x");
+    TABLE_COLUMNS(s->out, {"r", "", "half waves along x; one along y"},
+                  {"across", "rad/s", "measured, motion along z"},
+                  {"along", "rad/s", "measured, motion along x"});
     for (size_t r = 1; r <= n - 2; ++r) {
         const double row[] = {(double)r, measured(n, r, 1, 2),
                               measured(n, r, 1, 0)};
@@ -940,13 +915,9 @@ static double sag(struct scene *s, double g)
 {
     struct run r;
     make(&r.scene, "membrane",
-         (struct gallery_choice[]){{"nx", 9},
-                                   {"ny", 9},
-                                   {"amplitude", 0},
-                                   {"gravity", g},
-                                   {"friction", 1.5},
-                                   {"damping", 0},
-                                   {0}});
+         GALLERY_CHOICES({"nx", 9}, {"ny", 9}, {"amplitude", 0},
+                         {"gravity", g}, {"friction", 1.5},
+                         {"damping", 0}));
     set_off(&r, stepping_find("leapfrog"), 0.05);
     stepping_run(&r.stepping, 20000);
     const double depth = -r.scene.position[2 * 81 + 40];
@@ -969,22 +940,20 @@ static void study_sag(struct study *s)
     double most = 0;
     r.scene.gravity[2] = r.scene.damping = 0;
     set_off(&r, stepping_find("pefrl"), 0.02);
-    table_column(s->out, "t", "s", "since gravity and friction ended");
-    table_column(s->out, "z", "m", "of the body in the middle");
-    table_column(s->out, "a11", "m", "amplitude of the mode (1, 1)");
-    table_column(s->out, "rest", "m", "all other modes, root mean square");
+    TABLE_COLUMNS(s->out, {"t", "s", "since gravity and friction ended"},
+                  {"z", "m", "of the body in the middle"},
+                  {"a11", "m", "amplitude of the mode (1, 1)"},
+                  {"rest", "m", "all other modes, root mean square"});
     for (int row = 0; row <= 600; ++row) {
         most = fmax(most, others(&r.scene, 9, 1));
-        table_row(s->out, 4,
-                  (double[]){0.1 * row, r.scene.position[2 * 81 + 40],
-                             amplitude(&r.scene, 9, 1, 1),
-                             others(&r.scene, 9, 1)});
+        TABLE_ROW(s->out, 0.1 * row, r.scene.position[2 * 81 + 40],
+                  amplitude(&r.scene, 9, 1, 1), others(&r.scene, 9, 1));
         stepping_run(&r.stepping, 5);
     }
     table_real(s->summary, "rest", most);
     tidy_up(&r);
-    table_real(s->summary, "depth", depth);
-    table_real(s->summary, "ratio", sag(NULL, 0.004) / sag(NULL, 0.0005));
+    TABLE_RESULTS(s->summary, {"depth", depth},
+                  {"ratio", sag(NULL, 0.004) / sag(NULL, 0.0005)});
 }
 
 /* Lets friction bring r to rest, until nothing moves any more. Nothing is
@@ -1024,26 +993,24 @@ static void draw(struct study *s, const struct scene *scene, size_t nx)
     const size_t ny = scene->bodies / nx;
     for (size_t j = 0; j < ny; ++j, table_print(s->out, "\n"))
         for (size_t i = 0; i < nx; ++i)
-            table_row(s->out, 2, (double[]){x[j * nx + i], y[j * nx + i]});
+            TABLE_ROW(s->out, x[j * nx + i], y[j * nx + i]);
     for (size_t i = 0; i < nx; ++i, table_print(s->out, "\n"))
         for (size_t j = 0; j < ny; ++j)
-            table_row(s->out, 2, (double[]){x[j * nx + i], y[j * nx + i]});
+            TABLE_ROW(s->out, x[j * nx + i], y[j * nx + i]);
     table_print(s->out, "\n");
 }
 
 /* Beams with 2, 1 and 0 diagonals: at the turning point, then at rest. */
 static void study_shapes(struct study *s)
 {
-    table_column(s->out, "x", "m", "place of a body");
-    table_column(s->out, "y", "m", "place of a body");
+    TABLE_COLUMNS(s->out, {"x", "m", "place of a body"},
+                  {"y", "m", "place of a body"});
     for (int diagonals = 2; diagonals >= 0; --diagonals)
         for (int still = 0; still < 2; ++still) {
             struct run r;
             make(&r.scene, "cantilever",
-                 (struct gallery_choice[]){{"gravity", 3},
-                                           {"diagonals", diagonals},
-                                           {"friction", still ? 2 : 0},
-                                           {0}});
+                 GALLERY_CHOICES({"gravity", 3}, {"diagonals", diagonals},
+                                 {"friction", still ? 2 : 0}));
             set_off(&r, stepping_find("leapfrog"), 0.01);
             if (still)
                 settle(&r);
@@ -1110,12 +1077,12 @@ static void find_turn(struct beam *b)
 
 static void name_beams(struct table *out)
 {
-    table_column(out, "w", "rad/s", "lowest frequency above 0");
-    table_column(out, "loose", "", "modes without stiffness");
-    table_column(out, "linear", "m", "the end's deflection, linear");
-    table_column(out, "still", "m", "the end's deflection at rest");
-    table_column(out, "lowest", "m", "at the turning point");
-    table_column(out, "t", "s", "when it is there");
+    TABLE_COLUMNS(out, {"w", "rad/s", "lowest frequency above 0"},
+                  {"loose", "", "modes without stiffness"},
+                  {"linear", "m", "the end's deflection, linear"},
+                  {"still", "m", "the end's deflection at rest"},
+                  {"lowest", "m", "at the turning point"},
+                  {"t", "s", "when it is there"});
 }
 
 static void note_beam(struct study *s, const struct beam *b)
@@ -1166,14 +1133,12 @@ static void study_beams(struct study *s)
     for (struct beam *b = beams; b < beams + BEAMS; ++b) {
         find_turn(b);
         table_print(s->out, "# %s\n", b->name);
-        table_row(s->out, 6,
-                  (double[]){b->frequency, (double)b->loose, b->linear,
-                             b->still, b->lowest, b->time});
+        TABLE_ROW(s->out, b->frequency, (double)b->loose, b->linear,
+                  b->still, b->lowest, b->time);
         note_beam(s, b);
     }
-    table_real(s->summary, "second", beams[0].second);
-    table_real(s->summary, "third", beams[0].third);
-    table_real(s->summary, "fastest", beams[0].fastest);
+    TABLE_RESULTS(s->summary, {"second", beams[0].second},
+                  {"third", beams[0].third}, {"fastest", beams[0].fastest});
 }
 
 /* The way that the bands replaced: each body looks up all its neighbours,
@@ -1224,8 +1189,7 @@ enum { SCATTER, GATHER, TRIPS, TWICE, SPEEDS };
 static void make_fast(struct run *r, size_t n, int way)
 {
     make(&r->scene, "membrane",
-         (struct gallery_choice[]){
-             {"nx", (double)n}, {"ny", (double)n}, {0}});
+         GALLERY_CHOICES({"nx", (double)n}, {"ny", (double)n}));
     set_off(r, stepping_find("leapfrog"), 1e-3);
     r->springs.engine = way == SCATTER ? SPRINGS_SCATTER : SPRINGS_GATHER;
     if (way == TRIPS || way == TWICE)
@@ -1272,13 +1236,11 @@ static void study_speed(struct study *s)
 {
     double most = 0, least = INFINITY;
     bench_machine(s->out);
-    table_column(s->out, "n", "", "bodies on a side");
-    table_column(s->out, "scatter", "1/s",
-                 "steps of a body, spring by spring");
-    table_column(s->out, "gather", "1/s", "by bands, in sweeps");
-    table_column(s->out, "trips", "1/s", "by bands, in two trips");
-    table_column(s->out, "twice", "1/s",
-                 "each body looks at all its springs");
+    TABLE_COLUMNS(s->out, {"n", "", "bodies on a side"},
+                  {"scatter", "1/s", "steps of a body, spring by spring"},
+                  {"gather", "1/s", "by bands, in sweeps"},
+                  {"trips", "1/s", "by bands, in two trips"},
+                  {"twice", "1/s", "each body looks at all its springs"});
     for (size_t n = 8; n <= 512 && !progress_signal(); n *= 2) {
         double row[1 + SPEEDS];
         measure_speeds(n, row);
@@ -1287,8 +1249,8 @@ static void study_speed(struct study *s)
         if (n >= 64)
             least = fmin(least, row[1 + GATHER] / row[1 + SCATTER]);
     }
-    table_real(s->summary, "most", most);
-    table_real(s->summary, "least_ratio_from_64", least);
+    TABLE_RESULTS(s->summary, {"most", most},
+                  {"least_ratio_from_64", least});
 }
 
 /* Writes one row: steps of a body in a second by one thread and by two, by
@@ -1309,10 +1271,9 @@ static void compare_threads(struct study *s, size_t n)
             speed[way][at] = speed_of(&r[way], bench_clock);
         ratio[at] = speed[1][at] / speed[0][at];
     }
-    table_row(s->out, 4,
-              (double[]){(double)n, bench_median(speed[0], BENCH_ROUNDS),
-                         bench_median(speed[1], BENCH_ROUNDS),
-                         bench_median(ratio, BENCH_ROUNDS)});
+    TABLE_ROW(s->out, (double)n, bench_median(speed[0], BENCH_ROUNDS),
+              bench_median(speed[1], BENCH_ROUNDS),
+              bench_median(ratio, BENCH_ROUNDS));
     tidy_up(&r[0]);
     tidy_up(&r[1]);
 }
@@ -1321,10 +1282,10 @@ static void study_threads(struct study *s)
 {
     bench_machine(s->out);
     table_print(s->out, "# 2 threads\n");
-    table_column(s->out, "n", "", "bodies on a side");
-    table_column(s->out, "one", "1/s", "steps of a body, by the clock");
-    table_column(s->out, "many", "1/s", "by as many threads as there are");
-    table_column(s->out, "ratio", "", "median of the rounds'");
+    TABLE_COLUMNS(s->out, {"n", "", "bodies on a side"},
+                  {"one", "1/s", "steps of a body, by the clock"},
+                  {"many", "1/s", "by as many threads as there are"},
+                  {"ratio", "", "median of the rounds'"});
     for (size_t n = 8; n <= 512 && !progress_signal(); n *= 2)
         compare_threads(s, n);
 }
@@ -1358,23 +1319,20 @@ static const struct options_entry entries[] = {
     {"until", 't', "T", "end, s (40)"},
     {0}};
 
-static void take_option(struct options *o, int letter, void *settings)
+static void take_option(struct options *o, int letter)
 {
-    struct settings *own = settings;
     if (letter == 't')
-        own->until = options_real(o, 1e-3, 1e6);
+        own.until = options_real(o, 1e-3, 1e6);
 }
 
 int main(int argc, char *argv[])
 {
-    struct settings own = {.until = 40};
     const struct study_program program = {
         .name = PROGRAM,
         .purpose = "Measure springs, and what fails.",
         .events = "studies",
         .studies = studies,
         .options = entries,
-        .take = take_option,
-        .own = &own};
+        .take = take_option};
     return study_main(&program, argc, argv);
 }

@@ -13,9 +13,9 @@
 
 #define PROGRAM "step-studies"
 
-struct settings {
+static struct {
     uint64_t orbits; /* of the planet, in energy and rounding */
-};
+} own = {.orbits = 1000};
 
 enum { CHAIN = 32, MOST = CHAIN };
 
@@ -164,8 +164,9 @@ static void begin_or_exit(struct run *c, const struct system *y,
                                       &c->friction};
     y->start(c->x, c->v);
     c->energy = y->energy(c->x, c->v);
-    if (!stepping_begin(&c->s, stepping_find(method), f, dt, c->x, c->v))
-        program_give_up(PROGRAM, "no memory");
+    program_memory(
+        stepping_begin(&c->s, stepping_find(method), f, dt, c->x, c->v),
+        NULL);
 }
 
 /* Returns by how much the energy is wrong, in units of its first value. */
@@ -222,8 +223,8 @@ static void study_portrait(struct study *s)
 {
     static const char *const names[] = {"euler", "symplectic-euler",
                                         "leapfrog", "rk4"};
-    table_column(s->out, "x", "", "angle");
-    table_column(s->out, "v", "1/s", "angular velocity");
+    TABLE_COLUMNS(s->out, {"x", "", "angle"},
+                  {"v", "1/s", "angular velocity"});
     for (int k = 0; k < 4; ++k)
         for (int j = 1; j <= 4; ++j) {
             struct run c;
@@ -231,7 +232,7 @@ static void study_portrait(struct study *s)
             c.x[0] = 0.6 * j;
             c.v[0] = 0;
             for (int n = 0; n <= (k ? 400 : 14); ++n) {
-                table_row(s->out, 2, (double[]){c.x[0], c.v[0]});
+                TABLE_ROW(s->out, c.x[0], c.v[0]);
                 stepping_run(&c.s, 1);
             }
             table_print(s->out, "\n\n");
@@ -306,8 +307,8 @@ static const struct table_key area_keys[] = {
 static void study_area(struct study *s)
 {
     static const char *const names[] = {"euler", "leapfrog", "rk4"};
-    table_column(s->out, "x", "", "angle");
-    table_column(s->out, "v", "1/s", "angular velocity");
+    TABLE_COLUMNS(s->out, {"x", "", "angle"},
+                  {"v", "1/s", "angular velocity"});
     for (int k = 0; k < 3; ++k) {
         double p[RIM][2], before;
         for (int i = 0; i < RIM; ++i) {
@@ -334,19 +335,18 @@ enum { BUDGET = 400 }; /* evaluations of the forces in an orbit */
    tenth. */
 static void record_energy(struct study *s, const struct stepping_method *m)
 {
-    const struct settings *own = s->own;
     struct run c;
     const double steps = steps_for(m, BUDGET);
     double worst = 0, next = 0.1;
     begin_or_exit(&c, &orbit, m->name, period / steps, 0);
     table_print(s->out, "# %s\n", m->name);
-    while ((double)c.s.steps < steps * (double)own->orbits &&
+    while ((double)c.s.steps < steps * (double)own.orbits &&
            !progress_signal() && stepping_run(&c.s, 1) == STEPPING_DONE) {
         const double orbits = stepping_time(&c.s) / period;
         worst = fmax(worst, fabs(energy_error(&c)));
         if (orbits < next)
             continue;
-        table_row(s->out, 2, (double[]){orbits, worst});
+        TABLE_ROW(s->out, orbits, worst);
         next = orbits * 1.1;
     }
     table_real(s->summary, m->name, worst);
@@ -359,8 +359,8 @@ static const struct table_key energy_keys[] = {
 
 static void study_energy(struct study *s)
 {
-    table_column(s->out, "t", "orbits", "time");
-    table_column(s->out, "dE/E", "", "largest error of the energy so far");
+    TABLE_COLUMNS(s->out, {"t", "orbits", "time"},
+                  {"dE/E", "", "largest error of the energy so far"});
     for (const struct stepping_method *m = stepping_next(NULL); m;
          m = stepping_next(m))
         record_energy(s, m);
@@ -388,8 +388,7 @@ static void step_matrix(const struct stepping_method *m, double w, double c,
         struct stepping s;
         const struct stepping_forces f = {1, c != 0, linear_force,
                                           constants};
-        if (!stepping_begin(&s, m, f, 1, &x, &v))
-            program_give_up(PROGRAM, "no memory");
+        program_memory(stepping_begin(&s, m, f, 1, &x, &v), NULL);
         stepping_resume(&s, 0, NULL, c != 0 && m->drifts ? &a : NULL);
         stepping_run(&s, 1);
         matrix[0][k] = x;
@@ -425,9 +424,9 @@ static double growth(double m[3][3])
    friction c = -2 Re(lambda) and the frequency w = |lambda|. */
 static void study_stability(struct study *s)
 {
-    table_column(s->out, "re", "", "real part of lambda dt");
-    table_column(s->out, "im", "", "imaginary part of lambda dt");
-    table_column(s->out, "growth", "", "of the state in a step");
+    TABLE_COLUMNS(s->out, {"re", "", "real part of lambda dt"},
+                  {"im", "", "imaginary part of lambda dt"},
+                  {"growth", "", "of the state in a step"});
     for (const struct stepping_method *m = stepping_next(NULL); m;
          m = stepping_next(m)) {
         table_print(s->out, "# %s\n", m->name);
@@ -436,7 +435,7 @@ static void study_stability(struct study *s)
                 const double re = -4 + 0.05 * i, im = 0.05 * j;
                 double matrix[3][3];
                 step_matrix(m, sqrt(re * re + im * im), -2 * re, matrix);
-                table_row(s->out, 3, (double[]){re, im, growth(matrix)});
+                TABLE_ROW(s->out, re, im, growth(matrix));
             }
             table_print(s->out, "\n");
         }
@@ -468,7 +467,6 @@ static void find_edges(const struct study *s,
     static const char *const keys[] = {"leaves", "returns", "leaves_again"};
     enum { EDGES = 3, PLACES = 6000 };
     double beyond = 0;
-    char key[64];
     for (int i = 1, found = 0; i <= PLACES && found < EDGES; ++i) {
         const bool outside = found % 2;
         double low = (i - 1) / 1000.0, high = i / 1000.0;
@@ -482,11 +480,9 @@ static void find_edges(const struct study *s,
             *((fabs(half_trace(m, middle)) > 1) == outside ? &low : &high) =
                 middle;
         }
-        snprintf(key, sizeof key, "%s_%s", keys[found++], m->name);
-        table_real(s->summary, key, high);
+        table_keyed(s->summary, high, "%s_%s", keys[found++], m->name);
     }
-    snprintf(key, sizeof key, "beyond_%s", m->name);
-    table_real(s->summary, key, beyond);
+    table_keyed(s->summary, beyond, "beyond_%s", m->name);
 }
 
 /* Writes half the trace of a step against omega dt, for five splittings. */
@@ -644,8 +640,8 @@ static void record_size(const char *method, double w, double c,
     double constants[] = {w * w, c}, x = c != 0 ? 0 : 1, v = c != 0 ? 1 : 0;
     const struct stepping_forces f = {1, c != 0, linear_force, constants};
     struct stepping s;
-    if (!stepping_begin(&s, stepping_find(method), f, 1, &x, &v))
-        program_give_up(PROGRAM, "no memory");
+    program_memory(stepping_begin(&s, stepping_find(method), f, 1, &x, &v),
+                   NULL);
     for (int n = 0; n <= 60; ++n) {
         size[n] = c != 0 ? fabs(v) : sqrt(x * x + v * v / (w * w));
         stepping_run(&s, 1);
@@ -710,15 +706,14 @@ static void record_rounding(struct study *s, double steps_of_orbit,
                             bool compensated)
 {
     static struct run c[STARTS];
-    const struct settings *own = s->own;
     char key[24];
     snprintf(key, sizeof key, "%s_%g", compensated ? "carried" : "plain",
              steps_of_orbit);
     begin_orbits(c, steps_of_orbit, compensated);
-    for (uint64_t n = 1; n <= own->orbits && !progress_signal(); n *= 2) {
+    for (uint64_t n = 1; n <= own.orbits && !progress_signal(); n *= 2) {
         const double error = error_after(c, n * (uint64_t)steps_of_orbit);
-        table_row(s->out, 2, (double[]){(double)n, error});
-        if (n > own->orbits / 2)
+        TABLE_ROW(s->out, (double)n, error);
+        if (n > own.orbits / 2)
             table_real(s->summary, key, error);
     }
     table_print(s->out, "\n\n");
@@ -733,8 +728,8 @@ static const struct table_key rounding_keys[] = {
 
 static void study_rounding(struct study *s)
 {
-    table_column(s->out, "n", "", "orbits");
-    table_column(s->out, "dE/E", "", "error of the energy, rms");
+    TABLE_COLUMNS(s->out, {"n", "", "orbits"},
+                  {"dE/E", "", "error of the energy, rms"});
     record_rounding(s, 100, false);
     record_rounding(s, 100, true);
     record_rounding(s, 400, false);
@@ -824,8 +819,7 @@ static void record_adaptive(struct study *s, const struct task *k,
         stepping_run(&c.s, 1);
         const double error = distance(&c, k->x, k->v);
         if (error < 10)
-            table_row(s->out, 2,
-                      (double[]){(double)c.s.evaluations, error});
+            TABLE_ROW(s->out, (double)c.s.evaluations, error);
         stepping_free(&c.s);
     }
     table_print(s->out, "\n\n");
@@ -843,7 +837,7 @@ static void record_work(struct study *s, const struct task *k)
             const struct outcome o =
                 work_of(k, m->name, (uint64_t)steps_for(m, budget));
             if (o.error < 10)
-                table_row(s->out, 2, (double[]){o.evaluations, o.error});
+                TABLE_ROW(s->out, o.evaluations, o.error);
         }
         table_print(s->out, "\n\n");
     }
@@ -854,7 +848,7 @@ static void record_work(struct study *s, const struct task *k)
     for (double e = 1e-2; e > 1e-15; e /= 4) {
         const struct outcome o = work_of_reference(k, e);
         if (o.error < 10)
-            table_row(s->out, 2, (double[]){o.evaluations, o.error});
+            TABLE_ROW(s->out, o.evaluations, o.error);
     }
     table_print(s->out, "\n\n");
 }
@@ -862,8 +856,8 @@ static void record_work(struct study *s, const struct task *k)
 static void study_work(struct study *s)
 {
     struct task k;
-    table_column(s->out, "n", "", "evaluations of the forces");
-    table_column(s->out, "error", "", "of the end, largest coordinate");
+    TABLE_COLUMNS(s->out, {"n", "", "evaluations of the forces"},
+                  {"error", "", "of the end, largest coordinate"});
     set_orbit_task(&k);
     record_work(s, &k);
     set_chain_task(&k);
@@ -899,9 +893,8 @@ static void record_cost(struct study *s, const struct task *k,
     for (int round = 0; round < BENCH_ROUNDS; ++round)
         seconds[round] = time_run(k, m, effort).seconds;
     if (o.error < 10)
-        table_row(s->out, 4,
-                  (double[]){row, o.evaluations,
-                             bench_median(seconds, BENCH_ROUNDS), o.error});
+        TABLE_ROW(s->out, row, o.evaluations,
+                  bench_median(seconds, BENCH_ROUNDS), o.error);
 }
 
 /* Times ten orbits. Efforts double; for rk8pd tolerances shrink by
@@ -911,10 +904,10 @@ static void study_cost(struct study *s)
     struct task k;
     const struct stepping_method *m = stepping_next(NULL);
     bench_machine(s->out);
-    table_column(s->out, "row", "", "method, times 100, and effort");
-    table_column(s->out, "n", "", "evaluations of the forces");
-    table_column(s->out, "t", "s", "processor time");
-    table_column(s->out, "error", "", "of the end, largest coordinate");
+    TABLE_COLUMNS(s->out, {"row", "", "method, times 100, and effort"},
+                  {"n", "", "evaluations of the forces"},
+                  {"t", "s", "processor time"},
+                  {"error", "", "of the end, largest coordinate"});
     set_orbit_task(&k);
     for (int row = 0, last = 0; !last && !progress_signal(); ++row) {
         last = !m;
@@ -1031,9 +1024,8 @@ static void record_tracks(struct study *s)
     begin_adaptive(&c, &three, "radau15", 0.02, 1e-13);
     table_print(s->out, "# tracks: t, x, y of each\n");
     for (int k = 0; k <= 800; ++k) {
-        table_row(s->out, 7,
-                  (double[]){stepping_time(&c.s), c.x[0], c.x[3], c.x[1],
-                             c.x[4], c.x[2], c.x[5]});
+        TABLE_ROW(s->out, stepping_time(&c.s), c.x[0], c.x[3], c.x[1],
+                  c.x[4], c.x[2], c.x[5]);
         stepping_run(&c.s, 1);
     }
     stepping_free(&c.s);
@@ -1077,8 +1069,7 @@ static void record_approach(struct study *s)
         }
         stepping_run(&c.s, 1);
     }
-    table_real(s->summary, "near", near);
-    table_real(s->summary, "when", when);
+    TABLE_RESULTS(s->summary, {"near", near}, {"when", when});
     stepping_free(&c.s);
 }
 
@@ -1090,25 +1081,22 @@ static void record_lengths(struct study *s, const char *method,
 {
     struct run c;
     double longest = 0;
-    char key[40];
     begin_adaptive(&c, &three, method, 0.01, tolerance);
     stepping_run(&c.s, 1);
     table_print(s->out, "\n\n# steps of %s: t, length\n", method);
-    for (struct adaptive *const own = c.s.own; own->t < 20;) {
-        if (!adaptive_reach(own, nextafter(own->t, INFINITY), c.x, c.v))
+    for (struct adaptive *const track = c.s.own; track->t < 20;) {
+        if (!adaptive_reach(track, nextafter(track->t, INFINITY), c.x, c.v))
             break;
-        adaptive_reach(own, own->t, c.x, c.v);
-        table_row(s->out, 2, (double[]){own->t, own->h});
-        longest = fmax(longest, own->h);
+        adaptive_reach(track, track->t, c.x, c.v);
+        TABLE_ROW(s->out, track->t, track->h);
+        longest = fmax(longest, track->h);
     }
-    snprintf(key, sizeof key, "steps_%s", method);
-    table_count(s->summary, key, c.s.own->taken);
-    snprintf(key, sizeof key, "asked_%s", method);
-    table_count(s->summary, key, c.s.own->evaluations);
-    snprintf(key, sizeof key, "ratio_%s", method);
-    table_real(s->summary, key, longest / c.s.own->shortest);
-    snprintf(key, sizeof key, "energy_%s", method);
-    table_real(s->summary, key, fabs(energy_error(&c)));
+    table_keyed(s->summary, (double)c.s.own->taken, "steps_%s", method);
+    table_keyed(s->summary, (double)c.s.own->evaluations, "asked_%s",
+                method);
+    table_keyed(s->summary, longest / c.s.own->shortest, "ratio_%s",
+                method);
+    table_keyed(s->summary, fabs(energy_error(&c)), "energy_%s", method);
     stepping_free(&c.s);
 }
 
@@ -1131,8 +1119,8 @@ static void record_drift(struct study *s)
     stepping_run(&c.s, 100);
     table_real(s->summary, "drift_100", fabs(energy_error(&c)));
     stepping_run(&c.s, 900);
-    table_real(s->summary, "drift_1000", fabs(energy_error(&c)));
-    table_real(s->summary, "asked_drift", (double)c.s.evaluations / 1000);
+    TABLE_RESULTS(s->summary, {"drift_1000", fabs(energy_error(&c))},
+                  {"asked_drift", (double)c.s.evaluations / 1000});
     stepping_free(&c.s);
 }
 
@@ -1203,23 +1191,20 @@ static const struct options_entry entries[] = {
     {"orbits", 'n', "N", "how many (1000)"},
     {0}};
 
-static void take_option(struct options *o, int letter, void *settings)
+static void take_option(struct options *o, int letter)
 {
-    struct settings *own = settings;
     if (letter == 'n')
-        own->orbits = options_count(o, 1, 1000000000);
+        own.orbits = options_count(o, 1, 1000000000);
 }
 
 int main(int argc, char *argv[])
 {
-    struct settings own = {.orbits = 1000};
     const struct study_program program = {
         .name = PROGRAM,
         .purpose = "Measure the methods of stepping.",
         .events = "steps",
         .studies = studies,
         .options = entries,
-        .take = take_option,
-        .own = &own};
+        .take = take_option};
     return study_main(&program, argc, argv);
 }

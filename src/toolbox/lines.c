@@ -85,6 +85,12 @@ void table_column(struct table *t, const char *symbol, const char *unit,
                 unit && *unit ? unit : "1", meaning);
 }
 
+void table_columns(struct table *t, const struct table_label list[])
+{
+    for (; list->symbol; ++list)
+        table_column(t, list->symbol, list->unit, list->meaning);
+}
+
 static void put(struct table *t, char c)
 {
     lines_note_error(t, putc(c, t->stream) != EOF);
@@ -151,4 +157,20 @@ void table_text(struct table *t, const char *key, const char *text)
 {
     print_key(t, key);
     table_print(t, "%s\n", text);
+}
+
+void table_results(struct table *t, const struct table_result list[])
+{
+    for (; list->key; ++list)
+        table_real(t, list->key, list->value);
+}
+
+void table_keyed(struct table *t, double value, const char *key, ...)
+{
+    char name[96];
+    va_list parts;
+    va_start(parts, key);
+    vsnprintf(name, sizeof name, key, parts);
+    va_end(parts);
+    table_real(t, name, value);
 }

@@ -15,6 +15,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+static const char *program_begun; /* by options_begin */
+
+const char *options_program(void)
+{
+    return program_begun;
+}
+
 void options_fail(struct options *o, const char *format, ...)
 {
     va_list arguments;
@@ -298,6 +305,7 @@ void options_begin(struct options *o, const char *program,
                    char *argv[])
 {
     *o = (struct options){.program = program, .purpose = purpose};
+    program_begun = program;
     o->entries = entries;
     o->count = argc;
     o->arguments = argv;
@@ -519,6 +527,11 @@ double options_real(struct options *o, double low, double high)
     else if (low > -INFINITY)
         snprintf(range, sizeof range, " from %.15g to %.15g", low, high);
     options_fail(o, "'%s' is not a number%s", o->value, range);
+}
+
+double options_positive(struct options *o, double high)
+{
+    return options_real(o, OPTIONS_POSITIVE, high);
 }
 
 /* The message shows the whole value beside the wrong piece, since "1,,2" is

@@ -82,6 +82,9 @@ void options_begin(struct options *o, const char *program,
                    const struct options_entry entries[], int argc,
                    char *argv[]);
 
+/* Returns the name that options_begin was given last, for messages. */
+const char *options_program(void);
+
 /* Returns the letter of the next option, or OPTIONS_LONG + its place in
    the list if it has none, or OPTIONS_ARGUMENT, or -1 at the end. A long
    name may be cut short as long as only one option begins so. --help and
@@ -107,7 +110,7 @@ const char *options_command(const struct options *o);
 
 /* Returns the value as a whole number from low to high. Every unsigned
    decimal notation is accepted if its value is exactly whole: 1000000, 1e6,
-   2.5e3. This and the next three functions read the value of the option
+   2.5e3. This and the next four functions read the value of the option
    that options_next has just returned, and end in options_fail if it is not
    what is asked for. */
 uint64_t options_count(struct options *o, uint64_t low, uint64_t high);
@@ -116,6 +119,9 @@ uint64_t options_count(struct options *o, uint64_t low, uint64_t high);
    -INFINITY, OPTIONS_POSITIVE and INFINITY leave an end open. Never
    infinite, never NaN. */
 double options_real(struct options *o, double low, double high);
+
+/* Returns the value as a number more than 0, at most high. */
+double options_positive(struct options *o, double high);
 
 /* Puts the value, one to max decimal numbers with commas between them, into
    values. Returns how many; whether that is the right number is for the

@@ -24,30 +24,43 @@ _Noreturn void program_leave(int status)
     exit(status);
 }
 
-static void complain(const char *program, const char *format,
-                     va_list values)
+static void complain(const char *format, va_list values)
 {
-    fprintf(stderr, "%s: ", program);
+    fprintf(stderr, "%s: ", options_program());
     vfprintf(stderr, format, values);
     fprintf(stderr, "\n");
 }
 
-_Noreturn void program_refuse(const char *program, const char *format, ...)
+void program_say(const char *format, ...)
 {
     va_list values;
     va_start(values, format);
-    complain(program, format, values);
+    complain(format, values);
+    va_end(values);
+}
+
+_Noreturn void program_refuse(const char *format, ...)
+{
+    va_list values;
+    va_start(values, format);
+    complain(format, values);
     va_end(values);
     program_leave(OPTIONS_FAILURE);
 }
 
-_Noreturn void program_give_up(const char *program, const char *format, ...)
+_Noreturn void program_give_up(const char *format, ...)
 {
     va_list values;
     va_start(values, format);
-    complain(program, format, values);
+    complain(format, values);
     va_end(values);
     program_leave(EXIT_FAILURE);
+}
+
+void program_memory(bool got, const char *what)
+{
+    if (!got)
+        program_give_up("no memory%s%s", what ? " " : "", what ? what : "");
 }
 
 struct table *program_table(const char *program, const char *path)

@@ -34,11 +34,18 @@ int program_close(struct table *out, struct table *results, bool whole);
    may be called at any depth: nothing written is worth keeping then. */
 _Noreturn void program_leave(int status);
 
-/* Print why, as printf does, after "program: ", and then do the same:
-   program_refuse with OPTIONS_FAILURE, for a wrong command or input;
-   program_give_up with EXIT_FAILURE, for a run that has failed. */
-_Noreturn void program_refuse(const char *program, const char *format, ...);
-_Noreturn void program_give_up(const char *program, const char *format,
-                               ...);
+/* Prints a line on standard error, as printf does, after the name that
+   options_begin was given and a colon. */
+void program_say(const char *format, ...);
+
+/* Say why, as program_say does, and then leave: program_refuse with
+   OPTIONS_FAILURE, for a wrong command or input; program_give_up with
+   EXIT_FAILURE, for a run that has failed. */
+_Noreturn void program_refuse(const char *format, ...);
+_Noreturn void program_give_up(const char *format, ...);
+
+/* Gives up for want of memory unless it was got. `what` says what for, as
+   in "for the disks", and may be NULL. */
+void program_memory(bool got, const char *what);
 
 #endif

@@ -76,7 +76,7 @@ static void take_option(struct options *o, int letter,
             break;
         }
         /* fall through */
-    default: p->take(o, letter, p->own);
+    default: p->take(o, letter);
     }
 }
 
@@ -105,7 +105,7 @@ static void read_command(const struct study_program *p, struct command *c,
                      p->name);
     program_apart(&o, c->output, c->summary, "table");
     if (p->check)
-        p->check(&o, names[c->study], p->own);
+        p->check(&o, names[c->study]);
 }
 
 /* Finds first what is wrong with the command, then what is wrong with the
@@ -113,7 +113,7 @@ static void read_command(const struct study_program *p, struct command *c,
 int study_main(const struct study_program *p, int argc, char *argv[])
 {
     struct command c = {.seed = p->seeds > 0, .summary = "/dev/null"};
-    struct study s = {.own = p->own};
+    struct study s = {0};
     read_command(p, &c, argc, argv);
     program_open(p->name, c.output, c.summary, p->studies[c.study].keys,
                  &s.out, &s.summary);

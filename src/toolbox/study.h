@@ -18,7 +18,6 @@ struct study {
     struct table *out, *summary; /* open; out has its first lines */
     uint64_t seed;
     struct progress progress; /* begun, with no total */
-    const void *own;          /* the program's own settings */
     bool broken;              /* set by a study that cannot go on: its */
                               /* table is kept, the run has failed */
 };
@@ -45,14 +44,14 @@ struct study_program {
     const char *usual;
     uint64_t seeds;      /* the highest --seed; 0: no such option */
     const char *drawing; /* its heading; NULL: all studies draw numbers */
-    /* Options of its own, or NULL; take puts the value of each into own
-       and may end in options_fail. */
+    /* Options of its own, or NULL; take keeps the value of each, and may
+       end in options_fail. A program has one command line, so its studies
+       find the values in variables of its file. */
     const struct options_entry *options;
-    void (*take)(struct options *o, int letter, void *own);
-    /* Completes own when all options are taken; may end in options_fail.
-       NULL: there is nothing to do. */
-    void (*check)(struct options *o, const char *study, void *own);
-    void *own;
+    void (*take)(struct options *o, int letter);
+    /* Completes the values when all options are taken; may end in
+       options_fail. NULL: there is nothing to do. */
+    void (*check)(struct options *o, const char *study);
 };
 
 enum { STUDY_MOST = 32, STUDY_WIDTH = 48 };

@@ -73,9 +73,24 @@ void table_begin(struct table *t, const char *command, uint64_t seed);
 void table_column(struct table *t, const char *symbol, const char *unit,
                   const char *meaning);
 
+/* What table_column takes; a list of them ends with {0}. */
+struct table_label {
+    const char *symbol, *unit, *meaning;
+};
+
+/* Adds the columns of a list, and those that follow t. */
+void table_columns(struct table *t, const struct table_label list[]);
+#define TABLE_COLUMNS(t, ...)                                              \
+    table_columns(t, (const struct table_label[]){__VA_ARGS__, {0}})
+
 /* Writes a row of n values with all their digits. Requires n to be the
    number of columns, if any were named. Returns as table_print does. */
 bool table_row(struct table *t, size_t n, const double values[]);
+
+/* Writes a row of the values that follow t, as table_row does. */
+#define TABLE_ROW(t, ...)                                                  \
+    table_row(t, sizeof((double[]){__VA_ARGS__}) / sizeof(double),         \
+              (double[]){__VA_ARGS__})
 
 /* Sets the keys that this summary will have. The list is not copied. */
 void table_keys(struct table *t, const struct table_key keys[]);
@@ -84,6 +99,21 @@ void table_keys(struct table *t, const struct table_key keys[]);
 void table_real(struct table *t, const char *key, double value);
 void table_count(struct table *t, const char *key, uint64_t value);
 void table_text(struct table *t, const char *key, const char *text);
+
+/* What table_real takes; a list of them ends with {0}. */
+struct table_result {
+    const char *key;
+    double value;
+};
+
+/* Writes the lines of a list, and those that follow t. */
+void table_results(struct table *t, const struct table_result list[]);
+#define TABLE_RESULTS(t, ...)                                              \
+    table_results(t, (const struct table_result[]){__VA_ARGS__, {0}})
+
+/* As table_real, for a key that is written as printf does, of at most 95
+   letters. */
+void table_keyed(struct table *t, double value, const char *key, ...);
 
 /* Writes what is left, gives the file its name and frees t. Returns
    whether every byte was written; if not, says why on standard error,

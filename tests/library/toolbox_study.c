@@ -12,22 +12,21 @@
 #define TABLE "build/tests/study.dat"
 #define SUMMARY "build/tests/study.txt"
 
-struct own {
+static struct {
     double mass;
-};
+} own;
 
 static void measure(struct study *s)
 {
-    const struct own *own = s->own;
     table_column(s->out, "m", "kg", "mass");
-    table_row(s->out, 1, (double[]){own->mass});
+    table_row(s->out, 1, (double[]){own.mass});
     table_count(s->summary, "seed", s->seed);
 }
 
 static void fall(struct study *s)
 {
     measure(s);
-    program_give_up("drop", "no ground");
+    program_give_up("no ground");
 }
 
 static void interrupt(struct study *s)
@@ -55,30 +54,28 @@ static const struct study_entry studies[] = {
 static const struct options_entry entries[] = {
     {"mass", 'm', "M", "of the body, kg (1)"}, {0}};
 
-static void take(struct options *o, int letter, void *settings)
+static void take(struct options *o, int letter)
 {
-    struct own *own = settings;
     if (letter == 'm')
-        own->mass = options_real(o, 0, 10);
+        own.mass = options_real(o, 0, 10);
 }
 
-static void check(struct options *o, const char *study, void *settings)
+static void check(struct options *o, const char *study)
 {
-    struct own *own = settings;
-    if (own->mass == 9)
+    if (own.mass == 9)
         options_fail(o, "--mass: 9 is too heavy for %s", study);
-    own->mass *= 2;
+    own.mass *= 2;
 }
 
 static uint64_t seeds;
 static const char *drawing, *usual;
-static void (*checked)(struct options *o, const char *study, void *own);
+static void (*checked)(struct options *o, const char *study);
 static const struct options_entry *own_entries;
 
 static int program(void *argument)
 {
     char *argv[17] = {"build/bin/drop"}, *text = argument;
-    struct own own = {.mass = 1};
+    own.mass = 1;
     int argc = 1;
     for (; text && argc < 16; text = strchr(text, '\n')) {
         if (argc > 1)
@@ -94,8 +91,7 @@ static int program(void *argument)
                                               .drawing = drawing,
                                               .options = own_entries,
                                               .take = take,
-                                              .check = checked,
-                                              .own = &own},
+                                              .check = checked},
                       argc, argv);
 }
 

@@ -423,32 +423,18 @@ static void read_settings(int argc, char *argv[])
     program_apart(&o, given.output, given.summary_path, "table");
 }
 
-/* The column's name ends the key, as in sd_error_v4. */
-static void summarise(const char *key, const struct column *column,
-                      double value)
-{
-    char name[2 * NAME_LENGTH + 32];
-    snprintf(name, sizeof name, "%s_%s", key, column->name);
-    table_real(given.summary, name, value);
-}
-
 static void summarise_column(const struct column *column,
                              const struct statistics_description *d)
 {
     const double root = sqrt((double)d->n / d->inefficiency);
-    summarise("mean", column, d->mean);
-    summarise("mean_error", column, d->mean_error);
-    summarise("mean_naive", column, d->naive_error);
-    summarise("sd", column, d->sd);
-    summarise("sd_error", column, d->sd_error);
-    summarise("kurtosis", column, d->kurtosis);
-    summarise("kurtosis_error", column, d->kurtosis_error);
-    summarise("least", column, d->least);
-    summarise("greatest", column, d->greatest);
-    summarise("inefficiency", column, d->inefficiency);
-    summarise("effective", column, root * root);
-    summarise("block", column, (double)d->block);
-    summarise("plateau", column, d->plateau);
+    TABLE_RESULTS_OF(
+        given.summary, column->name, {"mean", d->mean},
+        {"mean_error", d->mean_error}, {"mean_naive", d->naive_error},
+        {"sd", d->sd}, {"sd_error", d->sd_error}, {"kurtosis", d->kurtosis},
+        {"kurtosis_error", d->kurtosis_error}, {"least", d->least},
+        {"greatest", d->greatest}, {"inefficiency", d->inefficiency},
+        {"effective", root * root}, {"block", (double)d->block},
+        {"plateau", d->plateau});
 }
 
 struct bins {
@@ -597,21 +583,19 @@ static void test_law(const struct columns *c, size_t i,
         table_print(given.out,
                     "#   blocks of %zu still remember: believe no P\n",
                     d->block);
-    summarise("law_mean", column, laws_mean(&completed));
-    summarise("law_sd", column, laws_sd(&completed));
-    summarise("law_fitted", column, (double)fitted);
+    TABLE_RESULTS_OF(
+        given.summary, column->name, {"law_mean", laws_mean(&completed)},
+        {"law_sd", laws_sd(&completed)}, {"law_fitted", (double)fitted});
     if (!fitted) {
-        summarise("law_distance", column, t.distance);
-        summarise("law_distance_probability", column,
-                  t.distance_probability);
-        summarise("mean_z", column,
-                  (d->mean - laws_mean(&completed)) / d->mean_error);
-        summarise("sd_z", column,
-                  (d->sd - laws_sd(&completed)) / d->sd_error);
+        TABLE_RESULTS_OF(
+            given.summary, column->name, {"law_distance", t.distance},
+            {"law_distance_probability", t.distance_probability},
+            {"mean_z", (d->mean - laws_mean(&completed)) / d->mean_error},
+            {"sd_z", (d->sd - laws_sd(&completed)) / d->sd_error});
     }
-    summarise("law_chi2", column, t.chi2);
-    summarise("law_degrees", column, t.degrees);
-    summarise("law_chi2_probability", column, t.chi2_probability);
+    TABLE_RESULTS_OF(given.summary, column->name, {"law_chi2", t.chi2},
+                     {"law_degrees", t.degrees},
+                     {"law_chi2_probability", t.chi2_probability});
 }
 
 enum { CELLS = 5 }; /* a side of the table of cells */
@@ -636,11 +620,11 @@ static void compare(const struct columns *c, size_t i,
                 "%zu (P %.2g)\n",
                 other->name, t.correlation, t.error, chi2, t.degrees,
                 probability);
-    summarise("correlation", column, t.correlation);
-    summarise("correlation_error", column, t.error);
-    summarise("against_chi2", column, chi2);
-    summarise("against_degrees", column, (double)t.degrees);
-    summarise("against_probability", column, probability);
+    TABLE_RESULTS_OF(given.summary, column->name,
+                     {"correlation", t.correlation},
+                     {"correlation_error", t.error}, {"against_chi2", chi2},
+                     {"against_degrees", (double)t.degrees},
+                     {"against_probability", probability});
 }
 
 static void name_histogram(const struct columns *c)
@@ -675,12 +659,11 @@ static bool fit_column(const struct column *column,
                 "%zu\n",
                 fit->mean, fit->mean_error, fit->sd, fit->sd_error,
                 fit->chi2, fit->degrees);
-    summarise("fit_mean", column, fit->mean);
-    summarise("fit_mean_error", column, fit->mean_error);
-    summarise("fit_sd", column, fit->sd);
-    summarise("fit_sd_error", column, fit->sd_error);
-    summarise("fit_chi2", column, fit->chi2);
-    summarise("fit_degrees", column, (double)fit->degrees);
+    TABLE_RESULTS_OF(given.summary, column->name, {"fit_mean", fit->mean},
+                     {"fit_mean_error", fit->mean_error},
+                     {"fit_sd", fit->sd}, {"fit_sd_error", fit->sd_error},
+                     {"fit_chi2", fit->chi2},
+                     {"fit_degrees", (double)fit->degrees});
     return true;
 }
 
@@ -695,8 +678,9 @@ static struct statistics_histogram *count_column(
         no_memory(c);
     for (size_t k = 0; k < c->rows; ++k)
         statistics_histogram_add(h, c->column[i].x[k]);
-    summarise("bins", &c->column[i], (double)h->bins);
-    summarise("outside", &c->column[i], (double)(h->below + h->above));
+    TABLE_RESULTS_OF(given.summary, c->column[i].name,
+                     {"bins", (double)h->bins},
+                     {"outside", (double)(h->below + h->above)});
     return h;
 }
 
@@ -814,14 +798,14 @@ static void write_blocks(const struct columns *c, size_t i)
                              b2.level[k].error * square,
                              b2.level[k].uncertainty * square});
     const struct column *column = &c->column[i];
-    summarise("block_inefficiency", column, b.inefficiency);
-    summarise("block_inefficiency2", column, b2.inefficiency);
-    summarise("block_length", column, (double)b.level[b.chosen].length);
-    summarise("block_length2", column, (double)b2.level[b2.chosen].length);
-    summarise("block_error", column, b.error);
-    summarise("block_error2", column, b2.error * square);
-    summarise("block_naive", column, b.level[0].error);
-    summarise("block_naive2", column, b2.level[0].error * square);
+    TABLE_RESULTS_OF(
+        given.summary, column->name, {"block_inefficiency", b.inefficiency},
+        {"block_inefficiency2", b2.inefficiency},
+        {"block_length", (double)b.level[b.chosen].length},
+        {"block_length2", (double)b2.level[b2.chosen].length},
+        {"block_error", b.error}, {"block_error2", b2.error * square},
+        {"block_naive", b.level[0].error},
+        {"block_naive2", b2.level[0].error * square});
 }
 
 static void name_correlation(void)
@@ -859,13 +843,13 @@ static void write_correlation(const struct columns *c, size_t i,
         print_row(given.out, 5, (double[]){(double)lag, rho, g, rho2, g2});
     }
     const struct column *column = &c->column[i];
-    summarise("window", column, (double)a.window);
-    summarise("window2", column, (double)b.window);
-    summarise("sum_inefficiency", column, a.inefficiency);
-    summarise("sum_uncertainty", column, a.uncertainty);
-    summarise("sum_inefficiency2", column, b.inefficiency);
-    summarise("sum_uncertainty2", column, b.uncertainty);
-    summarise("sum_settled", column, a.settled && b.settled);
+    TABLE_RESULTS_OF(
+        given.summary, column->name, {"window", (double)a.window},
+        {"window2", (double)b.window}, {"sum_inefficiency", a.inefficiency},
+        {"sum_uncertainty", a.uncertainty},
+        {"sum_inefficiency2", b.inefficiency},
+        {"sum_uncertainty2", b.uncertainty},
+        {"sum_settled", a.settled && b.settled});
     free(x);
     free(y);
 }

@@ -197,17 +197,6 @@ struct flight {
     struct meeting *next;
 };
 
-/* Returns the square root. The library has none with so many digits;
-   Newton's iteration doubles the right digits, and from the 53 bits of
-   sqrt() two rounds suffice. */
-static quad quad_root(quad square)
-{
-    quad r = sqrt((double)square);
-    for (int k = 0; r > 0 && k < 2; ++k)
-        r = (r + square / r) / 2;
-    return r;
-}
-
 /* Returns the scalar product of two differences between bodies i and j, of
    positions or velocities; all equations of a collision consist of
    these. */

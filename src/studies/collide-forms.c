@@ -22,16 +22,6 @@ static struct {
          .collisions = 1000000,
          .digits = 5};
 
-/* Most results exist once for each form: their key is a name and the form,
-   as in energy_max_cm. */
-static void summarise(const struct study *s, const char *key, int form,
-                      double value)
-{
-    char name[64];
-    snprintf(name, sizeof name, "%s_%s", key, collide_form_names[form]);
-    table_real(s->summary, name, value);
-}
-
 /* Returns after how many collisions, more than n, the drift is noted next:
    at 1, 2 and 5 times each power of ten from a thousand on, at a tenth of
    the run and at its end. */
@@ -120,10 +110,11 @@ static void study_rounding(struct study *s)
             TABLE_ROW(s->out, own.ratios[k], form, a->energy_max, rms,
                       a->momentum_max, a->velocity_max);
             if (k + 1 == own.ratio_count) {
-                summarise(s, "energy_max", form, a->energy_max);
-                summarise(s, "energy_rms", form, rms);
-                summarise(s, "momentum_max", form, a->momentum_max);
-                summarise(s, "velocity_max", form, a->velocity_max);
+                TABLE_RESULTS_OF(s->summary, collide_form_names[form],
+                                 {"energy_max", a->energy_max},
+                                 {"energy_rms", rms},
+                                 {"momentum_max", a->momentum_max},
+                                 {"velocity_max", a->velocity_max});
             }
         }
     }
@@ -222,8 +213,9 @@ static void study_drift(struct study *s)
         table_row(s->out, COLLIDE_FORMS + 1, error);
     }
     for (int f = 0; f < COLLIDE_FORMS; ++f) {
-        summarise(s, "energy_error", f, error[f + 1]);
-        summarise(s, "energy_error_tenth", f, tenth[f]);
+        TABLE_RESULTS_OF(s->summary, collide_form_names[f],
+                         {"energy_error", error[f + 1]},
+                         {"energy_error_tenth", tenth[f]});
     }
     TABLE_RESULTS(
         s->summary, {"predicted_difference", predicted / (double)start},
@@ -300,7 +292,8 @@ static void study_galperin(struct study *s)
     }
     table_real(s->summary, "exact", row[1]);
     for (int f = 0; f < COLLIDE_FORMS; ++f)
-        summarise(s, "count", f, row[f + 2]);
+        TABLE_RESULTS_OF(s->summary, collide_form_names[f],
+                         {"count", row[f + 2]});
     table_real(s->summary, "count_float", row[COLLIDE_FORMS + 2]);
 }
 /* Draws states of energy 1/2, which is a random direction in the velocities
@@ -382,7 +375,7 @@ static void study_cost(struct study *s)
         const double median = bench_median(times[f], BENCH_ROUNDS);
         table_print(s->out, "%-10s %6.2f %6.2f\n", collide_form_names[f],
                     median, times[f][0]);
-        summarise(s, "ns", f, median);
+        TABLE_RESULTS_OF(s->summary, collide_form_names[f], {"ns", median});
     }
 }
 

@@ -99,13 +99,10 @@ static void sum_up(struct study *s, const char *name, const struct loop *l,
     const double impulse = l->d.impulse[0] + l->d.impulse[1];
     const double nkt = disks_energy(&l->d); /* 2 E / D */
     const double edge = (bins[15] + bins[84]) / 16 * BINS;
-    const double values[] = {impulse / (4 * nkt * l->t), overlap,
-                             disks_energy(&l->d) / energy - 1,
-                             (edge / (double)own.samples / 2.630625 - 1) *
-                                 100}; /* direct sampling */
-    static const char *const keys[] = {"Z", "overlap", "energy", "edge"};
-    for (int k = 0; k < 4; ++k)
-        table_keyed(s->summary, values[k], "%s_%s", keys[k], name);
+    TABLE_RESULTS_OF(
+        s->summary, name, {"Z", impulse / (4 * nkt * l->t)},
+        {"overlap", overlap}, {"energy", disks_energy(&l->d) / energy - 1},
+        {"edge", (edge / (double)own.samples / 2.630625 - 1) * 100});
 }
 
 static const struct table_key clock_keys[] = {
@@ -257,16 +254,6 @@ static void study_reverse(struct study *s)
                   {"rate_4", log(four[14] / four[2]) / 3});
 }
 
-/* Returns the square root with 113 bits. The library has none, but two
-   steps of Newton's method from the double are enough. */
-static quad root(quad x)
-{
-    quad y = (quad)sqrt((double)x);
-    for (int k = 0; k < 2 && y > 0; ++k)
-        y = (y + x / y) / 2;
-    return y;
-}
-
 /* Makes a pair that will meet at impact parameter `miss`, with a gap
    between the rims, both in units of sigma = 1, from a random side. */
 static void throw_pair(struct random *r, double gap, double miss,
@@ -297,11 +284,11 @@ static double contact_errors(const double x[], const double v[],
     const double lc = x[0] * x[0] + x[1] * x[1] - 1;
     if (time == INFINITY || !(b * b - a * c > 0) || !(lb * lb >= la * lc))
         return -1;
-    const quad exact = c / (root(b * b - a * c) - b);
+    const quad exact = c / (quad_root(b * b - a * c) - b);
     *ours = fabs((double)(time - exact));
     *book = fabs((double)((-lb - sqrt(lb * lb - la * lc)) / la - exact));
     const quad dx = x[0] + v[0] * (quad)time, dy = x[1] + v[1] * (quad)time;
-    return fabs((double)(root(dx * dx + dy * dy) - 1));
+    return fabs((double)(quad_root(dx * dx + dy * dy) - 1));
 }
 
 /* Pairs that graze, pairs with a gap, and pairs with a gap and exact

@@ -131,15 +131,6 @@ static void compare_with_laws(struct study *s, struct sky k[2],
                   {"leapfrog_law", turned * h * h / 3});
 }
 
-static void name_paths(struct table *out)
-{
-    TABLE_COLUMNS(out, {"t", "d", "time"},
-                  {"x", "AU", "the Earth from the Sun, closed form"},
-                  {"y", "AU", ""}, {"x_e", "AU", "Euler's method"},
-                  {"y_e", "AU", ""}, {"x_l", "AU", "leapfrog"},
-                  {"y_l", "AU", ""});
-}
-
 static const struct table_key sun_earth_keys[] = {
     {"axis", "AU", "of the first ellipse"},
     {"eccentricity", "1", "the same"},
@@ -161,7 +152,11 @@ static void study_sun_earth(struct study *s)
     begin_sky(&k[1], "sun-earth", NULL, "leapfrog", 2);
     const double pull = k[0].scene.k2 * (1 + k[0].scene.mass[1]);
     relative_to_first(&k[0].scene, 1, x, v);
-    name_paths(s->out);
+    TABLE_COLUMNS(s->out, {"t", "d", "time"},
+                  {"x", "AU", "the Earth from the Sun, closed form"},
+                  {"y", "AU", ""}, {"x_e", "AU", "Euler's method"},
+                  {"y_e", "AU", ""}, {"x_l", "AU", "leapfrog"},
+                  {"y_l", "AU", ""});
     for (int n = 0; n <= 912; ++n) {
         double row[7] = {2. * n, x[0], x[1]};
         for (int i = 0; i < 2; ++i) {
@@ -327,17 +322,6 @@ enum { FALLS = 3 };
 static const char *const fall_columns[2 * FALLS] = {"dE_l", "dE_k", "dE_s",
                                                     "dx_l", "dx_k", "dx_s"};
 
-static void name_falls(struct table *out)
-{
-    TABLE_COLUMNS(out, {"q", "AU", "closest approach"},
-                  {fall_columns[0], "", "energy: leapfrog"},
-                  {fall_columns[1], "", "energy: kahan-li8"},
-                  {fall_columns[2], "", "energy: leapfrog, softened"},
-                  {fall_columns[3], "AU", "place: leapfrog"},
-                  {fall_columns[4], "AU", "place: kahan-li8"},
-                  {fall_columns[5], "AU", "place: leapfrog, softened"});
-}
-
 static const struct table_key encounter_keys[] = {
     {"dE_s", "1", "largest error of energy, softened"},
     {"dx_s", "AU", "largest error of place, softened"},
@@ -352,7 +336,13 @@ static void study_encounter(struct study *s)
 {
     const double dt = 0.01;
     double worst[2] = {0};
-    name_falls(s->out);
+    TABLE_COLUMNS(s->out, {"q", "AU", "closest approach"},
+                  {fall_columns[0], "", "energy: leapfrog"},
+                  {fall_columns[1], "", "energy: kahan-li8"},
+                  {fall_columns[2], "", "energy: leapfrog, softened"},
+                  {fall_columns[3], "AU", "place: leapfrog"},
+                  {fall_columns[4], "AU", "place: kahan-li8"},
+                  {fall_columns[5], "AU", "place: leapfrog, softened"});
     for (double q = 0.3; q > 2e-6; q /= sqrt(sqrt(10))) {
         double row[1 + 2 * FALLS] = {q}, *energy = row + 1,
                            *place = energy + FALLS;
@@ -777,13 +767,6 @@ static struct broken run_until_broken(struct study *s, size_t count)
     return b;
 }
 
-/* Writes a line of the summary, with the number of bodies in its key. */
-static void write_count_key(struct study *s, const char *what, size_t count,
-                            double value)
-{
-    table_keyed(s->summary, value, "%s_%zu", what, count);
-}
-
 static const struct table_key choreography_keys[] = {
     {"S_<N>", "1", "the sum of N bodies"},
     {"v_<N>", "1", "speed on the circle"},
@@ -809,12 +792,11 @@ static void study_choreography(struct study *s)
         if (n > 2)
             table_print(s->out, "%zu %.15g %.15g %.6f %.6f %.3f %.3f\n", n,
                         sum, v, rate, b[n].rate, theory, b[n].orbits);
-        write_count_key(s, "S", n, sum);
-        write_count_key(s, "v", n, v);
-        write_count_key(s, "rate", n, rate);
-        write_count_key(s, "measured", n, b[n].rate);
-        write_count_key(s, "theory", n, theory);
-        write_count_key(s, "orbits", n, b[n].orbits);
+        char bodies[8];
+        snprintf(bodies, sizeof bodies, "%zu", n);
+        TABLE_RESULTS_OF(s->summary, bodies, {"S", sum}, {"v", v},
+                         {"rate", rate}, {"measured", b[n].rate},
+                         {"theory", theory}, {"orbits", b[n].orbits});
     }
 }
 

@@ -206,15 +206,6 @@ static double spin(const struct scene *s)
     return sum;
 }
 
-static void name_dumbbells(struct table *out)
-{
-    TABLE_COLUMNS(out, {"t", "s", "time"},
-                  {"L_full", "kg m^2/s", "dashpot as printed"},
-                  {"L_axial", "kg m^2/s", "dashpot along the axis"},
-                  {"E_full", "J", "energy, dashpot as printed"},
-                  {"E_axial", "J", "energy, dashpot along the axis"});
-}
-
 static void note_dumbbells(struct run r[2], double row[5])
 {
     row[0] = stepping_time(&r[0].stepping);
@@ -237,7 +228,11 @@ static void study_spin(struct study *s)
 {
     struct run r[2];
     double row[5] = {0}, start = 0, law = 0;
-    name_dumbbells(s->out);
+    TABLE_COLUMNS(s->out, {"t", "s", "time"},
+                  {"L_full", "kg m^2/s", "dashpot as printed"},
+                  {"L_axial", "kg m^2/s", "dashpot along the axis"},
+                  {"E_full", "J", "energy, dashpot as printed"},
+                  {"E_axial", "J", "energy, dashpot along the axis"});
     for (int k = 0; k < 2; ++k) {
         make_dumbbell(&r[k].scene, k == 1);
         set_off(&r[k], stepping_find("leapfrog"), 0.001);
@@ -645,15 +640,6 @@ static void find_limits(const struct stepping_method *m, double limit[2])
         limit[1] = find_limit(m, false, 2000, 0.95 * limit[0]);
 }
 
-static void name_limits(struct table *out)
-{
-    TABLE_COLUMNS(out, {"limit", "", "omega dt, from the theory"},
-                  {"pendulum", "", "omega dt, found with the pendulum"},
-                  {"dt_1", "s", "the same step"},
-                  {"membrane", "", "omega dt, found on the membrane"},
-                  {"dt_2", "s", "the same step"});
-}
-
 static const struct table_key limits_keys[] = {
     {"pendulum_<method>", "s", "largest stable step"},
     {"membrane_<method>", "s", "the same"},
@@ -661,7 +647,11 @@ static const struct table_key limits_keys[] = {
 
 static void study_limits(struct study *s)
 {
-    name_limits(s->out);
+    TABLE_COLUMNS(s->out, {"limit", "", "omega dt, from the theory"},
+                  {"pendulum", "", "omega dt, found with the pendulum"},
+                  {"dt_1", "s", "the same step"},
+                  {"membrane", "", "omega dt, found on the membrane"},
+                  {"dt_2", "s", "the same step"});
     for (const struct stepping_method *m = stepping_next(NULL);
          m && !progress_signal(); m = stepping_next(m)) {
         double limit[2];
@@ -1075,16 +1065,6 @@ static void find_turn(struct beam *b)
     tidy_up(&r);
 }
 
-static void name_beams(struct table *out)
-{
-    TABLE_COLUMNS(out, {"w", "rad/s", "lowest frequency above 0"},
-                  {"loose", "", "modes without stiffness"},
-                  {"linear", "m", "the end's deflection, linear"},
-                  {"still", "m", "the end's deflection at rest"},
-                  {"lowest", "m", "at the turning point"},
-                  {"t", "s", "when it is there"});
-}
-
 static void note_beam(struct study *s, const struct beam *b)
 {
     const double values[] = {b->frequency, -b->linear, -b->still,
@@ -1129,7 +1109,12 @@ static const struct table_key beams_keys[] = {
 
 static void study_beams(struct study *s)
 {
-    name_beams(s->out);
+    TABLE_COLUMNS(s->out, {"w", "rad/s", "lowest frequency above 0"},
+                  {"loose", "", "modes without stiffness"},
+                  {"linear", "m", "the end's deflection, linear"},
+                  {"still", "m", "the end's deflection at rest"},
+                  {"lowest", "m", "at the turning point"},
+                  {"t", "s", "when it is there"});
     for (struct beam *b = beams; b < beams + BEAMS; ++b) {
         find_turn(b);
         table_print(s->out, "# %s\n", b->name);

@@ -1091,12 +1091,10 @@ static void record_lengths(struct study *s, const char *method,
         TABLE_ROW(s->out, track->t, track->h);
         longest = fmax(longest, track->h);
     }
-    table_keyed(s->summary, (double)c.s.own->taken, "steps_%s", method);
-    table_keyed(s->summary, (double)c.s.own->evaluations, "asked_%s",
-                method);
-    table_keyed(s->summary, longest / c.s.own->shortest, "ratio_%s",
-                method);
-    table_keyed(s->summary, fabs(energy_error(&c)), "energy_%s", method);
+    TABLE_RESULTS_OF(s->summary, method, {"steps", (double)c.s.own->taken},
+                     {"asked", (double)c.s.own->evaluations},
+                     {"ratio", longest / c.s.own->shortest},
+                     {"energy", fabs(energy_error(&c))});
     stepping_free(&c.s);
 }
 

@@ -174,3 +174,10 @@ void table_keyed(struct table *t, double value, const char *key, ...)
     va_end(parts);
     table_real(t, name, value);
 }
+
+void table_results_of(struct table *t, const char *which,
+                      const struct table_result list[])
+{
+    for (; list->key; ++list)
+        table_keyed(t, list->value, "%s_%s", list->key, which);
+}

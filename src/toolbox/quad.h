@@ -3,6 +3,7 @@
 #define TOOLBOX_QUAD_H
 
 #include <float.h>
+#include <math.h>
 
 /* quad: the widest floating-point number at hand, used to see what double
    has rounded away. QUAD_DIGITS is the number of bits of its mantissa: 113,
@@ -16,5 +17,16 @@ __extension__ typedef __float128 quad;
 typedef long double quad;
 #define QUAD_DIGITS LDBL_MANT_DIG
 #endif
+
+/* Returns the square root, which no library has with so many digits.
+   Newton's iteration doubles those that are right, and from the 53 bits of
+   sqrt() two rounds suffice. */
+static inline quad quad_root(quad square)
+{
+    quad r = (quad)sqrt((double)square);
+    for (int k = 0; r > 0 && k < 2; ++k)
+        r = (r + square / r) / 2;
+    return r;
+}
 
 #endif

@@ -111,6 +111,13 @@ void table_results(struct table *t, const struct table_result list[]);
 #define TABLE_RESULTS(t, ...)                                              \
     table_results(t, (const struct table_result[]){__VA_ARGS__, {0}})
 
+/* As table_results, for keys that end in _WHICH, as in mean_v4. */
+void table_results_of(struct table *t, const char *which,
+                      const struct table_result list[]);
+#define TABLE_RESULTS_OF(t, which, ...)                                    \
+    table_results_of(t, which,                                             \
+                     (const struct table_result[]){__VA_ARGS__, {0}})
+
 /* As table_real, for a key that is written as printf does, of at most 95
    letters. */
 void table_keyed(struct table *t, double value, const char *key, ...);

@@ -7,7 +7,6 @@
 #include "toolbox/random.h"
 #include "toolbox/table.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

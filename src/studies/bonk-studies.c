@@ -7,7 +7,6 @@
 #include "toolbox/study.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

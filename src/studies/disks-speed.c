@@ -8,8 +8,6 @@
 #include "toolbox/table.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #define PROGRAM "disks-speed"

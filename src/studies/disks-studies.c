@@ -6,7 +6,6 @@
 #include "toolbox/study.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #define PROGRAM "disks-studies"

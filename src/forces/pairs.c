@@ -124,9 +124,9 @@ static void set_furthest(struct spheres *p, const double v[])
     p->furthest = 2 * sqrt(most) * p->dt;
 }
 
-/* Puts the bodies in order along an axis by insertion: from step to step
-   the order hardly changes, and that takes hardly more than one look at
-   each body. */
+/* Puts the bodies in order along an axis by insertion, which takes hardly
+   more than a look at each, as from step to step the order hardly changes.
+ */
 static void mend_order(struct spheres_edge edge[], size_t n, size_t axis)
 {
     for (size_t i = 1; i < n; ++i) {

@@ -45,8 +45,8 @@ bool checkpoint_exists(const char *output)
     return there;
 }
 
-/* Complains once: if the disk is full, each further row would say so again.
- */
+/* Prints a complaint, but only the first: if the disk is full, each further
+   row would say so again. */
 static bool complain(struct checkpoint *c, const char *path,
                      const char *reason)
 {
@@ -179,7 +179,8 @@ bool checkpoint_begin(struct checkpoint *c, const char *program,
     return false;
 }
 
-/* With the digits, and the word for not-a-number, of table_row. */
+/* Writes the digits, and the word for not-a-number, that table_row writes.
+ */
 bool checkpoint_row(struct checkpoint *c, size_t n, const double values[])
 {
     for (size_t i = 0; i < n; ++i) {
@@ -203,8 +204,8 @@ static bool flush_rows(struct checkpoint *c)
     return true;
 }
 
-/* The rows are summed once more: the table gets its name only if they are
-   those that were written. */
+/* Copies the rows and sums them once more: the table gets its name only if
+   they are those that were written. */
 bool checkpoint_copy(struct checkpoint *c, struct table *t)
 {
     static char piece[65536];

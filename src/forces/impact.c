@@ -262,7 +262,7 @@ static size_t pair_points(const struct impact *p,
     return 2 * m;
 }
 
-/* Does a curve go below this value? */
+/* Returns whether a curve goes below this value. */
 static bool sinks(const double q[], size_t m, double below)
 {
     return root_first(q, m, -below, ROOT_HALVINGS) <= 1;

@@ -8,8 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The one term of equation (11.14, eq:motion) without a module of its own.
- */
+/* Subtracts the friction, the one term of (11.14, eq:motion) that has no
+   module of its own. */
 static void add_friction(const struct scene *s, const double v[],
                          double a[])
 {
@@ -19,8 +19,9 @@ static void add_friction(const struct scene *s, const double v[],
             a[k * n + i] -= s->damping / s->mass[i] * v[k * n + i];
 }
 
-/* (11.14, eq:motion). The weight comes first, because it can write instead
-   of add; what is held is set to zero at the end, whatever pulled at it. */
+/* Writes the accelerations of all bodies into a, (11.14, eq:motion). The
+   weight comes first, because it can write instead of add; what is held is
+   set to zero at the end, whatever pulled at it. */
 static void accelerate(void *what, const double x[], const double v[],
                        double a[])
 {
@@ -120,7 +121,7 @@ static bool begin_orbits(struct motion *m,
     return m->orbits == method->orbits;
 }
 
-/* Does anything change a velocity? */
+/* Returns whether anything changes a velocity between contacts. */
 static bool accelerates(const struct motion *m)
 {
     const double *const g = m->scene->gravity;
@@ -174,7 +175,7 @@ static bool begin_stepping(struct motion *m,
     return true;
 }
 
-/* Has body i no mass, though it may move? */
+/* Returns whether body i has no mass, though it may move. */
 static bool is_massless(const struct scene *s, size_t i)
 {
     const size_t n = s->bodies;
@@ -217,8 +218,8 @@ static size_t find_thick(const struct scene *s)
     return s->bodies;
 }
 
-/* Do the bodies differ in their places along axis k, or may something move
-   one along it? */
+/* Returns whether the bodies differ in their places along axis k, or one of
+   them may move along it. */
 static bool is_used(const struct scene *s, size_t k)
 {
     const double *x = s->position + k * s->bodies;
@@ -330,8 +331,10 @@ const struct spheres *motion_contacts(const struct motion *m)
                                       : NULL;
 }
 
-/* Asks in the order in which the answers are needed; only the last failure
-   has anything to free. */
+/* Sets up the motion of a scene that can be stepped. It asks in the order
+   in which the answers are needed; only the last failure has anything to
+   free.
+ */
 static bool begin(struct motion *m, const char *program, struct scene *s,
                   const char *method, double dt)
 {
@@ -389,10 +392,10 @@ void motion_end(struct motion *m)
     *m = (struct motion){0};
 }
 
-/* May the method take several steps of its own for one of ours? Then no
-   straight line leads back from the end of a step to its beginning, and
-   spheres_watch cannot look for pairs that have passed through each other.
- */
+/* Returns whether the method may take several steps of its own for one of
+   ours. Then no straight line leads back from the end of a step to its
+   beginning, and spheres_watch cannot look for pairs that have passed
+   through each other. */
 static bool is_split(const struct motion *m)
 {
     return m->stepping.own || m->outside;
@@ -478,7 +481,8 @@ bool motion_shorten(struct motion *m, double dt)
     return true;
 }
 
-/* Makes *to a copy of n numbers, or NULL of NULL. false: no memory. */
+/* Replaces *to by a copy of n numbers, or by NULL if there are none to
+   copy. Returns false without memory. */
 static bool note(double **to, const double from[], size_t n)
 {
     free(*to);
@@ -522,8 +526,8 @@ static double weigh(const struct scene *s)
     return sum;
 }
 
-/* Body by body in the order of their numbers, so that the last bit is the
-   same everywhere. */
+/* Sums body by body in the order of their numbers, so that the last bit is
+   the same everywhere. */
 double motion_kinetic(const struct motion *m)
 {
     const struct scene *s = m->scene;

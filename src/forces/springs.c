@@ -506,7 +506,8 @@ VECTOR_LOOP static void scale_two(double *restrict a,
         a[i] = 0 + inverse[i] * (0 - f[i] + f[i + s] - g[i] + g[i + t]);
 }
 
-/* Does the work of sum_axis and finish where is_plain is true. */
+/* Sums two bands and finishes the task in one loop, where is_plain is true.
+ */
 static void write_two(const struct springs *p, double a[], size_t k,
                       size_t from, size_t n, const double buffer[])
 {

@@ -778,10 +778,10 @@ static double choose_skin(const struct disks *d, double radius, double pair)
         least = disks_wraps(d, k) ? fmin(least, d->box[k]) : least;
     }
     const double crowd = d->dimensions == 3 ? CROWD_3 : CROWD;
-    const double room = (crowd + 1) * volume / (double)d->count;
+    const double around = (crowd + 1) * volume / (double)d->count;
     const double sphere = 4.18879020478639098, circle = 3.14159265358979324;
     const double far =
-        d->dimensions == 3 ? cbrt(room / sphere) : sqrt(room / circle);
+        d->dimensions == 3 ? cbrt(around / sphere) : sqrt(around / circle);
     const double skin = fmax((far - 2 * radius) / 2, 0.6 * radius);
     const double image = (least / 2 - pair) / 4,
                  cells = least / 6 - pair / 2;

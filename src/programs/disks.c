@@ -934,7 +934,7 @@ static const struct options_entry entries[] = {
     {"", 0, NULL, "--start lattice, random"},
     {"dimensions", 'D', "D", "2: disks, 3: spheres (2)"},
     {"packing", 'p', "ETA",
-     "share of the box that they fill; without\n"
+     "fraction of the box filled; without\n"
      "--box it gives the box, with R = 0.5"},
     {"species", 'f', "FILE", "a mixture: lines of count, mass, radius"},
     {"heavy", 'H', "M,R", "one disk more, of this mass and radius"},
@@ -960,7 +960,7 @@ static const struct table_key keys[] = {
     {"samples", "1", "looks"},
     {"time", "s", "behind the warm-up"},
     {"kT", "J", "temperature"},
-    {"packing", "1", "share of the box that is filled"},
+    {"packing", "1", "fraction of the box that is filled"},
     {"engine", "word", "that was used"},
     {"collisions_per_second", "1/s", "of processor time, walls counted"},
     {"", "", "if --restitution is 1:"},

@@ -78,7 +78,7 @@ static const struct options_entry entries[] = {
 static const struct table_key keys[] = {
     {"samples", "1", "direct: configurations; markov: sweeps; chains"},
     {"tries", "1", "throws, moves or pushes"},
-    {"acceptance", "1", "share of them"},
+    {"acceptance", "1", "fraction of them"},
     {"acceptance_error", "1", "standard error"},
     {"", "", "if there are walls:"},
     {"Z_wall_<axis>", "1", "P V/(N kT) at the walls across this axis"},

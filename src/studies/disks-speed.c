@@ -222,7 +222,7 @@ static void write_steps(struct engines *e, struct table *out)
 
 static const struct options_entry entries[] = {
     {"particles", 'N', "N1,N2,..", "numbers of disks (100,1000,..,1e6)"},
-    {"packing", 'p', "P", "share of the box that they fill (0.3)"},
+    {"packing", 'p', "P", "fraction of the box filled (0.3)"},
     {"dimensions", 'd', "D", "2 or 3 (2)"},
     {"steps", 'x', NULL, "time what each step of the chapter has bought"},
     {"collisions", 'c', "C", "of a round, unmelted (as many as in 0.2 s)"},

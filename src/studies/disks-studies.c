@@ -419,7 +419,7 @@ static void study_collapse(struct study *s)
 {
     static const size_t sizes[] = {10, 30, 100};
     TABLE_COLUMNS(s->out, {"e", "", "restitution"},
-                  {"p_10", "", "share of starts that collapse, N = 10"},
+                  {"p_10", "", "fraction of starts that collapse, N = 10"},
                   {"p_30", "", "the same, N = 30"},
                   {"p_100", "", "the same, N = 100"});
     for (double e = 0.05; e < 0.99 && !progress_signal(); e += 0.05) {

@@ -276,9 +276,9 @@ static void study_chain(struct study *s, size_t k, double x[],
 }
 
 static const struct table_key memory_keys[] = {
-    {"acceptance_<k>", "1", "chain k: share of moves accepted"},
+    {"acceptance_<k>", "1", "chain k: fraction of moves accepted"},
     {"g_x_<k>", "sweeps", "inefficiency of x of disk 1"},
-    {"g_edge_<k>", "sweeps", "the same of the share in the end bins"},
+    {"g_edge_<k>", "sweeps", "the same of the fraction in the end bins"},
     {0}};
 
 static void study_memory(struct study *s)
@@ -292,7 +292,7 @@ static void study_memory(struct study *s)
                   {"step", "m", "longest move along an axis"},
                   {"acceptance", "", "of moves"},
                   {"gx", "sweeps", "inefficiency of x of disk 1"},
-                  {"ge", "sweeps", "of the share in the end bins"},
+                  {"ge", "sweeps", "of the fraction in the end bins"},
                   {"mean", "m", "mean x of disk 1"});
     const size_t chains = own.radii * own.steps;
     for (size_t k = 0; k < chains && !progress_signal(); ++k)
@@ -306,8 +306,8 @@ static void study_acceptance(struct study *s)
     struct random r;
     random_seed(&r, s->seed);
     TABLE_COLUMNS(s->out, {"r", "m", "radius"},
-                  {"packing", "", "share of the box that is filled"},
-                  {"acceptance", "", "share of throws"},
+                  {"packing", "", "fraction of the box that is filled"},
+                  {"acceptance", "", "fraction of throws"},
                   {"e", "", "its error"});
     for (size_t k = 0; k < own.radii && !progress_signal(); ++k) {
         struct sampling p;

@@ -150,7 +150,7 @@ TEST(test_collapse, "inelastic collapse ends a run")
 /* Two disks in a large periodic box. Who looks only once at the nearest
    image misses the one that comes round: head-on along x, 6 m apart in a
    box of 10, the nearest image is behind. */
-TEST(test_leash, "the nearest image is not always met")
+TEST(test_nearest_image, "the nearest image is not always met")
 {
     struct disks d;
     make(&d, 2, 10);

@@ -24,7 +24,8 @@ given = EX SUBMISSIONS REPORT JOBS HIDDEN RESULTS SECONDS TEXTS PRESET SCENE \
 	EDITION WITH_CHAPTERS COMMANDS SEED FIRST SYSTEMS
 $(foreach v,$(given),$(if $(filter-out undefined,$(origin $v)),\
 	$(eval override $v := $$(value $v))$(eval export $v)))
-# bash changes $SECONDS. (A comment on the next line would add its blank to the value.)
+# Recipes read it as "$$seconds", since bash counts in a variable SECONDS of its own. (A
+# comment behind the value would add a blank to it.)
 export seconds := $(value SECONDS)
 
 # `make V=1' prints every command; otherwise a short line stands for it.
@@ -121,8 +122,9 @@ help:
 	@echo 'make compile_commands.json   for editors'
 	@echo 'make clean        remove build/'
 
-# The end of the stamps (src/compile.mk): a file depends on its stamp, with a recipe that
-# does nothing, under make -n, too. Without its file a stamp goes, so both are made again.
+# The last of the rules for stamps (src/compile.mk): a file depends on its stamp, with a
+# recipe that does nothing; its + makes it run under make -n, too. The stamp of a file that
+# is missing is removed, so that both are made again.
 $(kept): build/%: build/made/%
 	@+:
 lost := $(filter-out $(wildcard $(kept)),$(kept))

@@ -4,9 +4,9 @@
 # How make decides what to make again
 #
 # make makes a file again when something that it depends on is newer. Taken literally
-# that makes too much: after a comment was changed in random.c its object has the bytes
-# that it had, but all programs would be linked and all figures drawn again. So most
-# files have a stamp. For the program disks there are
+# that makes too much: a change in a comment of random.c leaves its object the same, byte
+# for byte, but all programs would be linked and all figures drawn again. So most files
+# have a stamp. For the program disks there are
 #
 #   build/bin/disks          the file itself; its time says when its bytes last changed
 #   build/made/bin/disks     its stamp, an empty file; its time says when the rule last ran
@@ -35,8 +35,8 @@ take = if cmp -s $(made).new $(made); then rm $(made).new && touch $@; \
 take_compiled = @{ cat $@.new*; printf '%s:\n' $(filter %.c,$^); } >$@.d && \
 	rm $@.new* && $(take)
 
-# These goals change files that other goals read. Beside them `make -j' does one thing
-# after the other.
+# These goals change files that other goals read. When one of them is asked for, even
+# `make -j' runs one recipe at a time.
 ifneq ($(filter tangle clean reset,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
 endif
@@ -48,7 +48,8 @@ unless_dry = $(if $(strip $(foreach f,n q t,$(findstring $f,$(filter-out -%,\
 	$(firstword $(MAKEFLAGS)))))),exit; )
 
 # What the compiler can do. build/compiler/key has the compiler, its version and the
-# flags, and every object depends on it, so that other ones compile everything anew.
+# flags, and every object depends on it, so that everything is compiled anew when one of
+# them changes.
 # build/compiler.mk says whether a program with GSL and one with OpenMP could be compiled,
 # linked and run.
 FLAGS = $(CPPFLAGS) $(CFLAGS)
@@ -76,7 +77,7 @@ build/compiler.mk: build/compiler/key
 	if $(call try,-fopenmp $(asked)/main.c $(asked)/other.c); \
 		then echo 'OPENMP = -fopenmp'; fi; } >$@.part
 	@mv $@.part $@
-# Goals for students need neither, and save the time to ask.
+# The goals for students need neither, and skip the tests, which take time.
 students := check watch hint progress reset solution build/check/% help clean
 ifneq ($(filter-out $(students),$(or $(MAKECMDGOALS),first)),)
 include build/compiler.mk
@@ -99,14 +100,15 @@ library := $(filter-out $(without),$(wildcard $(library_folders:%=src/%/*.c)))
 gsl_libs = $(if $(gsl),$(if $(filter $(1),$(gsl_files) $(gsl_users)),\
 	$(GSL_LIBS)))
 
-# Files that are compiled with OpenMP, by base name; one file is told that there is GSL.
+# Files that are compiled with OpenMP, by base name. WITH_GSL tells reference.c
+# that there is GSL.
 parallel := bonkers springs gravity
 flags_of = $(if $(filter $(parallel),$(notdir $*)),$(OPENMP)) \
 	$(if $(gsl),$(if $(filter reference,$(notdir $*)),-DWITH_GSL))
 
-# $(call tree,FOLDER/,FLAGS) has the rules of one build: its objects, its library, its
+# $(call tree,FOLDER/,FLAGS) gives the rules of one build: its objects, its library, its
 # programs. The portable build chooses the fastest vector code when it runs
-# (src/toolbox/vector.h); the other one finds errors of memory.
+# (src/toolbox/vector.h); the one with sanitizers finds memory errors.
 define tree
 build/made/$(1)obj/%.o: src/%.c build/compiler/key
 	$$(begin)

@@ -11,7 +11,7 @@ scripts := $(wildcard tests/exercises/*.sh tests/stability/*.sh \
 	tests/kit/*.sh tests/site/*.sh)
 
 # Unit tests are compiled without optimization, since optimizing one takes longer than
-# running it. gravity_tree is not: it sums the forces of many bodies itself.
+# running it. Only gravity_tree is optimized: it sums the forces of many bodies itself.
 quickly = $(if $(filter library/% stability/%,$(filter-out %/gravity_tree,$*)),-O0)
 build/made/tests/%: tests/%.c build/obj/libbonkers.a build/compiler/key
 	$(begin)
@@ -95,7 +95,8 @@ mutants-exercises: build/check/examine $(CHECK_BUILT) build/tests/mutate \
 	@export RECORD='$(if $(RECORD),1)'; $(split) tests/mutants/run $$EX
 
 # How many small mistakes in the library its tests notice: make mutants
-# OF=library COUNT=100, SEED=text for other ones than those of this commit.
+# OF=library COUNT=100. They are drawn with the hash of the commit as the seed; SEED=text
+# draws others.
 mutants-library: $(unit_tests) $(unit_tests:build/tests/%=build/memcheck/%) \
 		programs build/tests/mutate build/tests/mutants/library-flags
 	@tests/mutants/library
@@ -126,8 +127,8 @@ build/made/memcheck/%: tests/%.c build/sanitized/obj/libbonkers.a
 		$(LDFLAGS) -lcunit $(if $(gsl),$(GSL_LIBS)) -lm
 	$(take_compiled)
 
-# The reader of scenes, fed with what is no scene, TEXTS=1e7 for longer. With
-# clang libFuzzer chooses the texts; with others, tests/fuzz/alone.c does.
+# Fuzzes the reader of scenes: it must read or refuse any text. TEXTS=1e7 takes longer.
+# With clang libFuzzer chooses the texts; with other compilers tests/fuzz/alone.c does.
 TEXTS = 200000
 export TEXTS
 .PHONY: fuzz fuzz-scenes fuzz-commands
@@ -141,7 +142,8 @@ fuzz-scenes: build/fuzz/scene
 		-dict=tests/fuzz/scene.dict build/fuzz/corpus tests/fuzz/seeds \
 		2>build/fuzz/log || { cat build/fuzz/log; exit 1; }
 	@echo "Fuzzed: $$TEXTS texts, all of them read or refused"
-# With clang, what libFuzzer follows is what is compiled with its option.
+# With clang the reader is compiled anew: libFuzzer follows only code that is compiled
+# with -fsanitize=fuzzer.
 scene_files = tests/fuzz/scene.c tests/fuzz/alone.c src/scenes/scene.c \
 	src/scenes/decimal.c src/toolbox/random.c src/toolbox/aligned.c
 build/made/fuzz/scene: $(scene_files) build/compiler/key
@@ -154,9 +156,8 @@ build/made/fuzz/scene: $(scene_files) build/compiler/key
 	$(take_compiled)
 kept += build/fuzz/scene build/fuzz/commands
 
-# All programs, under the sanitizers, with command lines and files that are
-# wrong: COMMANDS=1e4 for longer, SEED=2 for others, FIRST=123 COMMANDS=1 for
-# one of them again.
+# Runs all programs, under the sanitizers, with wrong command lines and files:
+# COMMANDS=1e4 for more of them, SEED=2 for others, FIRST=123 COMMANDS=1 to repeat one.
 COMMANDS = 2000
 SEED = 1
 FIRST = 0
@@ -174,9 +175,10 @@ build/made/fuzz/commands: tests/fuzz/commands.c build/obj/toolbox/random.o \
 		-o $(made).new $(filter %.c %.o,$^) $(LDFLAGS) -lm
 	$(take_compiled)
 
-# Random scenes for bonk, compared with paths of another kind: REQUESTS=3000
-# for longer, SEED=7 for others, KIND=springs for one kind; KIND=floor asks for
-# tolerances near the smallest that bonk grants. What became of them is kept.
+# Compares what bonk finds for random scenes with paths from extrapolation, which is none
+# of its methods: REQUESTS=3000 for more scenes, SEED=7 for others, KIND=springs for one
+# kind; KIND=floor asks for tolerances near the smallest that bonk grants. The results are
+# kept in build/hunt/.
 REQUESTS = 100
 export REQUESTS
 .PHONY: hunt jobs-hunt
@@ -197,7 +199,7 @@ build/made/tests/hunt/truth-fast: tests/hunt/truth.c build/obj/libbonkers.a \
 kept += build/tests/hunt/generate build/tests/hunt/truth \
 	build/tests/hunt/truth-fast
 
-# Lists of jobs on a cluster of two nodes, one of which is lost: see make jobs.
+# Runs the lists of make jobs on a cluster of two nodes, one of which is lost.
 .PHONY: test-cluster
 test-cluster: has-gsl programs grade-parts build/check/examine $(CHECK_BUILT) \
 		$(FIGURES_DATA) build/tests/hunt/generate build/tests/hunt/truth \
@@ -208,8 +210,8 @@ test-cluster: has-gsl programs grade-parts build/check/examine $(CHECK_BUILT) \
 	$(call need,/usr/sbin/sshd,openssh-server)
 	@$(unless_dry)RECORD='$(RECORD)' MAKE='$(MAKE)' tests/run -t 3600 tests/cluster/cluster.sh
 
-# Both commands of README.md in bare roots of Debian: see tests/systems/run.
-# SYSTEMS=trixie for one of them.
+# Runs both commands of README.md in minimal systems of Debian (debootstrap): see
+# tests/systems/run. SYSTEMS=trixie for one of them.
 SYSTEMS = bookworm trixie
 export SYSTEMS
 .PHONY: test-systems

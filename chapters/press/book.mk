@@ -68,8 +68,8 @@ slides: has-tex has-gsl $(patsubst plots/%.gp,slides-%,$(wildcard \
 	@echo 'The slides: build/slides-$(chapter_number).pdf'
 endif
 
-# What both editions are set from; then they can be made side by side. QUOTED are the
-# files of src/ that chapters quote.
+# What both editions are typeset from. It is made first, so that both can then be made at
+# the same time. QUOTED are the files of src/ that chapters quote.
 .PHONY: book-parts
 book-parts: has-tex $(FIGURES_PDF) $(FIGURES_SVG) $(FIGURES_ALT) build/woven
 build/woven: $(RUNS) $(wildcard $(QUOTED) chapters/*.nw \

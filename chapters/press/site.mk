@@ -1,8 +1,8 @@
 # The book as pages: build/site/, to be opened with any browser, from a file or
 # from a server. EDITION=instructor adds the worked solutions: build/site-instructor/.
 #
-# chapters/press/site/ has what makes them: places (where everything stands), page
-# (one page), page.css and page.js. What moves is made by the rules of
+# chapters/press/site/ has the scripts: places finds the page and the number of each
+# label, page makes one page; and page.css and page.js. Live figures are made by the rules of
 # chapters/press/site/live.mk: build/site/live/NAME.js for each \livefigure{NAME},
 # live/live.js, which starts them, and player.html; it names them in LIVE_FILES.
 # live.js gets from the page <div class="live" data-live="NAME"></div>, colours

@@ -462,8 +462,8 @@ static void plan(struct cells *c, uint32_t i)
 /* Gives all lists four more seats, since nobody knows how many neighbours
    a disk can have (a giant among small ones has hundreds). It happens a
    few times in the first moments of a run. The lists are moved from the
-   last one on, so that none is written over. Returns false without
-   memory. */
+   last one on, so that none is written over. Returns false if memory runs
+   out. */
 static bool more_seats(struct cells *c)
 {
     const size_t n = c->d->count, seats = c->seats + 4, old = c->seats;
@@ -478,8 +478,8 @@ static bool more_seats(struct cells *c)
     return true;
 }
 
-/* Puts `other` on the list of disk i. Returns false without memory, or for
-   a giant with more neighbours than 16 bits can count. */
+/* Puts `other` on the list of disk i. Returns false if memory runs out, or
+   for a giant with more neighbours than 16 bits can count. */
 static bool learn(struct cells *c, uint32_t i, uint32_t other)
 {
     if (c->anchor[i].neighbours == UINT16_MAX ||
@@ -531,7 +531,7 @@ static size_t cell_of(const struct cells *c, const double x[])
 }
 
 /* Gives all cells room for two more anchors, and moves the rows apart from
-   the last one on. Returns false without memory. */
+   the last one on. Returns false if memory runs out. */
 static bool more_room(struct cells *c)
 {
     const size_t old = c->room, room = old + 2;
@@ -576,8 +576,8 @@ static void leave_cell(struct cells *c, uint32_t i)
     write_place(c, a.cell, a.spot, last, place_of(c, last), c->room);
 }
 
-/* Drops the anchor of disk i where it is now. Returns false without
-   memory. */
+/* Drops the anchor of disk i where it is now. Returns false if memory runs
+   out. */
 static bool enter_cell(struct cells *c, uint32_t i)
 {
     double x[DISKS_AXES];
@@ -620,7 +620,7 @@ static struct beside beside(const struct cells *c, size_t g, size_t k)
 }
 
 /* Makes two disks neighbours if they are, by the square of the distance of
-   their anchors (7.14, eq:neighbours). Returns false without memory. */
+   their anchors (7.14, eq:neighbours). Returns false if memory runs out. */
 static bool consider(struct cells *c, uint32_t i, uint32_t other,
                      float square)
 {
@@ -856,8 +856,8 @@ void cells_free(struct cells *c)
     *c = (struct cells){0};
 }
 
-/* Returns false without memory. The first day of the calendar is a guess
-   that need not be good: that a disk crosses its skin in n days. */
+/* Returns false if memory runs out. The first day of the calendar is a
+   guess that need not be good: that a disk crosses its skin in n days. */
 static bool make_lists(struct cells *c, size_t n)
 {
     double vv = 0;
@@ -933,7 +933,9 @@ static bool replan(struct cells *c, struct disks_event e, bool *memory)
     return true;
 }
 
-/* The loop of disks_run, with its disks_collide. */
+/* Runs as disks_run does, and collides by disks_collide as well, but
+   takes the next event from the calendar and plans events with neighbours
+   only. */
 enum disks_stop cells_run(struct cells *c, double until,
                           uint64_t collisions)
 {

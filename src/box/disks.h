@@ -141,8 +141,8 @@ size_t disks_lying(const struct disks *d);
 double disks_replan_distance(const struct disks *d);
 
 /* Makes the memory for disks_run, and plans from the present state; to be
-   called again after every change of the state from outside. Returns
-   false without memory. Requires disks_replan_distance(d) > 0. */
+   called again after every change of the state from outside. Returns false
+   if memory runs out. Requires disks_replan_distance(d) > 0. */
 bool disks_plan(struct disks *d);
 
 /* Runs until the time `until` (s), or until `collisions` pair collisions
@@ -202,8 +202,8 @@ void disks_separation(const struct disks *d, const double a[],
    two that do, or *b = count for a wall. Looks at every pair. */
 bool disks_fit(const struct disks *d, size_t *a, size_t *b);
 
-/* Says whether disks a and b overlap by more than that now, or, with b =
-   count, whether a sticks out of the box. */
+/* Says whether disks a and b overlap now by more than disks_fit allows, or,
+   with b = count, whether a sticks out of the box. */
 bool disks_clash(const struct disks *d, size_t a, size_t b);
 
 /* Places the disks, whose radii are given: on the lattice of disks packed

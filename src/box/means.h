@@ -19,7 +19,7 @@ struct means {
     double *sum; /* of block b, quantity q: at b quantities + q */
 };
 
-/* Makes m empty. Returns false without memory. */
+/* Makes m empty. Returns false if memory runs out. */
 bool means_create(struct means *m, size_t quantities);
 void means_free(struct means *m);
 

@@ -51,7 +51,7 @@ static bool within_walls(const struct disks *d, const double place[],
     return true;
 }
 
-/* A place that is no number compares false with everything, and clashes. */
+/* With a NaN in a place every comparison is false, and the disk clashes. */
 bool disks_clash(const struct disks *d, size_t a, size_t b)
 {
     double here[DISKS_AXES], there[DISKS_AXES], separation[DISKS_AXES];

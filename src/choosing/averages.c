@@ -324,11 +324,11 @@ static const char *begin_measurement(struct measurement *w,
     return why;
 }
 
-/* Returns a number made of velocities whose mean is 1 once they have
-   forgotten how they began, if all states of the energy are equally likely.
-   In the plane all directions are, then, and half of the energy belongs to
-   the motion along x. On a line the roots of the bodies' fractions e_i of
-   the energy are a point anywhere on a sphere of n dimensions, and the mean
+/* Returns a function of the velocities whose mean is 1 once the start is
+   forgotten, if all states of the energy are equally likely. In the plane
+   half of the energy then belongs to the motion along each axis. On a line
+   the square roots of the bodies' fractions e_i of the energy are the
+   coordinates of a random point on a sphere in n dimensions, and the mean
    of the sum of e_i^2 is 3/(n + 2). */
 static double relaxation(const struct search *h, const double velocity[])
 {
@@ -392,10 +392,10 @@ static double distance_from_law(const struct measurement *w, size_t from)
     return fmax(own, sqrt(squares));
 }
 
-/* Returns whether velocities have forgotten how they began: their number
-   has come to its mean. On a line, where a heavy body remembers for very
-   long, it must have a plateau of its own besides. Without memory:
-   false. */
+/* Returns whether the velocities have forgotten the start: whether their
+   relaxation has come to its mean, 1. On a line, where a heavy body
+   remembers for very long, its errors must have a plateau, too. Returns
+   false if memory runs out. */
 static bool has_relaxed(const struct measurement *w, size_t from)
 {
     struct statistics_blocking b;
@@ -412,7 +412,7 @@ static bool has_relaxed(const struct measurement *w, size_t from)
    has stopped drifting, bodies are where they are in the end, and
    velocities have forgotten the start. It is taken as large as it may be: a
    run that stops when its error is small enough stops when it is too small
-   by chance. Returns false without memory. */
+   by chance. Returns false if memory runs out. */
 static bool judge(struct measurement *w)
 {
     const size_t n = w->blocks.count, from = (n + 3) / 4;
@@ -467,7 +467,7 @@ static double longer_by(const struct measurement *w, double e)
 }
 
 /* Goes on to so many samples, to the end of T or of what may be spent, and
-   judges the run. Returns false without memory. */
+   judges the run. Returns false if memory runs out. */
 static bool advance(struct measurement *w, double to)
 {
     double value[WITNESSES + 1];
@@ -485,7 +485,7 @@ static bool advance(struct measurement *w, double to)
    it takes. So there are few looks. A refusal waits for a hundredth of what
    may be spent, lest it rest on a short look; and since the prices of runs
    that have settled are rough, and errors taken large, half as much again
-   is not yet too much. Returns false without memory. */
+   is not yet too much. Returns false if memory runs out. */
 static bool go_on_until_sure(struct averages_found *f,
                              struct measurement *w)
 {
@@ -555,7 +555,7 @@ static void refuse(char *to, const struct measurement *w)
              (double)w->run.rows * w->interval, w->why, more);
 }
 
-/* Answers by a run of events. Returns false without memory. */
+/* Answers by a run of events. Returns false if memory runs out. */
 static bool measure(const struct search *h)
 {
     struct averages_found *f = h->f;
@@ -578,7 +578,8 @@ static bool measure(const struct search *h)
 }
 
 /* Answers in the way that suits the quantity and the scene; a model that
-   was asked for by name has to be that. Returns false without memory. */
+   was asked for by name has to be that. Returns false if memory runs
+   out. */
 static bool answer(const struct search *h)
 {
     const enum averages_kind kind = h->q->quantity.kind;

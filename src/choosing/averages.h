@@ -61,7 +61,7 @@ const char *averages_name(const struct averages_quantity *q,
                           char symbol[32]);
 
 /* Finds an average within the tolerance. A refusal is a result. Returns
-   false without memory. */
+   false if memory runs out. */
 bool averages_find(struct averages_found *f,
                    const struct averages_request *q);
 

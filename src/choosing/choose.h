@@ -14,7 +14,7 @@ enum { CHOOSE_MOST = STEPPING_MOST + 40, CHOOSE_POINTS = 400 };
 struct choose_request {
     const struct scene *scene;
     const char *program;             /* its name, for messages */
-    double until, every;             /* s: the last row, from row to row */
+    double until, every;             /* s: last row; interval of the rows */
     double tolerance;                /* fraction of the scale */
     const struct observables *asked; /* NULL: all positions */
     double budget; /* what all of it may cost, s by the price list */

@@ -96,8 +96,8 @@ struct point {
     double x, v;
 };
 
-/* Of two points that are just meeting, the slower one is left: they have
-   met. */
+/* Compares two points for qsort: by place, and at one place by velocity,
+   since of two points that have just met the left one is the slower. */
 static int by_place(const void *one, const void *other)
 {
     const struct point *a = one, *b = other;

@@ -22,7 +22,7 @@ void closed_oscillate(double t, double square, double rate, double *y,
 
 /* Moves equal points on a line by the time t, s, between elastic walls at
    low and high (m; -INFINITY, INFINITY: none). x and v are in order from
-   left to right, before and after. Returns false without memory. */
+   left to right, before and after. Returns false if memory runs out. */
 bool closed_relabel(double low, double high, size_t n, double x[],
                     double v[], double t);
 

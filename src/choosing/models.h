@@ -156,7 +156,7 @@ unsigned models_cuts(const struct scene *s);
 void models_analyse(struct models_acts *a, const struct scene *s);
 
 /* Returns the largest angular frequency now, about, plus the largest rate
-   of friction, 1/s, with these cuts. INFINITY without memory. */
+   of friction, 1/s, with these cuts. INFINITY if memory runs out. */
 double models_rate(const struct scene *s, unsigned cuts);
 
 /* Returns the square of the distance of two bodies now, m^2. */
@@ -186,7 +186,8 @@ bool models_begin(struct models_run *r, const struct models_plan *p,
 enum models_end models_row(struct models_run *r);
 void models_end(struct models_run *r);
 
-/* Returns the collisions up to the last row; UINT64_MAX without memory. */
+/* Returns the collisions up to the last row; UINT64_MAX if memory runs
+   out. */
 uint64_t models_collisions(struct models_run *r);
 
 #endif

@@ -101,15 +101,15 @@ static double *at_start(const struct models_run *r)
 static const double clock_error = 0x1.6p-53;
 
 /* Returns the relative error of times on these ellipses that all twins
-   share; INFINITY: an orbit is none. Parabolas and hyperbolas have closed
-   forms, too, which are not made here; an ellipse as narrow as a line
-   passes through its centre. What rounding makes of the mean motion is not
-   counted. That is more, for 1/a is the difference 2/r - v^2/mu, of which
-   either is wrong by some 2^-53, so that the mean motion is wrong by up to
-   13 a/r of them; but it depends on the last digits of r and v, so that
-   twins in other units differ by it. A bound of that, 4 a/r 2^-51, added up
-   what hardly ever adds up: it was 14 times the error that was made, median
-   of random orbits, and 40 times that of one in ten. */
+   share. Returns INFINITY if an orbit is a parabola or a hyperbola, which
+   this model does not solve, or an ellipse as narrow as a line, on which
+   the body would run into its centre. The rounding of the mean motion is
+   not counted, although it is larger: 1/a is the difference 2/r - v^2/mu,
+   both terms are wrong by some 2^-53, and so the mean motion is wrong by up
+   to 13 a/r times that. But it depends on the last digits of r and v, so
+   twins in other units differ by it. A bound of it, 4 a/r 2^-51, was far
+   too high: 14 times the true error in the median of random orbits, and 40
+   times in one of ten. */
 static double clock_of_ellipses(const struct models_run *r)
 {
     const struct jacobi *j = &((const struct particles *)r->engine)->jacobi;
@@ -235,7 +235,7 @@ static void end_modes(struct models_run *r)
 /* Takes one of Newton's steps towards the place of rest, from w->rest: the
    modes there tell how springs give way to what pulls. Near it each step
    doubles the digits that are right, and five or six are enough. Returns
-   how far it has led, or NaN without memory. */
+   how far it has led, or NaN if memory runs out. */
 static double approach_rest(struct vibration *w, struct models_run *r)
 {
     const struct modes *m = &w->modes;

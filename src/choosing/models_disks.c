@@ -151,14 +151,14 @@ static const char *begin_disks(struct models_run *r)
     return d->celled || disks_plan(&d->disks) ? NULL : models_no_memory;
 }
 
-/* Counts what was looked at. For each collision two disks are planned anew,
-   for a wall one; by the scan each looks at all others, by cells at its
-   neighbours, and at half as many more for events that turn out to be
-   stale: with four disks a collision costs two plans of four looks. The
-   start is on the bill, too: by the scan every pair is asked whether it
-   overlaps and when it meets, at twice the price of a look; in cells every
-   disk gets a list of its neighbours, as it does each time it leaves its
-   skin. */
+/* Counts the work: events and pairs examined. A collision of two disks
+   plans both of them anew, one with a wall plans one. To plan a disk the
+   scan examines all (with four disks a collision costs two plans of four
+   pairs); cells examine its neighbours, and half as many more for events
+   that turn out to be stale. The start counts, too: the scan tests every
+   pair for an overlap and for a meeting, at twice the price of a pair; in
+   cells every disk gets a list of its neighbours, as it does each time it
+   leaves its skin. */
 static void count_disks(struct models_run *r, const struct box_run *d)
 {
     const double met = (double)d->disks.collisions;

@@ -85,12 +85,12 @@ struct line {
     struct bonkers bonkers;
     struct row_of_bodies row;
     size_t *body;
-    double *x, *v; /* of the engine's bodies; the walls are two */
+    double *x, *v; /* of the engine's bodies, two walls included */
 };
 
 /* Makes a start of the free bodies, in order from left to right, which are
-   kept in l->body; those that are held have become walls. false without
-   memory. */
+   kept in l->body; those that are held have become walls. false if memory
+   runs out. */
 static bool start_row(struct line *l, struct start *start,
                       const struct scene *s)
 {

@@ -7,7 +7,7 @@
 
 /* Coordinates lie axis by axis: all x, then all y, then all z. A set of
    axes is a number of three bits. */
-/* Returns where coordinate k of body i stands. */
+/* Returns the index of coordinate k of body i. */
 static inline size_t at(const struct scene *s, size_t k, size_t i)
 {
     return k * s->bodies + i;
@@ -82,8 +82,8 @@ double models_heaviest(const struct scene *s);
    mass, or else the heaviest. */
 size_t models_central_body(const struct scene *s, unsigned axes);
 
-/* Makes 0 what is left out of the scene's own numbers. The others, light
-   bodies and rods, are left out by the models. */
+/* Sets to 0 those numbers of the scene that are left out. Light bodies and
+   rods, which are no numbers of it, are left out by the models. */
 void models_leave_out(struct scene *s, unsigned cuts);
 
 /* Moves the springs that become rods behind the others, out of the list.

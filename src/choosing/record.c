@@ -221,13 +221,14 @@ static const struct units {
              {-1.1, 1.7, 0.7}, {1.3, 0.9, 1.9},  {-0.6, 2.3, 1.3},
              {1.9, 1.1, 0.85}, {-0.85, 0.7, 0.6}};
 
-/* Returns where coordinate c goes when the last body becomes the first. */
+/* Returns the index of coordinate c when the order of n bodies is
+   reversed. */
 static size_t reversed(size_t n, size_t c)
 {
     return c / n * n + (n - 1 - c % n);
 }
 
-/* Puts rows of n numbers the other way round, and multiplies them. */
+/* Reverses the order in each row of n numbers, and multiplies them. */
 static void reverse_rows(double a[], size_t rows, size_t n, double by)
 {
     for (size_t c = 0; a && c < rows * n; ++c) {

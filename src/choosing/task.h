@@ -23,13 +23,13 @@ struct reference {
     unsigned twins; /* how many were run, besides the coarser run */
 };
 
-/* The runs of one method, finer and finer. Only one of them matters, from
-   which the next is judged, and between which two that has to lie. */
+/* The runs of one method with finer and finer steps. Kept are the best of
+   them and the bounds between which the next one has to lie. */
 struct ladder {
     struct choose_candidate *candidate;
     struct models_plan foot;
-    struct choose_point best; /* the coarsest that holds, or the last that
-                                 does not; model NULL: none was tried */
+    struct choose_point best; /* the coarsest within the tolerance, or else
+                                 the last; model NULL: none was tried */
     double least, most; /* between these is the next one, in octaves */
     double rise;        /* octaves of cost to one of fineness */
     double price;       /* s: at which it may hold, after its first run */

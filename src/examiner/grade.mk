@@ -14,7 +14,8 @@ GRADE_BUILT = build/grade/grade build/grade/flags \
 	$(patsubst %,build/grade/%.types.h,$(filter-out P%,$(graded)))
 
 .PHONY: grade grade-parts grade-bench has-submissions hostile-programs jobs-grade
-# Tries every hostile submission of the tests once more, as part of a whole program.
+# Runs every hostile submission of the tests as a project, too: as part of a program with
+# its own main.
 hostile-programs: grade-parts
 	@ALL=1 tests/grader/programs.sh
 grade-bench: grade-parts

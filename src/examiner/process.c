@@ -86,10 +86,11 @@ static int hand_over(const int kept[6])
     return 3 + count;
 }
 
-/* Becomes the command. Limits, group and descriptors are set between fork
-   and exec, and survive the exec. Input is empty, or an exercise that
-   reads a number would seem to hang. All other descriptors are closed,
-   such as the pipe by which make -j hands out its jobs. */
+/* Replaces this process, a child just forked, by the command; never
+   returns. Limits, group and descriptors are set before the exec, and
+   survive it. Standard input is empty: otherwise an exercise that reads a
+   number would wait for it and seem to hang. All other descriptors are
+   closed, such as the pipe by which make -j hands out its jobs. */
 static void become(char *const command[], const char *folder,
                    const struct process_files *files,
                    const struct process_limits *limits)

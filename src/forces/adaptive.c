@@ -387,10 +387,11 @@ VECTOR_LOOP static void guess_one(double *restrict new_b,
     }
 }
 
-/* Guesses the force in the next step, of length h: the polynomial of the
-   last step goes on. At 1 + q s, with q the ratio of the two lengths, s^m
-   has the coefficient q^m sum_k binomial(k, m) b_k. What this guess missed
-   the last time it will miss again, more or less, and that is added. */
+/* Guesses the force in the next step, of length h, by extrapolating the
+   polynomial of the last step. With q the ratio of the two lengths, the
+   place s of the new step is the place 1 + q s of the old one, so s^m has
+   the coefficient q^m sum_k binomial(k, m) b_k. The error of the last guess
+   is added, since that of the next one is likely to be much the same. */
 static void guess_force(struct adaptive *s, double h)
 {
     const size_t n = s->forces.size;

@@ -45,8 +45,8 @@ struct adaptive {
     uint64_t most; /* evaluations after which no step is taken; 0: none */
 };
 
-/* Returns what an adaptive method m needs, or NULL without memory. m and
-   what the forces point to must outlive it. */
+/* Returns what an adaptive method m needs, or NULL if memory runs out. m
+   and what the forces point to must outlive it. */
 struct adaptive *adaptive_create(const struct stepping_method *m,
                                  struct stepping_forces f);
 

@@ -27,7 +27,8 @@ bool checkpoint_possible(const char *output)
     return stat(output, &file) != 0 || S_ISREG(file.st_mode);
 }
 
-/* Returns both strings together, to be freed, or NULL without memory. */
+/* Returns both strings together, to be freed, or NULL if memory runs
+   out. */
 static char *join(const char *a, const char *b)
 {
     const size_t size = strlen(a) + strlen(b) + 1;
@@ -204,8 +205,8 @@ static bool flush_rows(struct checkpoint *c)
     return true;
 }
 
-/* Copies the rows and sums them once more: the table gets its name only if
-   they are those that were written. */
+/* Computes the checksum of the rows once more: the table gets its name only
+   if they are the ones that were written. */
 bool checkpoint_copy(struct checkpoint *c, struct table *t)
 {
     static char piece[65536];

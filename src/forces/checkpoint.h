@@ -71,7 +71,8 @@ bool checkpoint_row(struct checkpoint *c, size_t n, const double values[]);
 bool checkpoint_write(struct checkpoint *c, struct motion *m,
                       struct checkpoint_numbers n);
 
-/* Copies all rows into a table, if they are what was written. */
+/* Copies all rows into a table. Returns false if their checksum is not that
+   of the rows written, so that the table gets no name. */
 bool checkpoint_copy(struct checkpoint *c, struct table *t);
 
 /* Closes the files. keep: another run will go on, if there is a checkpoint;

@@ -17,7 +17,7 @@ static double sine(double x)
     return sum + term;
 }
 
-/* Without cancellation for small angles. */
+/* Returns the cosine of x, |x| <= 2 pi, from the sine of x/2. */
 static double cosine(double x)
 {
     const double half = sine(x / 2);

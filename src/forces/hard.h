@@ -1,4 +1,4 @@
-/* Scenes of hard bodies, and their way back to the engines of events. */
+/* Scenes of hard bodies, and how event-driven engines start from them. */
 #ifndef HARD_H
 #define HARD_H
 

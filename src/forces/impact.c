@@ -59,7 +59,8 @@ static void accelerate(void *what, const double x[], const double v[],
         }
 }
 
-/* Finds between which places the bodies lie along an axis, m. */
+/* Finds the least and the greatest coordinate of the bodies along an axis,
+   m. */
 static void spread(const struct scene *s, size_t k, double *low,
                    double *high)
 {
@@ -89,7 +90,8 @@ static size_t widest_axis(const struct scene *s)
     return widest;
 }
 
-/* One piece of memory holds all numbers of a part. */
+/* Sets the pointers to the arrays, which lie one after another in the
+   memory that p->note begins. */
 static void divide_numbers(struct impact *p, size_t n)
 {
     p->control = p->note + 5 * n + 1;
@@ -98,8 +100,8 @@ static void divide_numbers(struct impact *p, size_t n)
     p->pull = p->high + n;
 }
 
-/* The forces of the stepping are exchanged for those above, and its sweep,
-   which knows no walls, is given up. */
+/* Replaces the forces of the stepping by those above, and gives up its
+   sweep, which knows no walls. */
 bool impact_create(struct impact *p, struct spheres *spheres,
                    struct stepping *s)
 {
@@ -268,11 +270,11 @@ static bool sinks(const double q[], size_t m, double below)
     return root_first(q, m, -below, ROOT_HALVINGS) <= 1;
 }
 
-/* A contact that is made or missed by a hair is one that a path with an
-   error may decide either way. So the gap that is closest to it is noticed,
-   if somebody wants to know: the least value of a curve, in units, if it
-   lies inside the part; one that does not count as a root, but might be
-   one, as 0. */
+/* Replaces p->least by the least value of a curve, in units, if that lies
+   inside the part and is nearer to 0. It tells how nearly a contact was
+   made or missed, since a path with an error may decide such a one either
+   way. A minimum that is below 0 only by rounding counts as no root, and is
+   recorded as 0. */
 static void notice(struct impact *p, const double q[], size_t m,
                    double unit, double rounding)
 {

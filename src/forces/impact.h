@@ -49,7 +49,7 @@ struct impact {
 /* Prepares to find the contacts of *p in the steps of *s, which has not
    begun; both, and the scene, have to outlive *i and to stay where they
    are. From then on walls hold in the forces of *s what rests on them.
-   Returns false, with nothing to free, without memory. */
+   Returns false, with nothing to free, if memory runs out. */
 bool impact_create(struct impact *i, struct spheres *p, struct stepping *s);
 void impact_free(struct impact *i);
 

@@ -118,10 +118,10 @@ static const double radau15_weight[] = {
     0.057254407372128585,  1.0940827035134911e-18,
     0.0012870439486375449, -1.824978039945946e-20};
 
-/* What follows from the length of a list is not written a second time. A
-   method composed of leapfrogs asks for the forces once in each of them;
-   the row of any other splitting says how often (stages), since kicks of
-   length 0 ask for nothing. */
+/* The counts of a method follow from the lengths of its lists, and these
+   macros compute them. A composition of leapfrogs evaluates the forces once
+   in each of them. The row of any other splitting gives the number of
+   evaluations itself (stages), since a kick of length 0 needs none. */
 #define LENGTH(list) (sizeof(list) / sizeof *(list))
 #define COMPOSED(m)                                                        \
     .family = STEPPING_SPLITTING, .drifts = LENGTH(m),                     \

@@ -1,5 +1,5 @@
 /* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 3872733209 of the lines below */
+/* checksum 1510089146 of the lines below */
 /* Finds modes: turns the stiffness of all springs by Jacobi's rotations. */
 #include "forces/modes.h"
 
@@ -79,7 +79,7 @@ static void add_spring(const struct springs *p,
     }
 }
 
-/* Fills in the matrix, which is 0. Returns false without memory. */
+/* Fills in the matrix, which is 0. Returns false if memory runs out. */
 static bool assemble(const struct modes *m, const struct springs *p,
                      const double x[], double matrix[])
 {

@@ -16,8 +16,8 @@ struct modes {
 };
 
 /* Finds the modes round x, from the springs alone: no dashpots. The time
-   that it takes grows as size^3. Returns false, with nothing to free,
-   without memory. Source: (10.10, eq:spring-stiffness). */
+   that it takes grows as size^3. Returns false, with nothing to free, if
+   memory runs out. Source: (10.10, eq:spring-stiffness). */
 bool modes_find(struct modes *m, const struct springs *p, const double x[]);
 
 /* Frees the modes and makes *m empty. */

@@ -64,7 +64,7 @@ static bool are_two(const struct motion *m, bool damped)
 
 /* Makes the parts that the scene asks for and no others: without a line k2
    there is no gravity to compute, without contact no collision to look for.
-   Returns false without memory; motion_end frees what was made. */
+   Returns false if memory runs out; motion_end frees what was made. */
 static bool make_parts(struct motion *m)
 {
     const struct scene *s = m->scene;
@@ -129,9 +129,9 @@ static bool accelerates(const struct motion *m)
            g[0] != 0 || g[1] != 0 || g[2] != 0;
 }
 
-/* Contacts after steps go back no further than the step, and look no
-   farther than it reaches for pairs that it has carried through each
-   other. */
+/* Sets the step of the contacts that are resolved after steps: they go back
+   in time by no more than dt, and look only as far as bodies can move in dt
+   for pairs that a step has carried through each other. */
 static void set_dt_of_contacts(struct motion *m, double dt)
 {
     m->spheres.dt = dt;
@@ -240,11 +240,11 @@ static bool is_sprung(const struct scene *s, size_t i)
     return false;
 }
 
-/* Returns the first of several points that share a line which they cannot
-   leave, if one of them moves; or the number of bodies. Such points would
-   collide, and steps cannot see it. Springs are often hung up at points,
-   and what they join is meant to swing through: so at least one of them has
-   to be on no spring. */
+/* Returns the first of several points on a line that they cannot leave, if
+   one of them moves; otherwise the number of bodies. Such points would
+   collide, which steps cannot detect. But points joined by springs are
+   usually meant to pass through each other; so the number of bodies is
+   returned, too, if every point is on a spring. */
 static size_t find_point(const struct scene *s)
 {
     size_t axis = SCENE_AXES, axes = 0, points = 0, free = 0, loose = 0;
@@ -453,9 +453,10 @@ void motion_resume(struct motion *m, double start, uint64_t steps)
     stepping_resume(&m->stepping, steps, NULL, find_kept(m));
 }
 
-/* A shorter step is the first one of a new method with the same sums: what
-   leapfrog keeps belongs to steps of one length. A method with steps of its
-   own (adaptive.c) only has to stop earlier. */
+/* Begins the method anew with the shorter step and the same compensated
+   sums, since the acceleration that leapfrog keeps belongs to steps of one
+   length (see find_kept). A method that chooses its own steps (adaptive.c)
+   only has to stop earlier. */
 bool motion_shorten(struct motion *m, double dt)
 {
     struct stepping old = m->stepping, *s = &m->stepping;

@@ -60,14 +60,14 @@ enum motion_flaw {
 bool motion_begin(struct motion *m, const char *program, struct scene *s,
                   const char *method, double dt);
 
-/* The same for a scene that something else carries, from one collision to
-   the next: only its energy can be asked for. Points may be on one line. */
+/* The same for a scene that another engine moves from one collision to the
+   next; then m gives only its energy. Points may be on one line. */
 bool motion_view(struct motion *m, const char *program, struct scene *s);
 void motion_end(struct motion *m);
 
 /* From here on contacts are found inside the steps, and not after them.
    Before the first step, of a scene that has contacts, by a method of our
-   own and dt > 0. Returns false, with m as it was, without memory. */
+   own and dt > 0. Returns false, with m as it was, if memory runs out. */
 bool motion_locate(struct motion *m);
 
 /* Takes so many steps, with contacts after each, if the scene has any, or
@@ -76,7 +76,7 @@ enum stepping_end motion_run(struct motion *m, uint64_t steps);
 double motion_time(const struct motion *m); /* s */
 
 /* From here on a step is dt long, s, and the steps are counted from 0.
-   Returns false, with m as it was, without memory. */
+   Returns false, with m as it was, if memory runs out. */
 bool motion_shorten(struct motion *m, double dt);
 
 /* Takes m, before its first step, for a run that began at the time start,
@@ -86,7 +86,7 @@ void motion_resume(struct motion *m, double start, uint64_t steps);
 /* Puts time, step (that of the beginning), rounding errors and the
    acceleration that the method has kept into the scene: what scene_write
    then writes goes on, by the same method, to the same bits. Returns false
-   without memory. */
+   if memory runs out. */
 bool motion_note(struct motion *m);
 
 /* The energy now. Held coordinates have no weight. */

@@ -15,7 +15,8 @@ enum {
 };
 
 /* Allocates the matrix when it is needed for the first time: for most runs
-   it never is. Returns false without memory, or with too many unknowns. */
+   it never is. Returns false if memory runs out or there are too many
+   unknowns. */
 static bool prepare(struct stepping *s)
 {
     struct stepping_work *const w = s->part;

@@ -6,7 +6,7 @@
 
 /* Finds the accelerations at the stages, from the guess in s->part->stage:
    the zero of F in (8.12, eq:newton). Returns false if it does not
-   converge, without memory, or with more than a thousand unknowns. */
+   converge, if memory runs out, or for more than a thousand unknowns. */
 bool newton_solve(struct stepping *s);
 
 #endif

@@ -333,8 +333,8 @@ bool observables_read(struct observables *o, const char *text,
     }
 }
 
-/* Writes the symbol of column k: that of the kind and the bodies it was
-   asked of, as in z:30, which the inspector writes on its axes. */
+/* Writes the symbol of column k with the bodies that it was asked of, as in
+   z:30; make inspect writes it on the axes. */
 static void symbol_of(const struct observable *o, size_t k, char *symbol,
                       size_t size)
 {

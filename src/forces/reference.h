@@ -18,8 +18,8 @@ extern const bool reference_available;
 
 /* Prepares r; in each of its steps the error of a coordinate is kept below
    `tolerance` times the largest one, that of a velocity likewise, as they
-   are when reference_step is called. Returns false without memory, or if
-   there is no library. Turns off the library's habit of ending the
+   are when reference_step is called. Returns false if memory runs out, or
+   if there is no library. Turns off the library's habit of ending the
    program. */
 bool reference_begin(struct reference *r, struct stepping_forces f,
                      double tolerance);

@@ -1,5 +1,5 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 1756427008 of the lines below */
+/* checksum 660910529 of the lines below */
 /* Halves a curve in Bernstein's form until its first root is left. */
 #include "forces/root.h"
 
@@ -44,7 +44,8 @@ double root_first(const double q[], size_t m, double rounding, int halvings)
     return (1 + root_first(right, m, rounding, halvings - 1)) / 2;
 }
 
-/* Divides a curve that is 0 at first by the time; returns its degree. */
+/* Divides a polynomial without constant term, in Bernstein's form, by the
+   time; returns the degree of the quotient. */
 static size_t divide_by_time(double q[], size_t m)
 {
     for (size_t j = 0; j < m; ++j)

@@ -12,7 +12,7 @@ struct soft {
 };
 
 /* Prepares for the bodies of a scene, which has to outlive *t. Returns
-   false, with nothing to free, without memory. */
+   false, with nothing to free, if memory runs out. */
 bool soft_create(struct soft *t, const struct scene *s);
 void soft_free(struct soft *t);
 

@@ -76,7 +76,7 @@ struct spheres {
     const struct scene *scene;
     double *inverse; /* 1/mass along each axis, 1/kg; 0 where fixed */
     double widest;   /* radius, m */
-    double margin;   /* pairs that are so near are looked at too, m */
+    double margin;   /* pairs nearer than this are listed, too, m */
     double narrow;   /* the least sum of two radii, but for two points, m */
     double furthest; /* that two can come nearer in a step, m */
     double half[SPHERES_AXES]; /* of a periodic box; INFINITY, m */
@@ -114,9 +114,9 @@ size_t spheres_overlaps(struct spheres *p, const double x[]);
 
 /* Returns how deep bodies of a scene with contacts overlap, or reach beyond
    a hard wall that they do not come back from, m; 0: nowhere, or there are
-   no contacts. INFINITY without memory. Where and when such bodies touched
-   cannot be known, and what becomes of them depends on the step: programs
-   refuse them, or say so. */
+   no contacts. INFINITY if memory runs out. Where and when such bodies
+   touched cannot be known, and what becomes of them depends on the step:
+   programs refuse them, or say so. */
 double spheres_depth(const struct scene *s);
 
 /* Counts in p->passed pairs that the last step, p->dt long, took through

@@ -107,8 +107,8 @@ static int before(const void *one, const void *other)
     return sign(s->rest, t->rest);
 }
 
-/* Returns a copy of the scene's springs, turned and in order; NULL without
-   memory. */
+/* Returns a copy of the scene's springs, turned and in order; NULL if
+   memory runs out. */
 static struct scene_spring *in_order(const struct scene *s)
 {
     struct scene_spring *all = malloc((s->springs + 1) * sizeof *all);

@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 2451741518 of the lines below */
+/* checksum 4263103777 of the lines below */
 /* The steps of the methods: kicks and drifts, leapfrog, Runge-Kutta. */
 #ifndef STEPS_H
 #define STEPS_H
@@ -229,7 +229,7 @@ static inline void guess_stages(struct stepping *s)
                n * sizeof *s->acceleration);
 }
 
-/* Finds the forces at all stages, into guess. */
+/* Stores the forces at all stages in guess. */
 static inline void sweep(struct stepping *s)
 {
     const struct stepping_work *const w = s->part;

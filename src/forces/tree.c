@@ -1,5 +1,5 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 3258099541 of the lines below */
+/* checksum 3553519986 of the lines below */
 /* Sums pulls by a tree, in which a distant cell of bodies is one mass. */
 #include "forces/tree.h"
 
@@ -91,7 +91,8 @@ static void copy_bodies(struct tree *t, const double x[], size_t first,
     }
 }
 
-/* Returns a cell of bodies first to end - 1: what they weigh, and where. */
+/* Returns the cell of bodies first to end - 1, with their mass and their
+   centre of mass. */
 static struct cell weigh(const struct tree *t, size_t first, size_t end,
                          double side)
 {

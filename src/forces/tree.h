@@ -6,9 +6,9 @@
 
 #include <stddef.h>
 
-/* Returns a tree for so many bodies, which opens a cell unless its width is
-   less than theta times its distance; the pointer mass is kept. Returns
-   NULL without memory. */
+/* Returns a tree for this number of bodies. It opens a cell unless the
+   cell's width is less than theta times its distance. The pointer mass is
+   kept. Returns NULL if memory runs out. */
 struct tree *tree_create(size_t bodies, const double mass[], double theta);
 
 /* Frees a tree, which may be NULL. */
@@ -18,9 +18,9 @@ void tree_free(struct tree *t);
    tree depends on x alone, and not on where the bodies were before. */
 void tree_build(struct tree *t, const double x[]);
 
-/* Adds to a[] what all bodies pull at the block of bodies that begins with
-   number i in the order of the tree g->tree, which tree_build has made at
-   x. The error is at most (9.15, eq:tree-bound). */
+/* Adds to a[] the accelerations, due to all bodies, of the block of bodies
+   that begins with number i in the order of g->tree; tree_build has built
+   this tree from the same x. The error is at most (9.15, eq:tree-bound). */
 void tree_add(const struct gravity *g, const double x[], double a[],
               size_t i);
 

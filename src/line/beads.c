@@ -150,8 +150,9 @@ void bonkers_settle(struct bonkers *b)
     schedule_clear(&b->schedule);
 }
 
-/* No gap will close: where the left body gains on the right one, it has
-   infinitely far to go. No time is asked for, and the clocks may differ. */
+/* Returns whether no gap will ever close: nowhere does the left body gain
+   on the right one at a finite distance. Without gravity no time is
+   computed, so the clocks of the bodies (since) may differ. */
 bool bonkers_is_still(const struct bonkers *b)
 {
     for (size_t i = 0; i < b->gaps; ++i)

@@ -33,7 +33,7 @@ static void series_of(size_t n, const double x[], double y[],
 
 /* Sets *error to that of the mean of y, from blocks if the order of the
    samples means something. Of several numbers the description keeps the
-   worst. Returns false without memory. */
+   worst. Returns false if memory runs out. */
 static bool error_of(size_t n, const double y[], bool serial,
                      struct statistics_description *d, double *error)
 {

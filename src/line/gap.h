@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 152904281 of the lines below */
+/* checksum 3102276247 of the lines below */
 /* A gap between two bodies: when it closes, and what happens then. */
 #ifndef GAP_H
 #define GAP_H
@@ -51,15 +51,15 @@ static inline bool same_time(double before, double t)
     return t - before <= 4 * DBL_EPSILON * t;
 }
 
-/* How many collisions of a gap at one time are a collapse. */
+/* Returns how many collisions of a gap at one time are a collapse. */
 static inline uint32_t most_repeats(const struct bonkers *b)
 {
     return BONKERS_REPEATS + (b->gaps < 200 ? (uint32_t)b->gaps : 200);
 }
 
-/* Counts the collisions of gap i at one reading of the clock, which
-   stands or has moved on. Returns true when there are too many, or when
-   the two have come together too slowly for numbers. */
+/* Counts the collisions of gap i while the clock stands still, and begins
+   again when it has moved on. Returns true when there are too many, or when
+   the clock moves but the speed of approach is below BONKERS_SLOWEST. */
 static inline bool count_repeat(struct bonkers *b, size_t i, bool stands,
                                 double approach)
 {
@@ -70,7 +70,8 @@ static inline bool count_repeat(struct bonkers *b, size_t i, bool stands,
            (!stands && approach < BONKERS_SLOWEST);
 }
 
-/* The fraction f of (1.12, eq:smaller); no number where none can move. */
+/* Returns the fraction f of (1.12, eq:smaller); NaN where neither body can
+   move. */
 static inline double fraction(const struct bonkers *b, size_t i)
 {
     const double left = b->body[i].im, right = b->body[i + 1].im;

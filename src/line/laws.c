@@ -118,7 +118,7 @@ static struct stretched beta_of(const struct law *law)
 static double stretched_density(struct stretched s, double x)
 {
     const double place = (x - s.low) / (s.high - s.low);
-    /* GSL knows that nothing lies outside of [0,1]. */
+    /* Outside of [0,1] gsl_ran_beta_pdf returns 0. */
     return gsl_ran_beta_pdf(place, s.a, s.b) / (s.high - s.low);
 }
 
@@ -245,8 +245,9 @@ static size_t bin_of(double below)
     return below < 1 ? (size_t)(below * LAW_CELLS) : LAW_CELLS - 1;
 }
 
-/* Measures what correlations make of chi-square, from the counts of blocks
-   in the same bins. Returns false without memory. */
+/* Measures by how much correlations change the distribution of chi-square,
+   from the counts of blocks in the same bins. Returns false if memory runs
+   out. */
 static bool find_scatter(size_t n, const double below[], size_t block,
                          struct statistics_scatter *s)
 {

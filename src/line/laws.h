@@ -60,7 +60,7 @@ double laws_sd(const struct law *law);
    1, or if there are not 3 blocks of so many; else it is measured from the
    blocks, which are taken for independent; with fitted numbers it is then
    too careful.
-   Returns false without memory. Requires n >= 2, g > 0,
+   Returns false if memory runs out. Requires n >= 2, g > 0,
    fitted < LAW_CELLS - 1.
    Sources: Kolmogorov's limit with Stephens' correction,
    J. R. Statist. Soc. B 32, 115 (1970); Pearson's chi-square. */

@@ -11,7 +11,7 @@ enum { SLAB_WAITING = 4096 };
 /* Returns what the engine keeps, or NULL when there is no memory. */
 struct bonkers_slab *slab_create(const struct bonkers *b);
 
-/* Frees it; NULL is nothing to free. */
+/* Frees the engine's memory; does nothing if s is NULL. */
 void slab_free(struct bonkers_slab *s);
 
 /* Runs until the time `until`, as bonkers_run does. */

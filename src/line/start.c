@@ -144,8 +144,8 @@ static void fill_thermal(struct start *s, struct random *r)
 }
 
 /* The same gas with masses spread evenly from 1 kg to 9 kg, in random
-   order: each new one takes the place of one that is there already, or its
-   own, and that one moves to the end of the row. */
+   order: the inside-out form of the shuffle of Fisher and Yates puts the
+   i-th mass at a random place k <= i, and what was there at place i. */
 static void fill_random(struct start *s, struct random *r)
 {
     const size_t n = s->movers;

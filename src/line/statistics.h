@@ -70,13 +70,13 @@ struct statistics_description {
     bool plateau;        /* false: the errors are only lower bounds */
 };
 
-/* What correlations make of a chi-square of counts: it is distributed
-   about like `scale` times one of so many degrees of freedom. */
+/* The distribution of chi-square for correlated counts: it is about that of
+   `scale` times a chi-square with this number of degrees of freedom. */
 struct statistics_scatter {
     double scale, degrees;
 };
 
-/* Whether two series know of each other. */
+/* Whether two series depend on each other. */
 struct statistics_dependence {
     double correlation, error; /* the coefficient, and its error */
     double chi2;               /* of a table of equally filled cells, */
@@ -90,9 +90,9 @@ struct statistics_moments statistics_moments(size_t n, const double x[]);
    of deviations neither overflow nor vanish. */
 double statistics_unit(size_t n, const double x[]);
 
-/* Blocks a series. Returns false without memory. Requires n >= 2.
-   Source: Flyvbjerg and Petersen, J. Chem. Phys. 91, 461 (1989); the
-   choice of the length (3.11, eq:choice). */
+/* Blocks a series. Returns false if memory runs out. Requires n >= 2.
+   Source: Flyvbjerg and Petersen, J. Chem. Phys. 91, 461 (1989); the choice
+   of the length (3.11, eq:choice). */
 bool statistics_blocking(size_t n, const double x[],
                          struct statistics_blocking *b);
 
@@ -109,7 +109,7 @@ struct statistics_correlation statistics_correlation(size_t n,
 double statistics_covariance(size_t n, const double x[], double mean,
                              size_t lag);
 
-/* Returns an empty histogram for free, or NULL without memory. Requires
+/* Returns an empty histogram for free, or NULL if memory runs out. Requires
    low < high with a finite difference and bins > 0. */
 struct statistics_histogram *statistics_histogram_create(double low,
                                                          double high,
@@ -147,7 +147,7 @@ double statistics_gaussian_between(double mean, double sd, double a,
                                    double b);
 
 /* Describes x. If serial, the errors come from blocking; otherwise the
-   samples are taken for independent. Returns false without memory.
+   samples are taken for independent. Returns false if memory runs out.
    Requires n >= 2. */
 bool statistics_describe(size_t n, const double x[], bool serial,
                          struct statistics_description *d);
@@ -160,11 +160,11 @@ struct statistics_scatter statistics_scatter(size_t blocks, size_t cells,
                                              const double count[],
                                              double expected);
 
-/* Compares x with y, measured at the same times: their correlation, with
-   an error from blocking if serial, and chi-square of a table of
-   cells x cells that are equally full if they are independent, not yet
-   divided by an inefficiency. Returns false without memory, or if one of
-   the two never changes. Requires n >= 2, cells >= 2. */
+/* Compares x with y, measured at the same times: their correlation, with an
+   error from blocking if serial, and chi-square of a table of cells x cells
+   that are equally full if they are independent, not yet divided by an
+   inefficiency. Returns false if memory runs out, or if one of the two
+   never changes. Requires n >= 2, cells >= 2. */
 bool statistics_dependence(size_t n, const double x[], const double y[],
                            size_t cells, bool serial,
                            struct statistics_dependence *d);

@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 3857096970 of the lines below */
+/* checksum 186876512 of the lines below */
 /* Ten beads on a wire between two stops, from collision to collision. */
 #include "line/collide.h"
 
@@ -16,7 +16,7 @@ static double x[BEADS + 2] = {0,   0.5, 4.6, 5.3,  6.2,  6.9,
                               7.8, 8.5, 9.4, 10.2, 11.1, 12};
 static double v[BEADS + 2] = {0, 2};
 
-/* How long until gap i closes, s (2.3, eq:gap-time). */
+/* Returns how long it takes until gap i closes, s (2.3, eq:gap-time). */
 static double wait_for(int i)
 {
     const double gap = x[i + 1] - x[i];
@@ -26,7 +26,7 @@ static double wait_for(int i)
     return INFINITY;
 }
 
-/* The gap that closes first. */
+/* Returns the gap that closes first. */
 static int next_gap(void)
 {
     int first = 0;
@@ -43,7 +43,7 @@ static void move_all(double wait)
         x[i] += v[i] * wait;
 }
 
-/* One row: time, energy, place and velocity of every bead. */
+/* Prints one row: time, energy, place and velocity of every bead. */
 static void print_row(double now)
 {
     double energy = 0;

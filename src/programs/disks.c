@@ -753,7 +753,8 @@ static void begin_pressure(struct run *r)
                        : "P V/(N kT) from collisions");
 }
 
-/* Writes a row; at the first sampling time nothing has been gained yet. */
+/* Writes a row of the pressure since the last one; at the first sampling
+   time no time has passed, and there is no row. */
 static void sample_pressure(struct run *r)
 {
     const struct disks *d = &r->d;

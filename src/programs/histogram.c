@@ -461,8 +461,8 @@ static struct bins choose_bins(size_t i,
     return b;
 }
 
-/* Refuses a column whose bins are so narrow that its density is more than
-   a number holds. */
+/* Refuses a column whose bins are so narrow that its density exceeds the
+   largest double. */
 static void refuse_bins(const struct columns *c, size_t i)
 {
     const struct column *column = &c->column[i];

@@ -837,7 +837,7 @@ static bool read_start(struct run *r, struct checkpoint_numbers *known)
     return again;
 }
 
-/* Refuses options for which the scene has nothing to do. */
+/* Refuses options that would have no effect in this scene. */
 static void refuse_unused(struct options *o, const struct motion *m)
 {
     const bool pulls =

@@ -299,7 +299,8 @@ static bool read_choice(struct piece p, const char *const names[],
 static const char *const wall_names[] = {"open", "hard", "periodic", NULL};
 static const char *const axial_names[] = {"axial", NULL};
 
-/* Reads a word as the mark of its field wants it. */
+/* Reads a word as a value of the kind that the mark of its field stands
+   for. Returns false if it is none. */
 static bool read_value(const struct reader *r, char mark, struct piece p,
                        double *value)
 {
@@ -318,7 +319,7 @@ static bool read_value(const struct reader *r, char mark, struct piece p,
                           : true);
 }
 
-/* Returns what a mark wants, for messages. */
+/* Returns what kind of value a mark stands for, for messages. */
 static const char *describe(char mark)
 {
     switch (mark) {
@@ -456,9 +457,9 @@ static bool store_carry(struct reader *r, const double value[],
     return store_rare(&r->scene->carry, r, value, count);
 }
 
-/* Either all bodies have a line kept or none: a body whose line got lost
-   would feel no force for half a step, and nobody would notice. check_once
-   sees to it that no body has two. */
+/* Either every body has a line "kept" or none has: a body without one would
+   feel no force for half a step, and nobody would notice. check_once sees
+   to it that no body has two. */
 static bool store_kept(struct reader *r, const double value[], size_t count)
 {
     const size_t bodies = r->scene->bodies, lines = r->lines[KEPT];

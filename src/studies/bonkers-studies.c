@@ -47,7 +47,8 @@ enum line_kind {
     LINE_BIASED /* double, with the difference form (1.8, eq:restitution) */
 };
 
-/* The bodies of a line, in wide numbers whatever its kind. */
+/* The bodies of a line of any kind. Numbers of lower precision are stored
+   in the widest type, too. */
 struct line {
     size_t gaps;
     enum line_kind kind;
@@ -213,7 +214,7 @@ static void note_ratios(struct table *summary, size_t movers,
                 "slab/scan-%zu", movers);
 }
 
-/* Notes what needs a million particles. */
+/* Writes the keys of the summary that need a run of a million particles. */
 static void note_large(struct table *summary,
                        double speed[SIZES][BONKERS_ENGINES])
 {

@@ -1279,8 +1279,9 @@ static double peak1(uint64_t n)
 }
 
 /* What a kernel is compared with: its operations for a pair (a fused
-   multiply-add counts two; a root, a quotient and an estimate count one),
-   and the loop of nothing but such operations with its lanes. */
+   multiply-add counts as two; a root, a quotient and an estimate as one),
+   and the speed of a loop that does nothing but multiply-adds, on as many
+   numbers at a time as there are lanes. */
 struct yardstick {
     double operations, lanes;
     double (*peak)(uint64_t n);

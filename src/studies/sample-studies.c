@@ -43,7 +43,7 @@ static const struct options_entry entries[] = {
     {"step", 'd', "D1,..", "of the chain, m (0.1)"},
     {0}};
 
-/* Ends the program without memory. */
+/* Ends the program when memory runs out. */
 static _Noreturn void end_without_memory(void)
 {
     program_give_up("no memory; use fewer disks or samples");

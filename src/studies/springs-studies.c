@@ -562,11 +562,12 @@ static double disturb(struct scene *s)
     return fastest;
 }
 
-/* Returns whether a disturbance of a billionth of a metre grows in so many
-   steps of the phase omega dt: to a centimetre, or by half against both the
-   start and the second quarter. To wait for a factor of a thousand would
-   find RK4's limit 2e-4 too high: at 1 + d of it the amplitude grows only
-   by 1 + 7d a step. This finds it to 3e-5 in 4000 steps. */
+/* Returns whether a disturbance of 1e-9 m grows within this number of steps
+   of the phase omega dt: to a centimetre, or by half against both the start
+   and the second quarter. Waiting for a factor of a thousand would find
+   RK4's limit 2e-4 too high, since at 1 + d times the limit the amplitude
+   grows by a factor of only 1 + 7d a step. This finds the limit to 3e-5 in
+   4000 steps. */
 static bool grows(const struct stepping_method *method, bool pendulum,
                   double phase, uint64_t steps)
 {

@@ -282,8 +282,8 @@ static double area(double p[RIM][2])
     return fabs(sum) / 2;
 }
 
-/* Steps the rim of a disk of states; each point is a pendulum of its
-   own. */
+/* Steps the points on the rim of a disk in phase space; each is the state
+   of a pendulum of its own. */
 static void step_rim(double p[RIM][2], const char *method, uint64_t steps)
 {
     struct run c;
@@ -302,8 +302,8 @@ static void step_rim(double p[RIM][2], const char *method, uint64_t steps)
 static const struct table_key area_keys[] = {
     {"<method>", "1", "area after 9 steps / at the start"}, {0}};
 
-/* Writes a disk of states at the start and after three, six and nine
-   steps. */
+/* Writes the rim of a disk in phase space at the start and after three, six
+   and nine steps. */
 static void study_area(struct study *s)
 {
     static const char *const names[] = {"euler", "leapfrog", "rk4"};

@@ -251,8 +251,9 @@ static void check_heading(struct options *o, const struct options_entry *e,
         if (*values && no && among)
             options_fail(o, "means nothing with --%s %s%s", name, value,
                          given ? "" : ", the default");
-        /* A default is not named as if it had been given: another option
-           may have set it aside, as lists do with the preset of bonkers. */
+        /* If the other option was not given, its default is not quoted as
+           if it had been: a third option may have replaced it, as lists do
+           with the preset of bonkers. */
         if (*values && !no && !among && !given)
             options_fail(o, "means nothing without --%s %s", name, values);
         if (*values && !no && !among)

@@ -1,7 +1,7 @@
 /* Tables and summaries that are whole or absent. */
-/* Only a power cut between renaming and the disk's writing may spoil a
-   table: waiting for the disk would cost time, and a table can be made
-   again. */
+/* Nothing waits until the disk has written a table (fsync), which would
+   cost time; so a power cut soon after the renaming may spoil it. It can be
+   made again. */
 #ifndef TOOLBOX_TABLE_H
 #define TOOLBOX_TABLE_H
 

@@ -36,9 +36,9 @@
 #define VECTOR_LOOP
 #endif
 
-/* They stand before a function written in the instructions of a kind, which
-   may be called only if VECTOR_HAS(kind) is true. Undefined on processors
-   without them. */
+/* VECTOR_AVX2 and VECTOR_AVX512 stand before a function that is written
+   with these instructions; it may be called only if VECTOR_HAS(kind) is
+   true. They are undefined where a processor cannot have them. */
 #ifdef VECTOR_HAS
 #define VECTOR_AVX2 VECTOR_LONG __attribute__((target("avx2")))
 #define VECTOR_AVX512 __attribute__((target("avx512f")))

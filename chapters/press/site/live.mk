@@ -1,7 +1,7 @@
-# Figures that live: each file of src/page/ is compiled to WebAssembly, and its
-# script is made of that, compressed and in letters, and of
-# chapters/press/site/live-NAME.js, since a page that was opened as a file can
-# fetch nothing. `make site' makes them; `make live' makes no more than them.
+# Live figures: each file of src/page/ is compiled to WebAssembly. The script of a figure
+# contains that, compressed and in base64, since a page that was opened as a file can fetch
+# nothing, and chapters/press/site/live-NAME.js. `make site' makes them with the pages;
+# `make live' makes nothing else.
 .PHONY: live has-wasm
 live_names := $(filter-out table,$(patsubst src/page/%.c,%,$(wildcard \
 	src/page/*.c)))
@@ -65,8 +65,8 @@ build/site/live/play-%.js: $(site_scripts)/live-scenes
 		$< >$@.part
 	@mv $@.part $@
 
-# What a figure needs from a table: the truth about four disks; how fast films
-# of scenes go, and their unit of time.
+# Numbers that a figure's script gets from a table: for the clock the right density of a
+# coordinate of four disks; for the player the speed of each scene and its unit of time.
 live_numbers =
 build/site/live/player.js: plots/films
 build/site/live/player.js: live_numbers = { echo 'live.films = {' && awk \

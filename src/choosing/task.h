@@ -155,7 +155,7 @@ double twins_add(const struct task *t, const struct record *r,
 double twins_bound(const struct task *t, const struct record *a,
                    const struct record *b);
 
-/* ---- reference.c: a run that proves itself */
+/* ---- reference_run.c: a run that proves itself */
 
 /* Finds a reference. false: there is none; if that is no horizon, the
    refusal says why. */

@@ -18,7 +18,7 @@ static void played_both(struct record *a, struct record *b,
 #include <choosing/task.c>
 #include <choosing/rung.c>
 #include <choosing/twins.c>
-#include <choosing/reference.c>
+#include <choosing/reference_run.c>
 #include <choosing/climb.c>
 #include <choosing/choose.c>
 

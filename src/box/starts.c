@@ -316,8 +316,8 @@ bool disks_place_random(struct disks *d, struct random *r)
     return true;
 }
 
-/* What a run has counted belongs to it; the next one begins with zeros, at
-   the time 0. */
+/* Moves every disk to the present, which becomes the time 0, and sets all
+   counters to zero, since they belong to the run that has ended. */
 void disks_settle(struct disks *d)
 {
     for (size_t i = 0; i < d->count; ++i) {

@@ -26,9 +26,10 @@ void closed_oscillate(double t, double square, double rate, double *y,
 bool closed_relabel(double low, double high, size_t n, double x[],
                     double v[], double t);
 
-/* How often they have met each other and the walls by then, not counting
-   those that touch at the start; UINT64_MAX: more often than that. Time:
-   of the order of n^2. Source: (12.6, eq:closed-meetings). */
+/* Returns how often the points have met each other and the walls by the
+   time t, not counting those that touch at the start; UINT64_MAX if that is
+   more often than it can hold. Takes a time of the order of n^2. Source:
+   (12.6, eq:closed-meetings). */
 uint64_t closed_meetings(double low, double high, size_t n,
                          const double x[], const double v[], double t);
 

@@ -209,7 +209,8 @@ const struct models_model models_line = {
     .end = end_line,
     .refuses = refuse_line};
 
-/* What is no line is no line of equal bodies either. */
+/* Returns why the bodies are no line of equal ones, or NULL; what is no
+   line at all is refused first. */
 static const char *refuse_relabel(const struct scene *s,
                                   const struct models_acts *a)
 {

@@ -241,12 +241,12 @@ static void reverse_rows(double a[], size_t rows, size_t n, double by)
     }
 }
 
-/* Makes of a scene the same in other units, from the other side, with the
-   last body as the first. The dimension of each quantity says its factor:
-   a stiffness, kg/s^2, has m/t^2, friction m/t, and k^2, m^3/(kg s^2), has
-   |l|^3/(m t^2). With a factor forgotten it is another scene, so far away
-   that no tolerance would hold, which tests see at once. The lower wall
-   becomes the upper one. */
+/* Converts a scene to other units, with the bodies in reverse order; a
+   negative length also reflects it, and the lower wall becomes the upper
+   one. The dimension of each quantity gives its factor: a stiffness,
+   kg/s^2, has m/t^2, k^2, m^3/(kg s^2), has |l|^3/(m t^2), and friction
+   m/t. If a factor is forgotten this is another scene, so different that no
+   tolerance is met, which tests see at once. */
 static void change_units(struct scene *s, const struct units *u)
 {
     const double l = u->length, size = fabs(l), m = u->mass, t = u->time;

@@ -68,12 +68,12 @@ bool task_complete(const struct task *t, const struct record *r);
 double task_difference(const struct task *t, const struct record *a,
                        const struct record *b);
 
-/* Notes that runs part after so many rows: that is a horizon of the scene,
-   and of those that are seen the nearest counts. */
+/* Records that runs differ after the first `held` rows: this is the horizon
+   of the scene, and the nearest one seen counts. */
 void task_note_horizon(const struct task *t, size_t held, double every);
 
-/* The same, if two runs do part, that is differ by more than `most`; the
-   first few rows may hold all the same. */
+/* Does the same for two runs if they differ by more than `most`; their
+   first rows may agree all the same. */
 void task_note_parting(const struct task *t, const struct record *a,
                        const struct record *b, double most);
 

@@ -171,9 +171,9 @@ static const struct check_mistake *mistake_behind(double got,
     return found;
 }
 
-/* Returns the question for an answer that is no number. It is asked
-   instead of any about physics: a NaN has many causes, and the input does
-   not tell which. */
+/* Returns the question for an answer that is a NaN. It is asked instead of
+   any about physics: a NaN has many causes, and the input does not tell
+   which. */
 static const char *ask_of_nan(double got)
 {
     return is_empty(got)

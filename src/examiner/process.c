@@ -300,7 +300,8 @@ struct process_end process_stop(void)
     return end;
 }
 
-/* Only the process that makes the copy learns its number, and sends it. */
+/* Sends the order to the process that makes the copy, and reads the copy's
+   number from its answer, since only that process learns it. */
 bool process_copy(int orders, const void *order, size_t length, int seconds,
                   rlim_t memory_bytes, struct process_end *end)
 {

@@ -545,7 +545,8 @@ static bool is_edge(const struct adaptive *s, double h)
     return h * a <= 1e-9 * largest(s->to.v, n);
 }
 
-/* The same for Radau's method, by Horner's rule. */
+/* Finds places and velocities within the last step of Radau's method, at
+   the fraction r, by Horner's rule. */
 static void look_in_radau(const struct adaptive *s, double r, double x[],
                           double v[])
 {

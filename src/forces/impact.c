@@ -13,8 +13,8 @@ enum { PATH = ADAPTIVE_DEGREE, DEGREE = 2 * PATH };
 enum { MOST_TRIALS = 100, MOST_PARTS = 10000, MOST_PASSES = 1000 };
 _Static_assert((int)DEGREE <= (int)ROOT_DEGREE, "of a pair's gap");
 
-/* What may be rounding, of a place or of a velocity: some units in the last
-   place. */
+/* The relative rounding error that a place or a velocity may have, some
+   units in the last place. */
 static const double ROUNDING = 0x1p-50;
 
 /* A gap between two bodies, or, with a == b, between one and a wall; and

@@ -81,7 +81,7 @@ static void take_out_radii(struct bonkers *b, const double radius[])
 
 /* Bodies that were meant to touch may overlap by a rounding when the radii
    have been taken out. That is forgiven; more is a mistake of the caller,
-   and so is a place that is no number. Points need no shift. */
+   and so is a place that is NaN. Points need no shift. */
 size_t bonkers_start(struct bonkers *b, const double radius[])
 {
     b->extent = 0;

@@ -77,7 +77,7 @@ void bonkers_free(struct bonkers *b);
    x (m, the centre), v (m/s) and im (1/kg); radius: of bodies 0 to gaps
    (m), or NULL for points. An x of -INFINITY or INFINITY is no wall at all
    on that side. Returns the number of gaps if all is well; otherwise
-   the first gap that is narrower than the two radii or no number. */
+   the first gap that is narrower than the two radii, or NaN. */
 size_t bonkers_start(struct bonkers *b, const double radius[]);
 
 /* Runs until the time `until` (s, INFINITY allowed), the collision number

@@ -1,5 +1,5 @@
 /* From chapters/03-equilibrium.nw: edit there, then run make tangle. */
-/* checksum 2593020564 of the lines below */
+/* checksum 150818756 of the lines below */
 /* Moments, blocks and correlations of a series, and its histogram. */
 #include "line/statistics.h"
 
@@ -14,7 +14,7 @@ double statistics_unit(size_t n, const double x[])
         largest = fmax(largest, fabs(x[i]));
     if (largest == 0)
         return 1;
-    /* Beyond these limits a unit or its inverse would be no number. */
+    /* Beyond these limits a unit or its inverse would overflow. */
     return ldexp(1, (int)fmax(fmin(ilogb(largest), 1022), -1022));
 }
 

@@ -1,5 +1,5 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 460921195 of the lines below */
+/* checksum 633616250 of the lines below */
 /* Four hard disks in a box: rows of t, and of x and y of each, every TC. */
 #include <math.h>
 #include <stdio.h>
@@ -34,7 +34,7 @@ static const double r = 0.15, L = 1; /* m */
 static double x[N][3] = {{.25, .25}, {.75, .25}, {.25, .75}, {.75, .75}};
 static double v[N][3] = {{.6, .8}, {-.8, .6}, {.28, -.96}, {-.96, -.28}};
 
-/* From disk i to disk j: the way, m, and the rate of its change, m/s. */
+/* Fills in the separation of disk j from disk i, m, and its rate, m/s. */
 static void between(int i, int j, double separation[], double closing[])
 {
     for (int k = 0; k < 3; ++k) {

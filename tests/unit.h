@@ -16,6 +16,7 @@
 #include <CUnit/CUnit.h>
 #include <CUnit/TestRun.h>
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -62,6 +63,21 @@ static inline void unit_add(const char *name, void (*run)(void))
 #define UNIT_TRUE(condition)                                               \
     CU_assertImplementation((condition) ? CU_TRUE : CU_FALSE, __LINE__,    \
                             #condition, __FILE__, "", CU_FALSE)
+
+/* Ends the program, as failed, where the condition does not hold and no
+   test could go on: memory has run out, say. */
+#define UNIT_MUST(condition)                                               \
+    unit_must(condition, #condition, __FILE__, __LINE__)
+
+static inline void unit_must(bool holds, const char *condition,
+                             const char *file, int line)
+{
+    if (!holds) {
+        printf("not ok %s:%d: cannot go on without %s\n", file, line,
+               condition);
+        exit(1);
+    }
+}
 
 static inline void unit_near(const char *file, unsigned line,
                              const char *what, double got, double expected,

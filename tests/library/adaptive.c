@@ -66,8 +66,7 @@ static void begin(struct stepping *s, const char *name,
                   struct stepping_forces f, double dt, double tolerance,
                   double x[], double v[])
 {
-    if (!stepping_begin(s, stepping_find(name), f, dt, x, v))
-        exit(1);
+    UNIT_MUST(stepping_begin(s, stepping_find(name), f, dt, x, v));
     s->tolerance = tolerance;
 }
 
@@ -235,8 +234,7 @@ TEST(test_drift, "the energy walks, and does not drift")
                       -0.0077892887706889026,
                       0.026516645928648254,
                       0.0193531180486913};
-        if (!s)
-            exit(1);
+        UNIT_MUST(s);
         adaptive_begin(s, 1e-13, 1, 0, x, v);
         UNIT_TRUE(adaptive_reach(s, 1, x, v));
         const quad before = planet_energy(&s->to);
@@ -319,8 +317,7 @@ static double error_inside(const char *name, double h)
     double x = 1, v = 0.3, worst = 0;
     const struct stepping_forces f = {1, false, oscillator, NULL};
     struct adaptive *const a = adaptive_create(stepping_find(name), f);
-    if (!a)
-        exit(1);
+    UNIT_MUST(a);
     adaptive_begin(a, 0, h, 0, &x, &v);
     for (int k = 1; k <= 20; ++k) {
         const double t = h * k / 20;
@@ -384,8 +381,7 @@ static void approach(double tolerance, double *when, double *near)
     static const struct stepping_forces f = {6, false, three, NULL};
     struct adaptive *const a = adaptive_create(stepping_find("radau15"), f);
     double x[] = {1, -2, 1, 3, -1, -1}, v[6] = {0}, d[3] = {INFINITY};
-    if (!a)
-        exit(1);
+    UNIT_MUST(a);
     adaptive_begin(a, tolerance, 1, 0, x, v);
     *near = INFINITY;
     for (int k = 0; k < TICKS; ++k) {
@@ -458,8 +454,7 @@ TEST(test_edges, "edges are passed")
             adaptive_create(stepping_find("radau15"), f);
         double x = 1 + 0.01 * k, v = 0;
         const double energy = x;
-        if (!s)
-            exit(1);
+        UNIT_MUST(s);
         adaptive_begin(s, 1e-10, 1, 0, &x, &v);
         UNIT_TRUE(adaptive_reach(s, 400, &x, &v));
         UNIT_NEAR(v * v / 2 + fabs(x), energy,
@@ -499,8 +494,7 @@ TEST(test_rest, "what rests goes on resting")
         double x[] = {0, 1 / 3.0 + 1e-16}, v[] = {1, 0}, tolerance = 1;
         struct adaptive *const s =
             adaptive_create(stepping_find("radau15"), f);
-        if (!s)
-            exit(1);
+        UNIT_MUST(s);
         for (int j = k; j < 0; ++j)
             tolerance /= 10;
         adaptive_begin(s, tolerance, 1, 0, x, v);
@@ -520,8 +514,7 @@ TEST(test_noise, "rounding is no error")
     const struct stepping_forces f = {2, false, hanging, &calls};
     double x[] = {1 - 10 / 5e7 + 1e-9, 1}, v[] = {0, 0};
     struct adaptive *const s = adaptive_create(stepping_find("radau15"), f);
-    if (!s)
-        exit(1);
+    UNIT_MUST(s);
     adaptive_begin(s, 1e-11, 1, 0, x, v);
     UNIT_TRUE(adaptive_reach(s, 1, x, v));
     UNIT_TRUE(calls < 500000);
@@ -571,8 +564,7 @@ TEST(test_middle, "where there is no force, steps are long")
     const double middle = 0x1p-60, speed = 1;
     double x = 1, v = 0;
     struct adaptive *const a = adaptive_create(stepping_find("radau15"), f);
-    if (!a)
-        exit(1);
+    UNIT_MUST(a);
     adaptive_begin(a, 1e-13, 1, 0, &x, &v);
     UNIT_TRUE(adaptive_reach(a, 5, &x, &v));
     const double t = a->t, refused = (double)a->refused;
@@ -593,8 +585,7 @@ TEST(test_path, "the path in a part of a step")
         double q[ADAPTIVE_DEGREE + 1], x = 1, v = 0.3, seen, speed;
         struct adaptive *const a =
             adaptive_create(stepping_find(names[k]), f);
-        if (!a)
-            exit(1);
+        UNIT_MUST(a);
         adaptive_begin(a, 0, 1, 0, &x, &v);
         UNIT_TRUE(adaptive_step(a, 1));
         adaptive_again(a, 0.75, &x, &v);
@@ -629,8 +620,7 @@ TEST(test_slack, "with slack no step is another run's")
             adaptive_create(stepping_find("radau15"), f);
         struct adaptive *const b =
             adaptive_create(stepping_find("radau15"), f);
-        if (!a || !b)
-            exit(1);
+        UNIT_MUST(a && b);
         a->longest = b->longest = k == 1 ? tenth : NULL;
         b->slack = 0.2;
         adaptive_begin(a, 1e-8, 1, 0, &x, &v);

@@ -26,8 +26,7 @@ static void make_rods(struct scene *s, size_t n, double first, double last)
 {
     struct random r;
     random_seed(&r, 5);
-    if (!scene_create(s, n))
-        exit(1);
+    UNIT_MUST(scene_create(s, n));
     s->contact = true;
     s->wall[0] = SCENE_HARD;
     s->low[0] = 1;
@@ -111,8 +110,7 @@ TEST(test_conserved, "what is conserved is its mean")
 TEST(test_drift, "in a periodic box a drift is no heat")
 {
     struct scene s;
-    if (!scene_create(&s, 3))
-        exit(1);
+    UNIT_MUST(scene_create(&s, 3));
     s.contact = true;
     for (size_t i = 0; i < 3; ++i) {
         s.radius[i] = 0.1;
@@ -331,8 +329,7 @@ TEST(test_burst, "a gas let out of a corner has its own pressure")
     gallery_usual(g, value);
     value[gallery_key(g, "width")] = 3;
     value[gallery_key(g, "lattice")] = 1;
-    if (g->build(&s, value))
-        exit(1);
+    UNIT_MUST(!g->build(&s, value));
     s.high[0] = 7.5;
     const struct averages_found f = ask(&s, "pressure", 1e4, 0.01, NULL);
     UNIT_TRUE(taken(&f, "events"));
@@ -488,14 +485,12 @@ static double mean_of_run(const struct scene *start, double T, bool place)
     const char *why;
     double sum = 0, energy = 0;
     const int rows = 20000;
-    if (!scene_copy(&s, start))
-        exit(1);
+    UNIT_MUST(scene_copy(&s, start));
     for (size_t c = 0; c < 2 * s.bodies; ++c) {
         s.velocity[c] *= 1 + 1e-12 * (double)(c + 1);
         energy += s.mass[c % s.bodies] * s.velocity[c] * s.velocity[c] / 2;
     }
-    if (!models_begin(&r, &plan, &s, T / rows, &why))
-        exit(1);
+    UNIT_MUST(models_begin(&r, &plan, &s, T / rows, &why));
     for (int k = 0; k < rows && models_row(&r) == MODELS_DONE; ++k)
         sum += r.scene.position[0];
     const double Z = 1 + r.virial / (2 * energy * T);
@@ -509,8 +504,7 @@ static void throw_scene(struct scene *s, size_t n, bool line, uint64_t seed)
 {
     struct random r;
     random_seed(&r, seed);
-    if (!scene_create(s, n))
-        exit(1);
+    UNIT_MUST(scene_create(s, n));
     s->contact = true;
     s->wall[0] = SCENE_HARD;
     s->wall[1] = line ? SCENE_OPEN : SCENE_HARD;
@@ -581,8 +575,7 @@ TEST(test_scatter, "errors cover what two runs differ by")
     double sum = 0, squares = 0;
     make(&s, "four-disks", NULL, 0);
     for (int k = 0; k < STARTS; ++k) {
-        if (!scene_copy(&t, &s))
-            exit(1);
+        UNIT_MUST(scene_copy(&t, &s));
         for (size_t c = 0; c < 8; ++c)
             t.velocity[c] *= 1 + 1e-12 * (double)(k * 8) * (double)(c + 1);
         const double Z = mean_of_run(&t, T, false);
@@ -609,8 +602,7 @@ TEST(test_scatter, "errors cover what two runs differ by")
 TEST(test_periodic_two, "two disks in a periodic box")
 {
     struct scene s;
-    if (!scene_create(&s, 2))
-        exit(1);
+    UNIT_MUST(scene_create(&s, 2));
     s.contact = true;
     for (size_t i = 0; i < 2; ++i) {
         s.wall[i] = SCENE_PERIODIC;

@@ -21,10 +21,7 @@ static double radius[LARGEST];
 static void begin(struct bonkers *b, size_t movers, double restitution,
                   enum bonkers_engine engine, bool rods)
 {
-    if (!bonkers_create(b, movers, restitution, engine)) {
-        printf("not ok bonkers: no memory\n");
-        exit(1);
-    }
+    UNIT_MUST(bonkers_create(b, movers, restitution, engine));
     memcpy(b->body, body, (movers + 2) * sizeof body[0]);
     const size_t wrong = bonkers_start(b, rods ? radius : NULL);
     UNIT_EQUAL((double)wrong, (double)movers + 1);

@@ -14,8 +14,7 @@ static void begin(struct bonkers *b, size_t movers, const double x[],
                   const double v[], double restitution,
                   enum bonkers_engine engine)
 {
-    if (!bonkers_create(b, movers, restitution, engine))
-        exit(1);
+    UNIT_MUST(bonkers_create(b, movers, restitution, engine));
     for (size_t i = 0; i <= b->gaps; ++i)
         b->body[i].x = x[i];
     for (size_t i = 1; i <= movers; ++i) {
@@ -99,8 +98,7 @@ TEST(test_cold, "a body too slow for numbers ends a run")
 TEST(test_energy, "energies above a floor and without")
 {
     struct bonkers b;
-    if (!bonkers_create(&b, 2, 1, BONKERS_SCAN))
-        exit(1);
+    UNIT_MUST(bonkers_create(&b, 2, 1, BONKERS_SCAN));
     b.gravity = 10;
     b.body[0].x = 1;
     b.body[1] = (struct bonkers_body){3, 3, 0, 0.5};
@@ -123,8 +121,7 @@ TEST(test_rods, "points and rods")
         struct bonkers b;
         size_t wrong = 99;
         double x[5], v[5];
-        if (!start_create(&s, 3))
-            exit(1);
+        UNIT_MUST(start_create(&s, 3));
         for (size_t i = 0; i < 3; ++i) {
             s.x[i] = 2 + 2 * (double)i;
             s.v[i] = (double)i;
@@ -190,12 +187,11 @@ TEST(test_done_twice, "little is done twice")
             struct start s;
             struct bonkers b;
             size_t wrong;
-            if (!start_fill(&s,
-                            &(struct start_request){.kind = START_RANDOM,
-                                                    .movers = movers[k],
-                                                    .seed = seed}) ||
-                !bonkers_begin(&b, &s, 1, BONKERS_SLAB, &wrong))
-                exit(1);
+            UNIT_MUST(
+                start_fill(&s, &(struct start_request){.kind = START_RANDOM,
+                                                       .movers = movers[k],
+                                                       .seed = seed}) &&
+                bonkers_begin(&b, &s, 1, BONKERS_SLAB, &wrong));
             bonkers_run(&b, 5 + 20000.0 / (double)movers[k], UINT64_MAX);
             UNIT_TRUE(b.collisions > 6000);
             UNIT_NEAR((double)b.redone / (double)b.collisions, 0.04, 0.02);

@@ -74,10 +74,7 @@ static void begin(struct calendar *c, struct plain *p, size_t size,
                   double start, double width)
 {
     p->size = size;
-    if (!calendar_create(c, size, start, width)) {
-        printf("not ok calendar: no memory\n");
-        exit(1);
-    }
+    UNIT_MUST(calendar_create(c, size, start, width));
     for (size_t i = 0; i < size; ++i) {
         p->time[i] = INFINITY;
         p->partner[i] = 0;

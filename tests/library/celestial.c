@@ -19,8 +19,7 @@ static void make(struct scene *s, const char *name,
 {
     const struct gallery_scene *g = gallery_find(celestial_scenes, name);
     double value[GALLERY_KEYS];
-    if (!g)
-        exit(1);
+    UNIT_MUST(g);
     gallery_usual(g, value);
     for (; wishes->key; ++wishes) {
         const size_t k = gallery_key(g, wishes->key);

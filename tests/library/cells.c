@@ -24,14 +24,6 @@ struct scene {
     bool random;   /* places; else on a lattice */
 };
 
-static void must(bool good, const char *what)
-{
-    if (!good) {
-        printf("not ok cells: %s\n", what);
-        exit(1);
-    }
-}
-
 static double radius_of(enum radii radii, size_t i, struct random *r)
 {
     switch (radii) {
@@ -90,7 +82,7 @@ static void make(struct disks *d, const struct scene *s, uint64_t seed)
 {
     struct random r;
     random_seed(&r, seed);
-    must(disks_create(d, s->dimensions, s->count), "no memory");
+    UNIT_MUST(disks_create(d, s->dimensions, s->count));
     d->boundary = s->boundary;
     d->restitution = s->restitution;
     for (size_t i = 0; i < s->count; ++i) {
@@ -103,9 +95,9 @@ static void make(struct disks *d, const struct scene *s, uint64_t seed)
     }
     make_box(d, s);
     d->gravity = weight;
-    must(s->random ? disks_place_random(d, &r) : disks_place_lattice(d),
-         "a scene has no room");
-    must(is_apart(d), "a scene begins with an overlap");
+    UNIT_MUST(s->random ? disks_place_random(d, &r)
+                        : disks_place_lattice(d));
+    UNIT_MUST(is_apart(d));
     throw_them(d, s->speeds, &r);
 }
 
@@ -166,9 +158,8 @@ static void start(struct race *x, const struct scene *s, uint64_t seed)
     if (!cells_suit(&x->cells))
         printf("# %zu-D, %zu disks, packing %g\n", s->dimensions, s->count,
                s->packing);
-    must(cells_suit(&x->cells), "a scene does not suit cells");
-    must(disks_plan(&x->pairs) && cells_create(&x->c, &x->cells),
-         "no memory");
+    UNIT_MUST(cells_suit(&x->cells));
+    UNIT_MUST(disks_plan(&x->pairs) && cells_create(&x->c, &x->cells));
     take_lanes(&x->c, seed);
 }
 
@@ -402,7 +393,7 @@ static void make_square(struct disks *d, size_t side,
 {
     struct random r;
     random_seed(&r, seed);
-    must(disks_create(d, 2, side * side), "no memory");
+    UNIT_MUST(disks_create(d, 2, side * side));
     d->boundary = boundary;
     d->box[0] = d->box[1] = (double)side + (radius < 0.5 ? 0 : 1);
     for (size_t i = 0; i < d->count; ++i) {
@@ -425,7 +416,7 @@ static void race_square(size_t side, enum disks_boundary boundary,
     const char *wrong = NULL;
     make_square(&x.pairs, side, boundary, radius, seed, diagonal);
     make_square(&x.cells, side, boundary, radius, seed, diagonal);
-    must(disks_plan(&x.pairs) && cells_create(&x.c, &x.cells), "no memory");
+    UNIT_MUST(disks_plan(&x.pairs) && cells_create(&x.c, &x.cells));
     take_lanes(&x.c, seed);
     for (uint64_t k = 1;
          !wrong && k <= collisions && x.ended[DISKS_COLLAPSE] == 0;
@@ -475,14 +466,14 @@ TEST(test_three_cells, "three cells along an axis are enough")
                 disks_free(&d);
                 s.packing *= 0.97;
                 s.random = s.packing < 0.25;
-                must(disks_create(&d, dimensions, n), "no memory");
+                UNIT_MUST(disks_create(&d, dimensions, n));
                 for (size_t i = 0; i < n; ++i)
                     d.disk[i].radius = 0.5;
                 d.boundary = DISKS_PERIODIC;
                 make_box(&d, &s);
             } while (!cells_suit(&d) || !disks_place_lattice(&d));
             struct cells c;
-            must(cells_create(&c, &d), "no memory");
+            UNIT_MUST(cells_create(&c, &d));
             three += c.grid[0] == 3 && c.grid[1] == 3 &&
                      c.grid[2] == (dimensions == 3 ? 3 : 1);
             cells_free(&c);
@@ -496,7 +487,7 @@ TEST(test_three_cells, "three cells along an axis are enough")
 TEST(test_suit, "a box too narrow does not suit")
 {
     struct disks d;
-    must(disks_create(&d, 2, 4), "no memory");
+    UNIT_MUST(disks_create(&d, 2, 4));
     for (size_t i = 0; i < 4; ++i)
         d.disk[i].radius = 0.5;
     d.boundary = DISKS_PERIODIC;
@@ -533,14 +524,12 @@ TEST(test_taken_up, "a run taken up again gives the same bits")
                 x.pairs.disk[i].position[1] += far * x.pairs.box[1];
                 x.cells.disk[i].position[1] += far * x.cells.box[1];
             }
-        must(disks_plan(&x.pairs) && cells_create(&x.c, &x.cells),
-             "no memory");
+        UNIT_MUST(disks_plan(&x.pairs) && cells_create(&x.c, &x.cells));
         UNIT_TRUE(!step(&x, INFINITY, 3000));
         disks_settle(&x.pairs);
         disks_settle(&x.cells);
         cells_free(&x.c);
-        must(disks_plan(&x.pairs) && cells_create(&x.c, &x.cells),
-             "no memory");
+        UNIT_MUST(disks_plan(&x.pairs) && cells_create(&x.c, &x.cells));
         UNIT_TRUE(!step(&x, INFINITY, 1500));
         UNIT_TRUE(is_apart(&x.cells));
         folded =
@@ -563,8 +552,7 @@ TEST(test_silence, "when nothing happens the clock stays finite")
                 x.pairs.disk[0].velocity[i] = x.cells.disk[0].velocity[i] =
                     0;
         cells_free(&x.c);
-        must(disks_plan(&x.pairs) && cells_create(&x.c, &x.cells),
-             "no memory");
+        UNIT_MUST(disks_plan(&x.pairs) && cells_create(&x.c, &x.cells));
         UNIT_TRUE(!step(&x, 0.25, UINT64_MAX));
         UNIT_EQUAL(x.cells.now, 0.25);
         UNIT_TRUE(!step(&x, 0.125, UINT64_MAX)); /* no way back */
@@ -605,8 +593,7 @@ TEST(test_units, "any unit gives the same bits")
                     }
                 }
             }
-            must(disks_plan(&x.pairs) && cells_create(&x.c, &x.cells),
-                 "no memory");
+            UNIT_MUST(disks_plan(&x.pairs) && cells_create(&x.c, &x.cells));
             UNIT_TRUE(!step(&x, INFINITY, 3000));
             UNIT_TRUE(is_apart(&x.cells));
             finish(&x);
@@ -620,7 +607,7 @@ static void make_last_moment(struct disks *d, uint64_t seed, double skin)
     struct random r;
     double e[DISKS_AXES] = {0};
     random_seed(&r, seed);
-    must(disks_create(d, seed % 2 ? 2 : 3, 8), "no memory");
+    UNIT_MUST(disks_create(d, seed % 2 ? 2 : 3, 8));
     d->boundary = seed % 3 ? DISKS_PERIODIC : DISKS_WALLS;
     random_direction(&r, d->dimensions, e);
     for (size_t i = 0; i < 8; ++i)
@@ -650,11 +637,10 @@ TEST(test_last_moment, "a meeting at the ends of both skins")
         struct disks d;
         struct cells c;
         make_last_moment(&d, seed, 0);
-        must(cells_create(&c, &d), "no memory");
+        UNIT_MUST(cells_create(&c, &d));
         make_last_moment(&x.pairs, seed, c.skin);
         make_last_moment(&x.cells, seed, c.skin);
-        must(disks_plan(&x.pairs) && cells_create(&x.c, &x.cells),
-             "no memory");
+        UNIT_MUST(disks_plan(&x.pairs) && cells_create(&x.c, &x.cells));
         UNIT_TRUE(is_apart(&x.cells));
         UNIT_TRUE(!step(&x, INFINITY, 1));
         UNIT_NEAR(x.cells.now, c.skin, 1e-3 * c.skin);
@@ -702,7 +688,7 @@ TEST(test_fit, "cells find an overlap where pairs find it")
                 d.disk[seed].position[0] = d.box[0] - 0.01;
             if (seed % 7 == 0)
                 d.disk[seed].position[1] += 5 * d.box[1];
-            must(cells_create(&c, &d), "no memory");
+            UNIT_MUST(cells_create(&c, &d));
             const bool pairs = disks_fit(&d, &a, &b);
             const bool cells = cells_fit(&c, &p, &q);
             UNIT_TRUE(pairs == cells);

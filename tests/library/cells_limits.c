@@ -13,8 +13,7 @@ static void make(struct disks *d, size_t dimensions, size_t count,
                  enum disks_boundary boundary, const double box[],
                  double radius)
 {
-    if (!disks_create(d, dimensions, count))
-        exit(1);
+    UNIT_MUST(disks_create(d, dimensions, count));
     d->boundary = boundary;
     memcpy(d->box, box, dimensions * sizeof *box);
     for (size_t i = 0; i < count; ++i)
@@ -33,8 +32,7 @@ static void scatter(struct disks *d, uint64_t seed)
 
 static void begin(struct cells *c, struct disks *d)
 {
-    if (!cells_create(c, d))
-        exit(1);
+    UNIT_MUST(cells_create(c, d));
 }
 
 /* Ten neighbours and the disk itself share a circle, twelve spheres a
@@ -209,8 +207,7 @@ TEST(test_neighbours, "all neighbours are listed, and no others")
         d.gravity = d.boundary != DISKS_PERIODIC && n / 6 % 2 ? 0.7 : 0;
         for (size_t i = 0; n % 4 < 2 && i < d.count; ++i)
             d.disk[i].radius = i == 9 ? 0.7 : 0.02 * (double)(i % 7);
-        if (!disks_place_random(&d, &r) || !cells_suit(&d))
-            exit(1);
+        UNIT_MUST(disks_place_random(&d, &r) && cells_suit(&d));
         disks_set_speed(&d, n % 5 ? 1 : 0, &r);
         for (size_t i = 0; crowd && i < d.count; ++i)
             for (size_t k = 0; k < dimensions; ++k)

@@ -47,14 +47,6 @@ int fcntl(int file, int what, ...)
     return (int)syscall(SYS_fcntl, file, what, argument);
 }
 
-static void must(bool good, const char *what)
-{
-    if (!good) {
-        printf("not ok checkpoint: %s\n", what);
-        exit(1);
-    }
-}
-
 static bool there(const char *path)
 {
     return access(path, F_OK) == 0;
@@ -63,8 +55,7 @@ static bool there(const char *path)
 static void put(const char *path, const char *text, size_t length)
 {
     FILE *f = fopen(path, "w");
-    must(f && fwrite(text, 1, length, f) == length && fclose(f) == 0,
-         "no file");
+    UNIT_MUST(f && fwrite(text, 1, length, f) == length && fclose(f) == 0);
 }
 
 static size_t get(const char *path, char text[], size_t room)
@@ -88,13 +79,13 @@ static void clear(void)
 /* A light body round a heavy one, by a method whose steps are its own. */
 static void orbit(struct scene *s, struct motion *m, const char *method)
 {
-    must(scene_create(s, 2), "no memory");
+    UNIT_MUST(scene_create(s, 2));
     s->mass[1] = 1e-3;
     s->k2 = 1;
     s->position[1] = 1;
     s->velocity[3] = 0.7;
     s->dt = 0.01;
-    must(motion_begin(m, "checkpoint", s, method, 0), "no motion");
+    UNIT_MUST(motion_begin(m, "checkpoint", s, method, 0));
     if (m->stepping.method->adaptive)
         m->stepping.tolerance = 1e-6;
 }
@@ -114,7 +105,7 @@ static const double rows[2][3] = {{0.1, -1e-300, 3}, {NAN, 1, 1e22}};
 /* Two rows and a checkpoint, after some steps of the motion. */
 static void save(struct checkpoint *c, struct motion *m)
 {
-    must(checkpoint_begin(c, "checkpoint", command, OUTPUT), "no rows");
+    UNIT_MUST(checkpoint_begin(c, "checkpoint", command, OUTPUT));
     UNIT_TRUE(checkpoint_row(c, 3, rows[0]));
     UNIT_TRUE(checkpoint_row(c, 3, rows[1]));
     UNIT_TRUE(checkpoint_write(c, m, numbers));
@@ -141,8 +132,7 @@ TEST(test_comes_back, "a run comes back to the last bit")
                                     &known));
         UNIT_TRUE(memcmp(&known, &numbers, sizeof known) == 0);
         UNIT_TRUE(scene_same(&s, &t));
-        must(motion_begin(&n, "checkpoint", &t, methods[k], 0),
-             "no motion");
+        UNIT_MUST(motion_begin(&n, "checkpoint", &t, methods[k], 0));
         n.stepping.tolerance = m.stepping.tolerance;
         motion_resume(&n, s.time - 7 * 0.01, 7);
         UNIT_TRUE(checkpoint_recall(&d, &n));
@@ -231,14 +221,14 @@ TEST(test_end, "a checkpoint goes before its rows")
     UNIT_TRUE(!there(SAVED) && !there(ROWS));
     checkpoint_end(&c, false); /* nothing is left to do */
     UNIT_EQUAL((double)removals, 2);
-    must(checkpoint_begin(&c, "checkpoint", command, OUTPUT), "no rows");
+    UNIT_MUST(checkpoint_begin(&c, "checkpoint", command, OUTPUT));
     checkpoint_end(&c, true); /* no checkpoint: the rows go */
     UNIT_TRUE(!there(SAVED) && !there(ROWS));
     save(&c, &m);
     checkpoint_end(&c, true);
     UNIT_TRUE(there(SAVED) && there(ROWS));
     /* Who begins anew leaves no checkpoint of other rows behind. */
-    must(checkpoint_begin(&c, "checkpoint", command, OUTPUT), "no rows");
+    UNIT_MUST(checkpoint_begin(&c, "checkpoint", command, OUTPUT));
     UNIT_TRUE(!there(SAVED) && !checkpoint_exists(OUTPUT));
     char text[64];
     fflush(c.rows);
@@ -316,7 +306,7 @@ static void rows_go(void)
 static void rows_change(void)
 {
     put(OUTPUT ".new", "# rows of step\n", 15);
-    must(rename(OUTPUT ".new", ROWS) == 0, "no other file");
+    UNIT_MUST(rename(OUTPUT ".new", ROWS) == 0);
 }
 TEST(test_between, "a file that lost its name is not locked")
 {
@@ -368,10 +358,10 @@ TEST(test_damage, "no bit may be changed")
     checkpoint_end(&c, true);
     const size_t length = get(SAVED, text, sizeof text);
     const char *head_end = strstr(text, "#= end ");
-    must(length > 500 && head_end, "no checkpoint");
+    UNIT_MUST(length > 500 && head_end);
     const size_t head = (size_t)(head_end - text);
     FILE *quiet = freopen(OUTPUT ".said", "w", stderr);
-    must(quiet != NULL, "no file");
+    UNIT_MUST(quiet != NULL);
     for (size_t at = 0; at < length; at += at < head ? 1 : 3) {
         memcpy(bad, text, length);
         bad[at] ^= 1;
@@ -389,9 +379,8 @@ TEST(test_damage, "no bit may be changed")
         }
     }
     fflush(stderr);
-    must(freopen("/dev/tty", "w", stderr) ||
-             freopen("/dev/null", "w", stderr),
-         "no errors");
+    UNIT_MUST(freopen("/dev/tty", "w", stderr) ||
+              freopen("/dev/null", "w", stderr));
     syscall(SYS_unlinkat, AT_FDCWD, OUTPUT ".said", 0);
     put(SAVED, text, length);
     says(resumes, "step scene --until 4", REFUSED,
@@ -440,7 +429,7 @@ static void forge(const char *text, const char *key, const char *number)
     char start[64];
     snprintf(start, sizeof start, "#= %s ", key);
     const char *at = strstr(text, start), *end = strstr(text, "#= end ");
-    must(at && end, "no such line");
+    UNIT_MUST(at && end);
     at += strlen(start);
     const char *rest = strchr(at, '\n');
     int n = snprintf(forged, sizeof forged, "%.*s%s%.*s", (int)(at - text),
@@ -501,7 +490,7 @@ TEST(test_forged, "what no run has written")
     checkpoint_end(&c, true);
     get(SAVED, text, sizeof text);
     const int saved = dup(STDERR_FILENO);
-    must(freopen("/dev/null", "w", stderr) != NULL, "no null");
+    UNIT_MUST(freopen("/dev/null", "w", stderr) != NULL);
     for (size_t k = 0; k < sizeof lines / sizeof lines[0]; ++k) {
         forge(text, lines[k].key, lines[k].number);
         const bool good =
@@ -570,7 +559,7 @@ TEST(test_copy, "all rows are copied")
     for (int changed = 0; changed < 2; ++changed) {
         struct checkpoint c;
         clear();
-        must(checkpoint_begin(&c, "step", command, OUTPUT), "no rows");
+        UNIT_MUST(checkpoint_begin(&c, "step", command, OUTPUT));
         char *end = expected;
         for (int i = 0; i < MANY; ++i) {
             UNIT_TRUE(checkpoint_row(&c, 1, (double[]){i}));
@@ -579,15 +568,14 @@ TEST(test_copy, "all rows are copied")
         fflush(c.rows);
         if (changed) {
             FILE *f = fopen(ROWS, "r+");
-            must(f && fseek(f, 100000, SEEK_SET) == 0 &&
-                     fputs("7\n7", f) >= 0 && fclose(f) == 0,
-                 "no change");
+            UNIT_MUST(f && fseek(f, 100000, SEEK_SET) == 0 &&
+                      fputs("7\n7", f) >= 0 && fclose(f) == 0);
         }
         struct table *t = table_open("step", OUTPUT);
-        must(t != NULL, "no table");
+        UNIT_MUST(t != NULL);
         const int saved = dup(STDERR_FILENO);
         if (changed)
-            must(freopen("/dev/null", "w", stderr) != NULL, "no null");
+            UNIT_MUST(freopen("/dev/null", "w", stderr) != NULL);
         UNIT_TRUE(checkpoint_copy(&c, t) == !changed);
         dup2(saved, STDERR_FILENO);
         close(saved);
@@ -608,11 +596,11 @@ TEST(test_lost, "rows that are lost are not copied")
 {
     struct checkpoint c;
     clear();
-    must(checkpoint_begin(&c, "step", command, OUTPUT), "no rows");
+    UNIT_MUST(checkpoint_begin(&c, "step", command, OUTPUT));
     struct table *t = table_open("step", OUTPUT);
-    must(t != NULL, "no table");
+    UNIT_MUST(t != NULL);
     const int saved = dup(STDERR_FILENO);
-    must(freopen("/dev/null", "w", stderr) != NULL, "no null");
+    UNIT_MUST(freopen("/dev/null", "w", stderr) != NULL);
     c.lost = true;
     UNIT_TRUE(!checkpoint_copy(&c, t));
     dup2(saved, STDERR_FILENO);
@@ -651,7 +639,7 @@ TEST(test_memory, "no memory is lost")
     clear();
     orbit(&s, &r.m, "radau15");
     motion_run(&r.m, 3);
-    must(checkpoint_begin(&r.c, "step", command, OUTPUT), "no rows");
+    UNIT_MUST(checkpoint_begin(&r.c, "step", command, OUTPUT));
     heap_stays("write", write_one, &r);
     checkpoint_end(&r.c, false);
     heap_stays("a whole run", whole, &r);

@@ -17,8 +17,7 @@ static void begin(struct disks *d, size_t dimensions, size_t count,
     struct random r;
     size_t a, b;
     random_seed(&r, seed);
-    if (!disks_create(d, dimensions, count))
-        exit(1);
+    UNIT_MUST(disks_create(d, dimensions, count));
     d->boundary = boundary;
     for (size_t k = 0; k < dimensions; ++k)
         d->box[k] = side;
@@ -306,8 +305,7 @@ TEST(test_two, "two disks: exact pressure")
 TEST(test_one, "one disk: exact impulses")
 {
     struct disks d;
-    if (!disks_create(&d, 2, 1))
-        exit(1);
+    UNIT_MUST(disks_create(&d, 2, 1));
     d.box[0] = 4;
     d.box[1] = 2;
     d.disk[0] = (struct disk){{1, 1, 0}, 0, {0.6, 0.8, 0}, 0.5};
@@ -363,8 +361,7 @@ TEST(test_settle, "settling folds, and begins to count")
 TEST(test_restitution, "restitution")
 {
     struct disks d;
-    if (!disks_create(&d, 2, 2))
-        exit(1);
+    UNIT_MUST(disks_create(&d, 2, 2));
     d.box[0] = d.box[1] = 10;
     d.restitution = 0.5;
     d.disk[0] = (struct disk){{2, 5, 0}, 0, {1, 0, 0}, 0.5};
@@ -386,8 +383,7 @@ TEST(test_open_axis, "an open axis has no wall")
 {
     struct disks d;
     size_t axis;
-    if (!disks_create(&d, 2, 1))
-        exit(1);
+    UNIT_MUST(disks_create(&d, 2, 1));
     d.box[0] = 1;
     d.disk[0] = (struct disk){
         .position = {0.5, 0.5}, .velocity = {0.25, -1}, .radius = 0.25};
@@ -417,8 +413,7 @@ TEST(test_ties, "and a plan keeps to it")
         for (int e = 0; e < 2; ++e) {
             struct random speeds;
             random_seed(&speeds, seed);
-            if (!disks_create(&d[e], 2, COUNT))
-                exit(1);
+            UNIT_MUST(disks_create(&d[e], 2, COUNT));
             d[e].box[0] = d[e].box[1] = SIDE;
             for (size_t i = 0; i < COUNT; ++i) {
                 struct disk *a = &d[e].disk[i];
@@ -463,8 +458,7 @@ TEST(test_lattice, "lattices hold the closest packing")
     struct disks d;
     size_t a, b;
     /* 4 x 2 cells of width 1 and height sqrt(3): packing .9069 */
-    if (!disks_create(&d, 2, 16))
-        exit(1);
+    UNIT_MUST(disks_create(&d, 2, 16));
     d.boundary = DISKS_PERIODIC;
     d.box[0] = 4 * (1 + 1e-12);
     d.box[1] = 2 * sqrt(3) * (1 + 1e-12);
@@ -476,8 +470,7 @@ TEST(test_lattice, "lattices hold the closest packing")
     UNIT_TRUE(!disks_place_lattice(&d));
     disks_free(&d);
     /* 3^3 cells of face-centred cubes: packing .7405 */
-    if (!disks_create(&d, 3, 108))
-        exit(1);
+    UNIT_MUST(disks_create(&d, 3, 108));
     d.boundary = DISKS_PERIODIC;
     for (size_t k = 0; k < 3; ++k)
         d.box[k] = 3 * sqrt(2) * (1 + 1e-12);
@@ -495,8 +488,7 @@ TEST(test_guest, "a guest stands in the middle")
         for (int dense = 2; dense <= 7; ++dense) {
             struct disks d;
             size_t a = 0, b = 0;
-            if (!disks_create(&d, 2, 401))
-                exit(1);
+            UNIT_MUST(disks_create(&d, 2, 401));
             d.boundary = boundary;
             d.box[0] = d.box[1] = sqrt((100 + 4) * acos(-1) * 10 / dense);
             for (size_t i = 0; i < 401; ++i)
@@ -573,8 +565,7 @@ TEST(test_temperature, "temperature and speed of a start")
     struct random r;
     double square[2] = {0};
     random_seed(&r, 4);
-    if (!disks_create(&d, 2, N))
-        exit(1);
+    UNIT_MUST(disks_create(&d, 2, N));
     d.box[0] = d.box[1] = 1000;
     for (size_t i = 0; i < N; ++i)
         d.mass[i] = i % 2 ? 5 : 1;
@@ -610,8 +601,7 @@ TEST(test_drift, "a drift is no heat, but across a wall")
     struct random r;
     double drift[DISKS_AXES];
     random_seed(&r, 4);
-    if (!disks_create(&d, 2, N))
-        exit(1);
+    UNIT_MUST(disks_create(&d, 2, N));
     d.box[0] = d.box[1] = 1000;
     for (size_t i = 0; i < N; ++i)
         d.mass[i] = i % 2 ? 5 : 1;
@@ -864,8 +854,7 @@ TEST(test_speeds, "speeds and momentum of a start")
     struct random r;
     double drift[DISKS_AXES];
     random_seed(&r, 2);
-    if (!disks_create(&one, 2, 1))
-        exit(1);
+    UNIT_MUST(disks_create(&one, 2, 1));
     one.boundary = DISKS_PERIODIC;
     one.box[0] = one.box[1] = 10;
     disks_set_speed(&one, 3, &r);
@@ -887,8 +876,7 @@ TEST(test_least_drift, "a drift below the last bit is none")
             const double v = more ? 1.06e-8 : 1.04e-8;
             struct disks d;
             double drift[DISKS_AXES];
-            if (!disks_create(&d, 2, 2))
-                exit(1);
+            UNIT_MUST(disks_create(&d, 2, 2));
             d.boundary = DISKS_PERIODIC;
             d.box[0] = d.box[1] = 10;
             d.disk[0].velocity[k] = 1 + v;
@@ -912,8 +900,7 @@ TEST(test_cold, "which speeds are too cold")
     for (size_t n = 0; n < sizeof limits / sizeof limits[0]; ++n)
         for (size_t who = 0; who < 2; ++who) {
             struct disks d;
-            if (!disks_create(&d, 2, 2))
-                exit(1);
+            UNIT_MUST(disks_create(&d, 2, 2));
             UNIT_TRUE(!disks_cold(&d)); /* all are at rest */
             d.restitution = 0.5;
             d.disk[1 - n % 2].radius = limits[n].radius;
@@ -954,8 +941,7 @@ TEST(test_collapsed, "how long a clock may stand")
 TEST(test_disks_replan_distance, "how far a disk flies before it looks")
 {
     struct disks d;
-    if (!disks_create(&d, 3, 3))
-        exit(1);
+    UNIT_MUST(disks_create(&d, 3, 3));
     for (int widest = 0; widest < 3; ++widest) {
         for (int i = 0; i < 3; ++i)
             d.disk[i].radius = i == widest ? 1 : 0.5 + 0.1 * i;
@@ -1002,8 +988,7 @@ TEST(test_from_wall_to_wall, "a lattice goes from wall to wall")
 TEST(test_rounding_fits, "what rounding may overlap")
 {
     struct disks d;
-    if (!disks_create(&d, 3, 2))
-        exit(1);
+    UNIT_MUST(disks_create(&d, 3, 2));
     for (size_t k = 0; k < 3; ++k)
         d.box[k] = 10 * (double)(k + 1);
     d.disk[0].radius = 1;
@@ -1105,8 +1090,7 @@ TEST(test_widest_lattice, "of all lattices it is the widest")
                      ++boundary) {
                     struct disks d;
                     double low = 0, high = 40;
-                    if (!disks_create(&d, dimensions, count))
-                        exit(1);
+                    UNIT_MUST(disks_create(&d, dimensions, count));
                     d.boundary = (enum disks_boundary)boundary;
                     memcpy(d.box, boxes[b], dimensions * sizeof d.box[0]);
                     for (size_t k = 0; k < dimensions; ++k)

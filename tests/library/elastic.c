@@ -12,17 +12,16 @@
 static void make(struct scene *s, const char *name, const char *key,
                  double value)
 {
-    if (gallery_make(s, gallery_find(elastic_scenes, name), key, value))
-        exit(1);
+    UNIT_MUST(
+        !gallery_make(s, gallery_find(elastic_scenes, name), key, value));
 }
 
 static void begin(struct springs *p, struct stepping *t, struct scene *s,
                   const char *method, double dt)
 {
-    if (!springs_create(p, s) ||
-        !stepping_begin(t, stepping_find(method), springs_forces(p), dt,
-                        s->position, s->velocity))
-        exit(1);
+    UNIT_MUST(springs_create(p, s) &&
+              stepping_begin(t, stepping_find(method), springs_forces(p),
+                             dt, s->position, s->velocity));
 }
 
 /* Every scene at its usual values and with each key at both ends (grids no
@@ -102,8 +101,7 @@ TEST(test_naive, "the paper's membrane moves as computed elsewhere")
     struct scene s;
     struct springs p;
     struct stepping t;
-    if (elastic_membrane(&s, &m))
-        exit(1);
+    UNIT_MUST(!elastic_membrane(&s, &m));
     begin(&p, &t, &s, "kahan-li8", 0.02);
     for (int k = 0; k < 4; ++k) {
         double sum = 0;

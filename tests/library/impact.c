@@ -13,8 +13,7 @@
 
 static void make(struct scene *s, size_t bodies, double dt)
 {
-    if (!scene_create(s, bodies))
-        exit(1);
+    UNIT_MUST(scene_create(s, bodies));
     s->contact = true;
     s->dt = dt;
     for (size_t i = 0; i < bodies; ++i)

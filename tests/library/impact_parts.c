@@ -16,8 +16,7 @@ static struct impact impact;
 /* n points in a row along x, 1 m apart, at rest in open space. */
 static void make(size_t n)
 {
-    if (!scene_create(&scene, n))
-        exit(1);
+    UNIT_MUST(scene_create(&scene, n));
     for (size_t i = 0; i < n; ++i)
         scene.position[i] = (double)i;
     stepping = (struct stepping){.forces = {.size = 3 * n}};
@@ -235,8 +234,7 @@ TEST(test_slack, "what of a gap is")
     for (int far = 0; far < 6; ++far) {
         struct scene s;
         struct motion m;
-        if (!scene_create(&s, 2))
-            exit(1);
+        UNIT_MUST(scene_create(&s, 2));
         s.contact = true;
         s.dt = 1;
         s.radius[0] = 0.5;
@@ -249,9 +247,8 @@ TEST(test_slack, "what of a gap is")
         s.position[2 * k + 1] += by;
         s.velocity[2 * k] += 3;
         s.velocity[2 * k + 1] += 3;
-        if (!motion_begin(&m, "impact", &s, "leapfrog", 0) ||
-            !motion_locate(&m))
-            exit(1);
+        UNIT_MUST(motion_begin(&m, "impact", &s, "leapfrog", 0) &&
+                  motion_locate(&m));
         motion_run(&m, 1);
         double most = 0; /* the paths' ends, and what surrounds them */
         for (size_t c = 0; c < 6; ++c)

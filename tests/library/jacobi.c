@@ -11,19 +11,13 @@
 #include <float.h>
 #include <stdlib.h>
 
-static void must(bool good)
-{
-    if (!good)
-        exit(1);
-}
-
 /* A star of mass 1 and two planets of these masses, on ellipses. */
 static void build(struct scene *s, double mass, double eccentricity)
 {
     const struct kepler_elements o[] = {
         {1, eccentricity, 0.05, 0.3, 1, 0.5},
         {2.3, eccentricity / 2, 0.02, 2, 0.4, 4}};
-    must(scene_create(s, 3));
+    UNIT_MUST(scene_create(s, 3));
     s->k2 = 1;
     s->dt = 0.1;
     for (size_t i = 1; i < 3; ++i) {
@@ -41,8 +35,8 @@ static void build(struct scene *s, double mass, double eccentricity)
 static void go(struct scene *s, const char *method, double dt, double t)
 {
     struct motion m;
-    must(motion_begin(&m, "jacobi", s, method, fabs(dt)));
-    must(motion_shorten(&m, dt));
+    UNIT_MUST(motion_begin(&m, "jacobi", s, method, fabs(dt)));
+    UNIT_MUST(motion_shorten(&m, dt));
     UNIT_TRUE(motion_run(&m, (uint64_t)round(t / fabs(dt))) ==
               STEPPING_DONE);
     motion_end(&m);
@@ -61,11 +55,11 @@ static void check_pair(const char *method, double dt)
 {
     struct scene s;
     double x[3], v[3];
-    must(gallery_choose(&s, celestial_scenes, "sun-earth",
-                        (struct gallery_choice[]){{"mass", 0.1},
-                                                  {"speed", 0.8},
-                                                  {"centred", 1},
-                                                  {0}}) == NULL);
+    UNIT_MUST(gallery_choose(&s, celestial_scenes, "sun-earth",
+                             (struct gallery_choice[]){{"mass", 0.1},
+                                                       {"speed", 0.8},
+                                                       {"centred", 1},
+                                                       {0}}) == NULL);
     for (size_t k = 0; k < 3; ++k) {
         x[k] = s.position[2 * k + 1] - s.position[2 * k];
         v[k] = s.velocity[2 * k + 1] - s.velocity[2 * k];
@@ -91,7 +85,7 @@ static double error_of(const char *method, double dt, double mass)
 {
     struct scene s, right;
     build(&s, mass, 0.1);
-    must(scene_copy(&right, &s));
+    UNIT_MUST(scene_copy(&right, &s));
     go(&right, "kahan-li8", 0.01, 10);
     go(&s, method, dt, 10);
     const double error = apart(&s, &right);
@@ -133,7 +127,7 @@ TEST(test_reversal, "steps back lead back")
     for (size_t k = 0; k < 2; ++k) {
         struct scene s, before;
         build(&s, 0.01, 0.2);
-        must(scene_copy(&before, &s));
+        UNIT_MUST(scene_copy(&before, &s));
         go(&s, names[k], 0.3, 60);
         UNIT_TRUE(apart(&s, &before) > 0.1);
         go(&s, names[k], -0.3, 60);
@@ -161,7 +155,7 @@ TEST(test_momentum, "momentum and the centre of mass are kept")
         struct scene s, before;
         build(&s, 0.01, 0.2);
         s.velocity[0] = 0.3;
-        must(scene_copy(&before, &s));
+        UNIT_MUST(scene_copy(&before, &s));
         go(&s, names[k], 0.1, 100);
         for (size_t c = 0; c < 3; ++c) {
             const double p = moment(&before, before.velocity, c);
@@ -181,7 +175,7 @@ TEST(test_light, "a body without mass disturbs nobody")
     struct scene s, t;
     build(&s, 1e-3, 0.1);
     s.mass[2] = 0;
-    must(scene_copy(&t, &s));
+    UNIT_MUST(scene_copy(&t, &s));
     go(&s, "wisdom-holman", 0.02, 20);
     go(&t, "kahan-li8", 0.02, 20);
     UNIT_TRUE(apart(&s, &t) < 1e-6);
@@ -195,7 +189,7 @@ TEST(test_open, "an orbit that opens ends the run")
     struct scene s;
     struct motion m;
     build(&s, 1e-3, 0.1);
-    must(motion_begin(&m, "jacobi", &s, "wisdom-holman", 0.1));
+    UNIT_MUST(motion_begin(&m, "jacobi", &s, "wisdom-holman", 0.1));
     s.velocity[5] += 3;
     UNIT_TRUE(motion_run(&m, 1000) == STEPPING_INFINITE);
     motion_end(&m);
@@ -250,7 +244,7 @@ TEST(test_refusals, "what is no system of planets is refused")
     refuses(&s, "no two bodies of the scene attract each other");
     s.k2 = 1;
     UNIT_TRUE(jacobi_refuses(&s) == NULL);
-    must(scene_add_kind(&s, 1, 0) && scene_add_spring(&s, 0, 1, 0, 1));
+    UNIT_MUST(scene_add_kind(&s, 1, 0) && scene_add_spring(&s, 0, 1, 0, 1));
     refuses(&s, "the scene has springs");
     scene_free(&s);
 }

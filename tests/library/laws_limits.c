@@ -185,8 +185,7 @@ TEST(test_blocks, "samples in blocks, by hand")
                                      .97, .04, .01, .29, 1,   .51, .52};
     double *x = malloc(sizeof samples), count[3 * LAW_CELLS] = {0},
            all[LAW_CELLS] = {0}, chi2 = 0, distance = 0;
-    if (!x)
-        exit(1);
+    UNIT_MUST(x);
     memcpy(x, samples, sizeof samples);
     const struct law flat = law_of("beta:1,1");
     for (size_t i = 0; i < 14; ++i) {

@@ -10,8 +10,7 @@
 static void begin(struct loop *l, double offset)
 {
     *l = (struct loop){.offset = offset};
-    if (!disks_create(&l->d, 2, 2))
-        exit(1);
+    UNIT_MUST(disks_create(&l->d, 2, 2));
     l->d.box[0] = 15;
     l->d.box[1] = 6;
     for (size_t i = 0; i < 2; ++i) {

@@ -10,16 +10,15 @@
 static void find(struct modes *m, const struct scene *s)
 {
     struct springs p;
-    if (!springs_create(&p, s) || !modes_find(m, &p, s->position))
-        exit(1);
+    UNIT_MUST(springs_create(&p, s) && modes_find(m, &p, s->position));
     springs_free(&p);
 }
 
 static void make(struct scene *s, const char *name, const char *key,
                  double value)
 {
-    if (gallery_make(s, gallery_find(elastic_scenes, name), key, value))
-        exit(1);
+    UNIT_MUST(
+        !gallery_make(s, gallery_find(elastic_scenes, name), key, value));
 }
 
 static int rising(const void *a, const void *b)
@@ -37,8 +36,7 @@ TEST(test_taut, "all modes of a taut membrane are those of the formula")
     struct modes m;
     double law[72];
     size_t n = 0;
-    if (elastic_membrane(&s, &e))
-        exit(1);
+    UNIT_MUST(!elastic_membrane(&s, &e));
     find(&m, &s);
     for (int axis = 0; axis < 3; ++axis)
         for (int r = 1; r <= 6; ++r)
@@ -74,8 +72,7 @@ TEST(test_membranes, "a membrane at rest length has 36 loose modes")
     scene_free(&s);
     const struct elastic_membrane e = {8, 8, 1, 50,   0, 0.8,
                                        0, 1, 1, true, 0, 0};
-    if (elastic_membrane(&s, &e))
-        exit(1);
+    UNIT_MUST(!elastic_membrane(&s, &e));
     find(&m, &s);
     UNIT_NEAR(sqrt(m.square[0]), 1.990287738972, 1e-11);
     UNIT_NEAR(sqrt(m.square[1]), 3.083962808592, 1e-11);
@@ -148,8 +145,7 @@ TEST(test_by_hand, "two bodies between walls, by hand")
 {
     struct scene s;
     struct modes m;
-    if (!scene_create(&s, 4) || !scene_add_kind(&s, 0.3, 0))
-        exit(1);
+    UNIT_MUST(scene_create(&s, 4) && scene_add_kind(&s, 0.3, 0));
     for (size_t i = 0; i < 4; ++i) {
         s.position[i] = (double)i;
         s.freedom[i] = i == 1 || i == 2;

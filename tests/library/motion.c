@@ -11,19 +11,11 @@
 #include <string.h>
 #include <unistd.h>
 
-static void must(bool good, const char *what)
-{
-    if (!good) {
-        printf("not ok motion: %s\n", what);
-        exit(1);
-    }
-}
-
 /* Three bodies that feel everything; with contact they are in a box. */
 static void build(struct scene *s, bool contact)
 {
     static const double place[] = {0, 1, 0.2, 0, 0.1, 0.9, 0, -0.3, 0.4};
-    must(scene_create(s, 3), "no memory");
+    UNIT_MUST(scene_create(s, 3));
     for (size_t c = 0; c < 9; ++c) {
         s->position[c] = place[c];
         s->velocity[c] = 0.1 * (double)c - 0.3;
@@ -36,8 +28,8 @@ static void build(struct scene *s, bool contact)
     s->gravity[2] = -1.5;
     s->damping = 0.2;
     s->dt = 0.01;
-    must(scene_add_kind(s, 4, 0.3), "no memory");
-    must(scene_add_spring(s, 0, 2, 0, 0.7), "no memory");
+    UNIT_MUST(scene_add_kind(s, 4, 0.3));
+    UNIT_MUST(scene_add_spring(s, 0, 2, 0, 0.7));
     s->contact = contact;
     for (size_t k = 0; k < 3; ++k) {
         s->radius[k] = 0.2;
@@ -49,7 +41,7 @@ static void build(struct scene *s, bool contact)
 
 static void begin(struct motion *m, struct scene *s, const char *method)
 {
-    must(motion_begin(m, "motion", s, method, 0), "no motion");
+    UNIT_MUST(motion_begin(m, "motion", s, method, 0));
 }
 
 /* Equation (11.9), term by term, with formulas of its own. */
@@ -105,7 +97,7 @@ TEST(test_springs_alone, "springs alone move as they do with others")
     struct motion m, n;
     build(&s, false);
     s.k2 = 0;
-    must(scene_copy(&t, &s), "no memory");
+    UNIT_MUST(scene_copy(&t, &s));
     t.k2 = 1e-300;
     begin(&m, &s, "rk4");
     begin(&n, &t, "rk4");
@@ -138,7 +130,7 @@ enum {
 static void build_two(struct scene *s, int way)
 {
     const bool heavy = way == WEIGHED || way == HELD;
-    must(scene_create(s, 2), "no memory");
+    UNIT_MUST(scene_create(s, 2));
     s->position[1] = 1;
     s->velocity[2] = 0.1;
     s->velocity[3] = -0.4;
@@ -164,7 +156,7 @@ TEST(test_two, "and two bodies alone, to the bit")
         struct scene s, t;
         struct motion m, n;
         build_two(&s, way);
-        must(scene_copy(&t, &s), "no memory");
+        UNIT_MUST(scene_copy(&t, &s));
         begin(&m, &s, "leapfrog");
         begin(&n, &t, "leapfrog");
         UNIT_TRUE(m.stepping.sweep != NULL);
@@ -205,14 +197,14 @@ TEST(test_not_two, "what is not two bodies alone")
             s.damping = s.kind[0].damping = 0;
         } else {
             build_two(&s, WEIGHED);
-            must(scene_add_kind(&s, 4, 0), "no memory");
+            UNIT_MUST(scene_add_kind(&s, 4, 0));
         }
         if (what == 1)
             s.k2 = 0;
         if (what == 2)
             s.damping = 0.1;
         if (what == 3)
-            must(scene_add_spring(&s, 0, 1, 0, 1), "no memory");
+            UNIT_MUST(scene_add_spring(&s, 0, 1, 0, 1));
         if (what == 4) {
             s.contact = true;
             s.law = SCENE_LINEAR;
@@ -232,7 +224,7 @@ TEST(test_compensated, "which sums are compensated")
     for (int what = 0; what < 8; ++what) {
         struct scene s;
         struct motion m;
-        must(scene_create(&s, 2), "no memory");
+        UNIT_MUST(scene_create(&s, 2));
         s.position[1] = 1;
         s.velocity[0] = -1;
         s.dt = 0.1;
@@ -243,8 +235,8 @@ TEST(test_compensated, "which sums are compensated")
         if (what == 4)
             s.damping = 1;
         if (what == 5) {
-            must(scene_add_kind(&s, 4, 0), "no memory");
-            must(scene_add_spring(&s, 0, 1, 0, 1), "no memory");
+            UNIT_MUST(scene_add_kind(&s, 4, 0));
+            UNIT_MUST(scene_add_spring(&s, 0, 1, 0, 1));
         }
         if (what == 6) {
             s.contact = true;
@@ -289,7 +281,7 @@ TEST(test_fall, "a fall is exact")
 {
     struct scene s;
     struct motion m;
-    must(scene_create(&s, 1), "no memory");
+    UNIT_MUST(scene_create(&s, 1));
     s.gravity[2] = -2;
     s.dt = 0.01;
     s.velocity[0] = 3;
@@ -310,12 +302,12 @@ TEST(test_oscillator, "an oscillator turns by leapfrog's angle")
 {
     struct scene s;
     struct motion m;
-    must(scene_create(&s, 2), "no memory");
-    must(scene_add_kind(&s, 1, 0), "no memory");
+    UNIT_MUST(scene_create(&s, 2));
+    UNIT_MUST(scene_add_kind(&s, 1, 0));
     s.position[0] = -0.6;
     s.position[1] = 0.6;
     s.mass[0] = s.mass[1] = 2;
-    must(scene_add_spring(&s, 0, 1, 0, 1), "no memory");
+    UNIT_MUST(scene_add_spring(&s, 0, 1, 0, 1));
     s.dt = 0.1;
     begin(&m, &s, "leapfrog");
     motion_run(&m, 500);
@@ -364,11 +356,11 @@ static const char *const path = "build/tests/motion-saved.plist";
 /* Saves the motion to a file and reads that again. */
 static void save(struct motion *m, struct scene *again)
 {
-    must(motion_note(m), "no memory");
+    UNIT_MUST(motion_note(m));
     struct table *t = table_open("motion", path);
-    must(t != NULL, "no file");
+    UNIT_MUST(t != NULL);
     scene_write(m->scene, t);
-    must(table_close(t) && scene_read(again, "motion", path), "no scene");
+    UNIT_MUST(table_close(t) && scene_read(again, "motion", path));
     UNIT_TRUE(scene_same(m->scene, again));
     unlink(path);
 }
@@ -414,7 +406,7 @@ static bool goes_on(const char *method, int way, uint64_t cut)
     n.stepping.compensated = m.stepping.compensated;
     motion_run(&m, 150);
     motion_run(&n, 150);
-    must(motion_note(&m) && motion_note(&n), "no memory");
+    UNIT_MUST(motion_note(&m) && motion_note(&n));
     t.time = s.time; /* counted from another start: see below */
     UNIT_TRUE(scene_same(&s, &t));
     motion_end(&m);
@@ -504,16 +496,16 @@ static bool heeds(const char *method, int way, double dt)
     struct scene s, t;
     struct motion m, n;
     build_way(&s, way);
-    must(scene_copy(&t, &s), "no memory");
+    UNIT_MUST(scene_copy(&t, &s));
     t.kept = calloc(9, sizeof *t.kept);
-    must(t.kept != NULL, "no memory");
+    UNIT_MUST(t.kept != NULL);
     for (size_t c = 0; c < 9; ++c)
         t.kept[c] = 1e3;
-    must(motion_begin(&m, "motion", &s, method, dt), "no motion");
-    must(motion_begin(&n, "motion", &t, method, dt), "no motion");
+    UNIT_MUST(motion_begin(&m, "motion", &s, method, dt));
+    UNIT_MUST(motion_begin(&n, "motion", &t, method, dt));
     UNIT_TRUE(motion_run(&m, 3) == motion_run(&n, 3));
     const bool heeded = !is_same(&s, &t);
-    must(motion_note(&m) && motion_note(&n), "no memory");
+    UNIT_MUST(motion_note(&m) && motion_note(&n));
     UNIT_TRUE(heeded || scene_same(&s, &t));
     motion_end(&m);
     motion_end(&n);
@@ -546,7 +538,7 @@ TEST(test_forgotten, "and forgotten where it does not")
         UNIT_TRUE(t.kept != NULL && t.kept[5] != 0);
         motion_end(&m);
         begin(&m, &t, way ? "rk4" : "leapfrog");
-        must(motion_note(&m), "no memory");
+        UNIT_MUST(motion_note(&m));
         UNIT_TRUE(way ? t.kept == NULL : scene_same(&s, &t));
         motion_end(&m);
         scene_free(&s);
@@ -591,7 +583,7 @@ TEST(test_contact, "after a contact the method looks again")
 /* n bodies of radius 0.1 in a row along x, 1 m apart, held but along x. */
 static void row(struct scene *s, size_t n)
 {
-    must(scene_create(s, n), "no memory");
+    UNIT_MUST(scene_create(s, n));
     for (size_t i = 0; i < n; ++i) {
         s->position[i] = (double)i;
         s->radius[i] = 0.1;
@@ -629,8 +621,8 @@ TEST(test_light, "what has no mass")
             s.contact = true;
             has(&s, MOTION_MASSLESS, light);
             s.contact = false;
-            must(scene_add_kind(&s, 1, 0), "no memory");
-            must(scene_add_spring(&s, 0, 2, 0, 1), "no memory");
+            UNIT_MUST(scene_add_kind(&s, 1, 0));
+            UNIT_MUST(scene_add_spring(&s, 0, 2, 0, 1));
             has(&s, light == 1 ? MOTION_WELL : MOTION_MASSLESS, light);
             scene_free(&s);
         }
@@ -702,10 +694,10 @@ TEST(test_points, "points on a line")
     s.freedom[3] = 0;
     has(&s, MOTION_WELL, 0);
     s.freedom[1] = s.freedom[3] = 1;
-    must(scene_add_kind(&s, 1, 0), "no memory");
-    must(scene_add_spring(&s, 1, 2, 0, 1), "no memory");
+    UNIT_MUST(scene_add_kind(&s, 1, 0));
+    UNIT_MUST(scene_add_spring(&s, 1, 2, 0, 1));
     has(&s, MOTION_POINTS, 1);
-    must(scene_add_spring(&s, 0, 3, 0, 1), "no memory");
+    UNIT_MUST(scene_add_spring(&s, 0, 3, 0, 1));
     has(&s, MOTION_WELL, 0);
     s.radius[0] = 0; /* one of three, on a spring too */
     has(&s, MOTION_WELL, 0);
@@ -726,7 +718,7 @@ TEST(test_shorten, "steps may change their length")
                 build_two(&s, SOFT);
             else
                 build_way(&s, 0);
-            must(scene_copy(&t, &s), "no memory");
+            UNIT_MUST(scene_copy(&t, &s));
             begin(&m, &s, methods[k]);
             begin(&n, &t, methods[k]);
             m.stepping.compensated = n.stepping.compensated = k < 2 && !two;
@@ -758,7 +750,7 @@ TEST(test_energies, "energies by hand")
 {
     struct scene s;
     struct motion m;
-    must(scene_create(&s, 2), "no memory");
+    UNIT_MUST(scene_create(&s, 2));
     s.mass[0] = 2;
     s.position[1] = 0.5;
     s.position[4] = s.position[5] = 3;
@@ -770,8 +762,8 @@ TEST(test_energies, "energies by hand")
     s.gravity[2] = -10;
     s.freedom[1] = 0;
     s.dt = 0.1;
-    must(scene_add_kind(&s, 32, 0), "no memory");
-    must(scene_add_spring(&s, 0, 1, 0, 0.25), "no memory");
+    UNIT_MUST(scene_add_kind(&s, 32, 0));
+    UNIT_MUST(scene_add_spring(&s, 0, 1, 0, 0.25));
     s.contact = true;
     s.law = SCENE_LINEAR;
     s.stiffness = 8;
@@ -800,7 +792,7 @@ TEST(test_outside, "another stepper can take the method's place")
     struct scene s;
     struct motion m;
     double clock = 0;
-    must(scene_create(&s, 1), "no memory");
+    UNIT_MUST(scene_create(&s, 1));
     s.velocity[0] = 2;
     s.dt = 0.25;
     begin(&m, &s, "leapfrog");

@@ -13,9 +13,8 @@ static void box(struct sampling *s, size_t dimensions,
                 double radius, const double places[][3])
 {
     const double sides[] = {side, side, side};
-    if (!sampling_create(s, dimensions, boundary, sides, count, radius, 0,
-                         0))
-        exit(1);
+    UNIT_MUST(sampling_create(s, dimensions, boundary, sides, count, radius,
+                              0, 0));
     for (size_t i = 0; places && i < count; ++i)
         memcpy(s->disks.disk[i].position, places[i], sizeof places[i]);
 }
@@ -223,8 +222,7 @@ TEST(test_tries, "half of the tries are for large ones")
     int large = 0, moved = 0;
     double farthest = 0, widest = 0;
     random_seed(&r, 3);
-    if (!sampling_create(&s, 2, DISKS_WALLS, sides, 2, 0.5, 3, 0.01))
-        exit(1);
+    UNIT_MUST(sampling_create(&s, 2, DISKS_WALLS, sides, 2, 0.5, 3, 0.01));
     UNIT_TRUE(sampling_start(&s, &r));
     for (int n = 0; n < TRIES; ++n) {
         struct disk before[5];
@@ -254,8 +252,7 @@ TEST(test_tries, "half of the tries are for large ones")
 TEST(test_joined, "means and blocks of known numbers")
 {
     struct means m;
-    if (!means_create(&m, 2))
-        exit(1);
+    UNIT_MUST(means_create(&m, 2));
     UNIT_TRUE(isnan(means_mean(&m, 1)));
     UNIT_TRUE(isnan(means_error(&m, 1)));
     for (int n = 1; n <= 600; ++n) {
@@ -315,8 +312,7 @@ TEST(test_ideal, "small ones do not see each other")
     struct random r;
     int moves[4] = {0};
     random_seed(&r, 3);
-    if (!sampling_create(&s, 2, DISKS_WALLS, sides, 1, 0.1, 3, 3))
-        exit(1);
+    UNIT_MUST(sampling_create(&s, 2, DISKS_WALLS, sides, 1, 0.1, 3, 3));
     UNIT_TRUE(sampling_start(&s, &r));
     for (int n = 0; n < 400; ++n) {
         struct disk before[4];

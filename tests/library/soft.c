@@ -11,8 +11,7 @@
 static void make(struct scene *s, size_t balls, enum scene_law touch,
                  double gap)
 {
-    if (!scene_create(s, balls))
-        exit(1);
+    UNIT_MUST(scene_create(s, balls));
     s->contact = true;
     s->law = touch;
     s->stiffness = 5000;
@@ -26,8 +25,7 @@ static void make(struct scene *s, size_t balls, enum scene_law touch,
 static void begin(struct motion *m, struct scene *s, const char *method,
                   double dt)
 {
-    if (!motion_begin(m, "touch", s, method, dt))
-        exit(1);
+    UNIT_MUST(motion_begin(m, "touch", s, method, dt));
 }
 
 static void end(struct motion *m, struct scene *s)
@@ -198,8 +196,7 @@ TEST(test_stored, "what is stored comes back")
         s.high[0] = 0.54;
         s.low[1] = -0.1;
         s.high[1] = 0.21;
-        if (!soft_create(&t, &s))
-            exit(1);
+        UNIT_MUST(soft_create(&t, &s));
         memcpy(x, s.position, sizeof x);
         soft_add(&t, x, v, a);
         for (size_t c = 0; c < 9; ++c) {
@@ -248,8 +245,7 @@ TEST(test_by_hand, "two by hand")
     s.velocity[5] = 1.3;
     s.velocity[7] = -2;
     s.velocity[8] = -1.6;
-    if (!soft_create(&t, &s))
-        exit(1);
+    UNIT_MUST(soft_create(&t, &s));
     soft_add(&t, s.position, s.velocity, a);
     for (size_t c = 0; c < 9; ++c)
         UNIT_NEAR(a[c], force[c], 2e-15);

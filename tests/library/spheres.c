@@ -12,8 +12,7 @@
 
 static void make(struct scene *s, size_t bodies)
 {
-    if (!scene_create(s, bodies))
-        exit(1);
+    UNIT_MUST(scene_create(s, bodies));
     s->contact = true;
     for (size_t i = 0; i < bodies; ++i)
         s->radius[i] = 0.5;

@@ -17,9 +17,8 @@
    second at (x, y, 0). */
 static void make_pair(struct scene *s, double x, double y, bool axial)
 {
-    if (!scene_create(s, 2) || !scene_add_kind(s, 10, 3) ||
-        !scene_add_spring(s, 0, 1, 0, 1))
-        exit(1);
+    UNIT_MUST(scene_create(s, 2) && scene_add_kind(s, 10, 3) &&
+              scene_add_spring(s, 0, 1, 0, 1));
     s->mass[1] = 2;
     s->position[1] = x;
     s->position[3] = y;
@@ -29,8 +28,7 @@ static void make_pair(struct scene *s, double x, double y, bool axial)
 static void forces(const struct scene *s, double a[])
 {
     struct springs p;
-    if (!springs_create(&p, s))
-        exit(1);
+    UNIT_MUST(springs_create(&p, s));
     springs_accelerate(&p, s->position, s->velocity, a);
     springs_free(&p);
 }
@@ -106,8 +104,7 @@ TEST(test_held, "held axes, gravity and friction")
     UNIT_EQUAL(a[3], 0);
     UNIT_NEAR(a[2], 32 - 9, 1e-13);
     UNIT_NEAR(a[1], -12 - 1.5 - 0.25, 1e-14);
-    if (!springs_create(&p, &s))
-        exit(1);
+    UNIT_MUST(springs_create(&p, &s));
     springs_add(&p, s.position, s.velocity, more);
     UNIT_EQUAL(more[0], 7);
     UNIT_NEAR(more[2], 7 + 32, 1e-13);
@@ -125,8 +122,7 @@ TEST(test_potential, "the slope of the energy is the force")
     make_pair(&s, 0.3, 0.5, false);
     s.position[4] = 0.7;
     forces(&s, a);
-    if (!springs_create(&p, &s))
-        exit(1);
+    UNIT_MUST(springs_create(&p, &s));
     for (int i = 0; i < 6; ++i) {
         const double h = 1e-5, here = s.position[i];
         s.position[i] = here + h;
@@ -146,16 +142,14 @@ TEST(test_stored, "and what springs have stored")
 {
     struct scene s;
     struct springs p;
-    if (!scene_create(&s, 4) || !scene_add_kind(&s, 10, 0) ||
-        !scene_add_spring(&s, 1, 2, 0, 1) ||
-        !scene_add_spring(&s, 3, 2, 0, 1))
-        exit(1);
+    UNIT_MUST(scene_create(&s, 4) && scene_add_kind(&s, 10, 0) &&
+              scene_add_spring(&s, 1, 2, 0, 1) &&
+              scene_add_spring(&s, 3, 2, 0, 1));
     s.position[0] = 9;
     s.position[2] = s.position[3] = 3;
     s.position[6] = s.position[7] = 4;
     s.position[11] = 0.5;
-    if (!springs_create(&p, &s))
-        exit(1);
+    UNIT_MUST(springs_create(&p, &s));
     UNIT_EQUAL(springs_potential(&p, s.position), 80 + 1.25);
     springs_free(&p);
     scene_free(&s);
@@ -206,8 +200,7 @@ static void sweeps(struct springs *p, const struct scene *s,
     const size_t n = 3 * s->bodies;
     double *room = calloc(3 * n, sizeof *room);
     int *times = calloc(n, sizeof *times);
-    if (!room || !times)
-        exit(1);
+    UNIT_MUST(room && times);
     struct waiting w = {s, room, room + n, times};
     for (size_t i = 0; i < 3 * n; ++i)
         room[i] = NAN;
@@ -228,8 +221,7 @@ static void same_bits(const struct scene *s, size_t bands)
     const size_t n = 3 * s->bodies;
     double *one = calloc(n, sizeof *one), *other = calloc(n, sizeof *other);
     struct springs p;
-    if (!one || !other || !springs_create(&p, s))
-        exit(1);
+    UNIT_MUST(one && other && springs_create(&p, s));
     UNIT_EQUAL((double)p.bands, (double)bands);
     for (int adds = 0; adds < 2; ++adds) {
         p.engine = SPRINGS_SCATTER;
@@ -260,8 +252,7 @@ static void make_membrane(struct scene *s, size_t nx, size_t ny, double c)
 {
     const struct elastic_membrane m = {nx,  ny, 1.5, 50,   c, 0.9,
                                        0.1, 1,  1,   true, 0, 0};
-    if (elastic_membrane(s, &m))
-        exit(1);
+    UNIT_MUST(!elastic_membrane(s, &m));
     shake(s);
 }
 
@@ -302,10 +293,10 @@ static void leap(const struct scene *from, uint64_t steps, uint64_t piece,
     s->damping = from->damping;
     for (size_t i = 0; i < s->kinds; ++i)
         s->kind[i] = from->kind[i];
-    if (!springs_create(&p, s) ||
-        !stepping_begin(&stepping, stepping_find("leapfrog"),
-                        springs_forces(&p), 0.01, s->position, s->velocity))
-        exit(1);
+    UNIT_MUST(springs_create(&p, s) &&
+              stepping_begin(&stepping, stepping_find("leapfrog"),
+                             springs_forces(&p), 0.01, s->position,
+                             s->velocity));
     stepping.sweep = swept ? springs_sweep : NULL;
     for (uint64_t k = 0; k < steps; k += piece)
         stepping_run(&stepping, piece);
@@ -344,8 +335,8 @@ TEST(test_odd_lists, "so they do for lists that are no grid")
 {
     struct scene s;
     const double values[] = {20, 9, 1, 1.5, 1, 1000, 0.5, 2, 1, 0.1};
-    if (gallery_find(elastic_scenes, "cantilever")->build(&s, values))
-        exit(1);
+    UNIT_MUST(
+        !gallery_find(elastic_scenes, "cantilever")->build(&s, values));
     shake(&s);
     same_bits(&s, 4);
     for (size_t i = 0; i < s.springs; i += 3) {
@@ -354,11 +345,10 @@ TEST(test_odd_lists, "so they do for lists that are no grid")
         s.spring[i].b = a;
     }
     same_bits(&s, 4);
-    if (!scene_add_kind(&s, 300, 1) ||
-        !scene_add_spring(&s, 0, 179, 1, 2) ||
-        !scene_add_spring(&s, 90, 3, 0, 1) ||
-        !scene_add_spring(&s, 5, 6, 1, 0.5))
-        exit(1);
+    UNIT_MUST(scene_add_kind(&s, 300, 1) &&
+              scene_add_spring(&s, 0, 179, 1, 2) &&
+              scene_add_spring(&s, 90, 3, 0, 1) &&
+              scene_add_spring(&s, 5, 6, 1, 0.5));
     same_bits(&s, 4);
     if (!scene_add_spring(&s, 5, 6, 0, 0.5)) /* a second one: no band */
         exit(1);
@@ -378,19 +368,18 @@ TEST(test_momentum, "inner forces keep the momentum")
     struct springs p;
     struct stepping t;
     const double values[] = {9, 5, 1, 1, 2, 100, 0.5, 2, 0, 0};
-    if (gallery_find(elastic_scenes, "cantilever")->build(&s, values))
-        exit(1);
+    UNIT_MUST(
+        !gallery_find(elastic_scenes, "cantilever")->build(&s, values));
     for (size_t i = 0; i < 3 * s.bodies; ++i)
         s.freedom[i] = 1;
     shake(&s);
     for (int axial = 0; axial < 2; ++axial) {
         double before[3] = {0}, after[3] = {0};
         s.axial = axial;
-        if (!springs_create(&p, &s) ||
-            !stepping_begin(&t, stepping_find("leapfrog"),
-                            springs_forces(&p), 0.01, s.position,
-                            s.velocity))
-            exit(1);
+        UNIT_MUST(springs_create(&p, &s) &&
+                  stepping_begin(&t, stepping_find("leapfrog"),
+                                 springs_forces(&p), 0.01, s.position,
+                                 s.velocity));
         for (size_t i = 0; i < 3 * s.bodies; ++i)
             before[i / s.bodies] += s.velocity[i];
         stepping_run(&t, 1000);
@@ -416,11 +405,10 @@ TEST(test_spin, "what dashpots do to rotation")
         s.kind[0].damping = 0.3;
         s.velocity[2] = -1; /* y velocities: no momentum */
         s.velocity[3] = 0.5;
-        if (!springs_create(&p, &s) ||
-            !stepping_begin(&t, stepping_find("yoshida4"),
-                            springs_forces(&p), 1e-3, s.position,
-                            s.velocity))
-            exit(1);
+        UNIT_MUST(springs_create(&p, &s) &&
+                  stepping_begin(&t, stepping_find("yoshida4"),
+                                 springs_forces(&p), 1e-3, s.position,
+                                 s.velocity));
         double spin[2];
         for (int k = 0; k < 2; ++k) {
             const double *x = s.position, *v = s.velocity;

@@ -22,8 +22,7 @@ static void make(struct disks *d, size_t dimensions,
 {
     struct random r;
     random_seed(&r, dimensions);
-    if (!disks_create(d, dimensions, 5))
-        exit(1);
+    UNIT_MUST(disks_create(d, dimensions, 5));
     d->boundary = boundary;
     d->gravity = gravity;
     d->now = 7.1;
@@ -54,8 +53,7 @@ static void check_columns(size_t D)
     FILE *file = fopen(path, "r");
     char line[1024], name[64];
     size_t columns = 0, rows = 0;
-    if (!file)
-        exit(1);
+    UNIT_MUST(file);
     while (fgets(line, sizeof line, file)) {
         double number;
         if (columns < 11) {
@@ -85,8 +83,7 @@ TEST(test_there_and_back, "what is written is read again")
             if (boundary == DISKS_PERIODIC)
                 d.gravity = 0;
             struct table *out = table_open("states", path);
-            if (!out)
-                exit(1);
+            UNIT_MUST(out);
             states_begin(out, &d);
             const double now = d.now;
             d.now = 7.05;

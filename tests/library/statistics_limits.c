@@ -15,8 +15,7 @@
 static double *copy_of(size_t n, const double x[])
 {
     double *copy = malloc(n * sizeof *copy);
-    if (!copy)
-        exit(1);
+    UNIT_MUST(copy);
     memcpy(copy, x, n * sizeof *copy);
     return copy;
 }
@@ -373,8 +372,7 @@ TEST(test_grouped, "bins are joined where little is expected")
         for (uint64_t out = 0; out < 4; ++out) {
             struct statistics_histogram *h =
                 statistics_histogram_create(-1, 3, 10);
-            if (!h)
-                exit(1);
+            UNIT_MUST(h);
             h->below = out % 2 * 3;
             h->above = out / 2 * 4;
             h->total = h->below + h->above;

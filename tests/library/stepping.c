@@ -59,8 +59,7 @@ static void begin(struct stepping *s, const struct stepping_method *m,
                   struct stepping_forces f, double dt, double x[],
                   double v[])
 {
-    if (!stepping_begin(s, m, f, dt, x, v))
-        exit(1);
+    UNIT_MUST(stepping_begin(s, m, f, dt, x, v));
 }
 
 /* x and v of one coordinate after so many steps. */

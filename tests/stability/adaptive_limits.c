@@ -36,8 +36,7 @@ static struct adaptive *begin(const char *name, struct stepping_forces f,
                               const double v[])
 {
     struct adaptive *const a = adaptive_create(stepping_find(name), f);
-    if (!a)
-        exit(1);
+    UNIT_MUST(a);
     adaptive_begin(a, tolerance, 1, 0, x, v);
     return a;
 }

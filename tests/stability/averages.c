@@ -10,8 +10,8 @@
 
 static void make_four(struct scene *s, double radius)
 {
-    if (gallery_make(s, gallery_find(hard_scenes, "four-disks"), NULL, 0))
-        exit(1);
+    UNIT_MUST(
+        !gallery_make(s, gallery_find(hard_scenes, "four-disks"), NULL, 0));
     for (size_t i = 0; i < 4; ++i) {
         s->radius[i] = radius;
         s->position[i] = i % 2 ? 0.75 : 0.25;
@@ -39,8 +39,7 @@ static void make_pair(struct scene *s, double ratio, uint64_t seed)
 {
     struct random r;
     random_seed(&r, seed);
-    if (!scene_create(s, 2))
-        exit(1);
+    UNIT_MUST(scene_create(s, 2));
     s->contact = true;
     s->wall[0] = SCENE_HARD;
     s->high[0] = 1;
@@ -75,8 +74,7 @@ TEST(test_pairs, "two alone on a line have a pressure and no mean place")
 /* An empty box with walls, for so many disks. */
 static void make_box(struct scene *s, size_t n, double width, double height)
 {
-    if (!scene_create(s, n))
-        exit(1);
+    UNIT_MUST(scene_create(s, n));
     s->contact = true;
     s->wall[0] = s->wall[1] = SCENE_HARD;
     s->high[0] = width;
@@ -170,8 +168,8 @@ TEST(test_corners, "disks that keep their corners have no mean place")
 TEST(test_equal_masses, "equal masses on a line have no mean place")
 {
     struct scene s;
-    if (gallery_make(&s, gallery_find(hard_scenes, "cradle"), NULL, 0))
-        exit(1);
+    UNIT_MUST(
+        !gallery_make(&s, gallery_find(hard_scenes, "cradle"), NULL, 0));
     const struct averages_found f = ask(&s, "x:0", 1e4, 0.01, NULL);
     UNIT_TRUE(refused(&f) && strstr(f.refusal, "exchange their speeds"));
     scene_free(&s);
@@ -183,8 +181,7 @@ static void make_line(struct scene *s, size_t n, double share,
 {
     struct random r;
     random_seed(&r, seed);
-    if (!scene_create(s, n))
-        exit(1);
+    UNIT_MUST(scene_create(s, n));
     s->contact = true;
     s->wall[0] = SCENE_HARD;
     s->high[0] = (double)n;

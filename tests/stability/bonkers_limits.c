@@ -13,9 +13,8 @@ static void begin(struct bonkers *b, struct start_request request,
 {
     struct start s;
     size_t wrong = 0;
-    if (!start_fill(&s, &request) ||
-        !bonkers_begin(b, &s, 1, engine, &wrong))
-        exit(1);
+    UNIT_MUST(start_fill(&s, &request) &&
+              bonkers_begin(b, &s, 1, engine, &wrong));
     UNIT_EQUAL((double)wrong, (double)b->gaps);
     start_free(&s);
 }

@@ -10,8 +10,7 @@
 
 static void make(struct disks *d, size_t count, double side)
 {
-    if (!disks_create(d, 2, count))
-        exit(1);
+    UNIT_MUST(disks_create(d, 2, count));
     d->box[0] = d->box[1] = side;
 }
 

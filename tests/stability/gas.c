@@ -16,8 +16,7 @@ static void make(struct disks *d, size_t dimensions, size_t count,
 {
     struct random r;
     random_seed(&r, 7);
-    if (!disks_create(d, dimensions, count))
-        exit(1);
+    UNIT_MUST(disks_create(d, dimensions, count));
     for (size_t k = 0; k < dimensions; ++k)
         d->box[k] = side * (1 + 0.2 * (double)k);
     for (size_t i = 0; i < count; ++i) {

@@ -12,8 +12,8 @@
 static void make(struct scene *s, const char *name, const char *key,
                  double value)
 {
-    if (gallery_make(s, gallery_find(hard_scenes, name), key, value))
-        exit(1);
+    UNIT_MUST(
+        !gallery_make(s, gallery_find(hard_scenes, name), key, value));
 }
 
 static void begin(struct spheres *p, const struct scene *s,
@@ -79,8 +79,7 @@ TEST(test_tunnelling, "long steps go through")
     for (int slow = 0; slow < 2; ++slow) {
         struct scene s;
         struct spheres p;
-        if (!scene_create(&s, 2))
-            exit(1);
+        UNIT_MUST(scene_create(&s, 2));
         s.contact = true;
         s.radius[0] = s.radius[1] = 0.1;
         s.position[0] = -0.15;
@@ -226,9 +225,8 @@ TEST(test_turn, "a turn behind a wall is missed")
     for (int parts = 1; parts <= 2; ++parts) {
         struct scene s;
         struct motion m;
-        if (!scene_create(&s, 2) || !scene_add_kind(&s, 1, 0) ||
-            !scene_add_spring(&s, 0, 1, 0, 9))
-            exit(1);
+        UNIT_MUST(scene_create(&s, 2) && scene_add_kind(&s, 1, 0) &&
+                  scene_add_spring(&s, 0, 1, 0, 9));
         s.contact = true;
         s.wall[0] = SCENE_HARD;
         s.low[0] = -20;
@@ -258,8 +256,7 @@ TEST(test_stiff, "a stiff contact makes energy")
     for (int fine = 0; fine < 2; ++fine) {
         struct scene s;
         struct motion m;
-        if (!scene_create(&s, 2))
-            exit(1);
+        UNIT_MUST(scene_create(&s, 2));
         s.contact = true;
         s.law = SCENE_LINEAR;
         s.stiffness = 5000;

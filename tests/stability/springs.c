@@ -13,8 +13,8 @@
 static void make(struct scene *s, const char *name, const char *key,
                  double value)
 {
-    if (gallery_make(s, gallery_find(elastic_scenes, name), key, value))
-        exit(1);
+    UNIT_MUST(
+        !gallery_make(s, gallery_find(elastic_scenes, name), key, value));
 }
 
 /* At rest: the hanging pendulum, or a taut membrane. */
@@ -23,8 +23,7 @@ static void make_at_rest(struct scene *s, bool pendulum)
     const struct elastic_membrane taut = {8, 8, 1, 50,   0, 0.8,
                                           0, 1, 1, true, 0, 0};
     if (!pendulum) {
-        if (elastic_membrane(s, &taut))
-            exit(1);
+        UNIT_MUST(!elastic_membrane(s, &taut));
         return;
     }
     make(s, "double-pendulum", NULL, 0);
@@ -44,17 +43,15 @@ static double excursion(const char *method, bool pendulum, double phase,
     struct stepping t;
     double far = 0;
     make_at_rest(&s, pendulum);
-    if (!scene_copy(&rest, &s) || !springs_create(&p, &s) ||
-        !modes_find(&m, &p, s.position))
-        exit(1);
+    UNIT_MUST(scene_copy(&rest, &s) && springs_create(&p, &s) &&
+              modes_find(&m, &p, s.position));
     const double fastest = sqrt(m.square[m.size - 1]);
     for (size_t i = 0; i < m.size; ++i)
         s.position[m.coordinate[i]] +=
             1e-9 * m.shape[(m.size - 1) * m.size + i];
     UNIT_NEAR(fastest, pendulum ? 70.74605996 : 15.103518, 1e-6);
-    if (!stepping_begin(&t, stepping_find(method), springs_forces(&p),
-                        phase / fastest, s.position, s.velocity))
-        exit(1);
+    UNIT_MUST(stepping_begin(&t, stepping_find(method), springs_forces(&p),
+                             phase / fastest, s.position, s.velocity));
     for (uint64_t k = 0; k < steps && far < 1e-3; k += 100) {
         if (stepping_run(&t, 100) != STEPPING_DONE)
             far = 1;
@@ -116,10 +113,10 @@ TEST(test_euler, "Euler's method loses the pendulum at any step")
         struct springs p;
         struct stepping t;
         make(&s, "double-pendulum", NULL, 0);
-        if (!springs_create(&p, &s) ||
-            !stepping_begin(&t, stepping_find("euler"), springs_forces(&p),
-                            dt[k], s.position, s.velocity))
-            exit(1);
+        UNIT_MUST(springs_create(&p, &s) &&
+                  stepping_begin(&t, stepping_find("euler"),
+                                 springs_forces(&p), dt[k], s.position,
+                                 s.velocity));
         while (stepping_time(&t) < 20 && fabs(s.position[7]) < 10 &&
                stepping_run(&t, 10) == STEPPING_DONE)
             ;
@@ -139,10 +136,9 @@ static double ripple(const char *method, int steps)
     struct stepping t;
     double most = 0, before = 0;
     make(&s, "double-pendulum", NULL, 0);
-    if (!springs_create(&p, &s) ||
-        !stepping_begin(&t, stepping_find(method), springs_forces(&p),
-                        0.025 / steps, s.position, s.velocity))
-        exit(1);
+    UNIT_MUST(springs_create(&p, &s) &&
+              stepping_begin(&t, stepping_find(method), springs_forces(&p),
+                             0.025 / steps, s.position, s.velocity));
     for (int i = 1; i <= 400; ++i) {
         stepping_run(&t, (uint64_t)steps);
         const double now = hypot(s.position[1], s.position[7] - 1);
@@ -177,11 +173,11 @@ TEST(test_mechanism, "a truss without diagonals is a mechanism")
         int loose = 0;
         make(&s, "cantilever", "diagonals", diagonals);
         s.damping = 2;
-        if (!springs_create(&p, &s) || !modes_find(&m, &p, s.position) ||
-            !stepping_begin(&t, stepping_find("leapfrog"),
-                            springs_forces(&p), 0.01, s.position,
-                            s.velocity))
-            exit(1);
+        UNIT_MUST(springs_create(&p, &s) &&
+                  modes_find(&m, &p, s.position) &&
+                  stepping_begin(&t, stepping_find("leapfrog"),
+                                 springs_forces(&p), 0.01, s.position,
+                                 s.velocity));
         for (size_t i = 0; i < m.size; ++i)
             loose += fabs(m.square[i]) < 1e-9;
         UNIT_EQUAL(loose, diagonals == 0 ? 5 : 0);

@@ -30,8 +30,7 @@ static double size_after(const struct stepping_method *m, double w,
     const struct stepping_forces f = {1, c != 0, force, &l};
     double x = 1, v = 0.3, most = 0;
     struct stepping s;
-    if (!stepping_begin(&s, m, f, 1, &x, &v))
-        exit(1);
+    UNIT_MUST(stepping_begin(&s, m, f, 1, &x, &v));
     stepping_run(&s, steps);
     for (int k = 0; k < 100; ++k) {
         if (stepping_run(&s, 1) != STEPPING_DONE)
@@ -60,8 +59,7 @@ static struct step step_of(const struct stepping_method *m, double w)
     double x[] = {1, 0}, v[] = {0, w};
     for (int k = 0; k < 2; ++k) {
         struct stepping s;
-        if (!stepping_begin(&s, m, f, 1, &x[k], &v[k]))
-            exit(1);
+        UNIT_MUST(stepping_begin(&s, m, f, 1, &x[k], &v[k]));
         stepping_run(&s, 1);
         stepping_free(&s);
     }

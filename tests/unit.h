@@ -79,6 +79,10 @@ static inline void unit_must(bool holds, const char *condition,
     }
 }
 
+/* A structure that is freed at the end of its block: `FREED(scene) s;` is
+   `struct scene s;` and, there, `scene_free(&s);`. */
+#define FREED(type) __attribute__((cleanup(type##_free))) struct type
+
 static inline void unit_near(const char *file, unsigned line,
                              const char *what, double got, double expected,
                              double tolerance)

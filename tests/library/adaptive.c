@@ -420,7 +420,7 @@ TEST(test_looks, "looking changes no bit")
         double at[3][4], taken[3];
         static const int ticks[] = {1, 16, 128};
         for (int n = 0; n < 3; ++n) {
-            struct stepping s;
+            FREED(stepping) s;
             double *const x = at[n], *const v = at[n] + 2;
             x[0] = 0.1, x[1] = v[0] = 0, v[1] = sqrt(19);
             begin(&s, names[k], orbit_forces, 4.0 / ticks[n], 1e-9, x, v);
@@ -428,7 +428,6 @@ TEST(test_looks, "looking changes no bit")
                 UNIT_TRUE(stepping_run(&s, 1) == STEPPING_DONE);
             taken[n] = (double)s.own->taken;
             UNIT_EQUAL(stepping_time(&s), 4);
-            stepping_free(&s);
         }
         UNIT_EQUAL(taken[0], taken[2]);
         UNIT_TRUE(!memcmp(at[0], at[1], sizeof at[0]));
@@ -526,7 +525,7 @@ TEST(test_noise, "rounding is no error")
 TEST(test_collision, "a fall into the centre ends")
 {
     for (int k = 0; k < 2; ++k) {
-        struct stepping s;
+        FREED(stepping) s;
         double x[] = {1, 0}, v[] = {0, 0};
         begin(&s, names[k], orbit_forces, 1, 1e-10, x, v);
         UNIT_TRUE(stepping_run(&s, 1) == STEPPING_DONE);
@@ -534,7 +533,6 @@ TEST(test_collision, "a fall into the centre ends")
         UNIT_TRUE(stepping_run(&s, 1) == STEPPING_STUCK);
         UNIT_EQUAL(x[0], before);
         UNIT_EQUAL(stepping_time(&s), 1);
-        stepping_free(&s);
     }
 }
 
@@ -542,7 +540,7 @@ TEST(test_collision, "a fall into the centre ends")
 TEST(test_disturbed, "a disturbed run begins anew")
 {
     for (int k = 0; k < 2; ++k) {
-        struct stepping s;
+        FREED(stepping) s;
         double x = 1, v = 0;
         const struct stepping_forces f = {1, false, oscillator, NULL};
         begin(&s, names[k], f, 0.5, 1e-12, &x, &v);
@@ -552,7 +550,6 @@ TEST(test_disturbed, "a disturbed run begins anew")
         stepping_run(&s, 2);
         UNIT_NEAR(x, sin(1), 1e-11);
         UNIT_EQUAL(stepping_time(&s), 2.5);
-        stepping_free(&s);
     }
 }
 

@@ -92,7 +92,7 @@ static double fly(struct scene *s, double until)
 
 TEST(test_conserved, "what is conserved is its mean")
 {
-    struct scene s;
+    FREED(scene) s;
     make_rods(&s, 4, 2, 10);
     double K = 0;
     for (size_t i = 0; i < 4; ++i)
@@ -103,13 +103,12 @@ TEST(test_conserved, "what is conserved is its mean")
     UNIT_EQUAL(f.error, 0);
     f = ask(&s, "temperature", 1, 1e-9, NULL);
     UNIT_NEAR(f.value, 2 * K / 4, 1e-14 * K);
-    scene_free(&s);
 }
 
 /* In a box without walls a drift is no heat, but energy it is. */
 TEST(test_drift, "in a periodic box a drift is no heat")
 {
-    struct scene s;
+    FREED(scene) s;
     UNIT_MUST(scene_create(&s, 3));
     s.contact = true;
     for (size_t i = 0; i < 3; ++i) {
@@ -131,7 +130,6 @@ TEST(test_drift, "in a periodic box a drift is no heat")
     UNIT_NEAR(f.value, 2 * 6.0 / 6, 1e-12); /* 100 eps for each speed */
     f = ask(&s, "kinetic", 1, 1e-9, NULL);
     UNIT_NEAR(f.value, 6 + 3 * 100 * 100, 1e-10);
-    scene_free(&s);
 }
 
 /* Every run, of two bodies or of many, shows Tonks's force to within the
@@ -140,7 +138,7 @@ TEST(test_drift, "in a periodic box a drift is no heat")
 TEST(test_tonks, "every run shows Tonks's law to within its bound")
 {
     for (size_t n = 1; n <= 6; ++n) {
-        struct scene s;
+        FREED(scene) s;
         double K = 0, M = 0, radii = 0;
         const double T = 200;
         make_rods(&s, n, 2, 10);
@@ -163,7 +161,6 @@ TEST(test_tonks, "every run shows Tonks's law to within its bound")
         const struct averages_found brief =
             ask(&s, "pressure", T, 0.99 * bound, NULL);
         UNIT_TRUE(refused(&brief) && strstr(brief.refusal, "ask for"));
-        scene_free(&s);
     }
 }
 
@@ -172,7 +169,7 @@ TEST(test_tonks, "every run shows Tonks's law to within its bound")
    says, and none is given. */
 TEST(test_two_disks, "two disks are near their law if there is time")
 {
-    struct scene s;
+    FREED(scene) s;
     make(&s, "four-disks", "particles", 2);
     struct averages_found f = ask(&s, "pressure", 1e6, 0.004, NULL);
     UNIT_TRUE(taken(&f, "events") && f.error <= 0.004);
@@ -183,14 +180,13 @@ TEST(test_two_disks, "two disks are near their law if there is time")
     f = ask(&s, "y:1", 1e5, 0.02, NULL);
     UNIT_TRUE(taken(&f, "events"));
     UNIT_NEAR(f.value, 0.5, 1.5 * f.error);
-    scene_free(&s);
 }
 
 /* Four disks: Z = 1.88926(13), from a Markov chain of 1e7 sweeps, by
    (5.8, eq:wall-virial). Twice the error is four standard errors. */
 TEST(test_four_disks, "four disks have the pressure of the reference")
 {
-    struct scene s;
+    FREED(scene) s;
     make(&s, "four-disks", NULL, 0);
     struct averages_found f = ask(&s, "pressure", 1e6, 0.01, "events");
     UNIT_TRUE(taken(&f, "events") && f.error <= 0.01 && f.error > 0.001);
@@ -199,7 +195,6 @@ TEST(test_four_disks, "four disks have the pressure of the reference")
     f = ask(&s, "x:2", 1e6, 0.02, NULL);
     UNIT_TRUE(taken(&f, "events"));
     UNIT_NEAR(f.value, 0.5, 2 * f.error);
-    scene_free(&s);
 }
 
 /* In a periodic box the centre of mass makes no pressure: 0.7 m/s more for
@@ -208,7 +203,7 @@ TEST(test_four_disks, "four disks have the pressure of the reference")
    and higher terms. */
 TEST(test_periodic, "in a periodic box the centre makes no pressure")
 {
-    struct scene s;
+    FREED(scene) s;
     make(&s, "four-disks", "radius", 0.05);
     s.wall[0] = s.wall[1] = SCENE_PERIODIC;
     const struct averages_found a =
@@ -220,13 +215,12 @@ TEST(test_periodic, "in a periodic box the centre makes no pressure")
     UNIT_TRUE(!refused(&a) && !refused(&b));
     UNIT_NEAR(a.value, b.value, 1.5 * (a.error + b.error) * a.value);
     UNIT_NEAR(a.value, 1 + 3.14159265 * 0.0025 * 2 * 3, 0.02);
-    scene_free(&s);
 }
 
 /* No more time than the tolerance needs, and more for more digits. */
 TEST(test_stop, "no more is simulated than the tolerance needs")
 {
-    struct scene s;
+    FREED(scene) s;
     make(&s, "four-disks", NULL, 0);
     const struct averages_found a =
         ask(&s, "pressure", 1e7, 0.02, "events");
@@ -236,14 +230,13 @@ TEST(test_stop, "no more is simulated than the tolerance needs")
     UNIT_TRUE(4 * a.time < b.time); /* sixteen times, were it exact */
     UNIT_TRUE(b.time < 1e5);
     UNIT_TRUE(4 * a.cost < b.cost);
-    scene_free(&s);
 }
 
 /* An error of just the tolerance is small enough: who asks for the error
    of the first look gets that look again. */
 TEST(test_just_enough, "an error of just the tolerance will do")
 {
-    struct scene s;
+    FREED(scene) s;
     make(&s, "four-disks", NULL, 0);
     const struct averages_found a = ask(&s, "pressure", 1e7, 0.5, "events");
     const struct averages_found b =
@@ -252,12 +245,11 @@ TEST(test_just_enough, "an error of just the tolerance will do")
     UNIT_TRUE(!refused(&b));
     UNIT_EQUAL(b.error, a.error);
     UNIT_EQUAL(b.time, a.time);
-    scene_free(&s);
 }
 
 TEST(test_same_bits, "the same question has the same bits")
 {
-    struct scene s;
+    FREED(scene) s;
     make(&s, "four-disks", NULL, 0);
     const struct averages_found a = ask(&s, "x:0", 1e5, 0.03, NULL);
     const struct averages_found b = ask(&s, "x:0", 1e5, 0.03, NULL);
@@ -265,14 +257,13 @@ TEST(test_same_bits, "the same question has the same bits")
     UNIT_EQUAL(a.error, b.error);
     UNIT_EQUAL(a.time, b.time);
     UNIT_EQUAL(a.cost, b.cost);
-    scene_free(&s);
 }
 
 /* Places on a line come to k/(n+1) of the free length, and the radii; but
    how near a mean over a time is to that, the run has to say. */
 TEST(test_order, "places on a line come to their law, with an error")
 {
-    struct scene s;
+    FREED(scene) s;
     make_rods(&s, 6, 2, 10);
     const double free = 10 - 2 * (0.05 + 0.1 + 0.15) * 2;
     const double law = 1 + 2 * (0.05 + 0.1) + 0.15 + free * 3 / 7;
@@ -283,26 +274,24 @@ TEST(test_order, "places on a line come to their law, with an error")
     UNIT_TRUE(refused(&f));
     f = ask(&s, "x:2", 1e6, 0.01, "order");
     UNIT_TRUE(refused(&f) && strstr(f.refusal, "'order' is no way"));
-    scene_free(&s);
 }
 
 /* Six rods that begin in a tenth of the box: the beginning does not
    count. */
 TEST(test_squeezed, "a squeezed start does not count")
 {
-    struct scene s;
+    FREED(scene) s;
     make_rods(&s, 6, 1, 3.4);
     const double law = 1 + 2 * (0.05 + 0.1) + 0.15 + 8.8 * 3 / 7;
     const struct averages_found f = ask(&s, "x:2", 1e6, 0.01, "events");
     UNIT_TRUE(taken(&f, "events"));
     UNIT_NEAR(f.value, law, 2 * f.error * 10);
-    scene_free(&s);
 }
 
 /* Radii move the places, and nothing else. */
 TEST(test_radii, "radii move the places only")
 {
-    struct scene s;
+    FREED(scene) s;
     make_rods(&s, 6, 2, 10);
     for (size_t i = 0; i < 6; ++i)
         s.radius[i] = 0;
@@ -316,7 +305,6 @@ TEST(test_radii, "radii move the places only")
     UNIT_TRUE(taken(&points, "events") && taken(&rods, "events"));
     UNIT_NEAR(rods.value, points.value + 0.25 * 5,
               points.error * points.scale + rods.error * rods.scale);
-    scene_free(&s);
 }
 
 /* A gas that begins in two fifths of its box, on a lattice: the pressure
@@ -325,7 +313,7 @@ TEST(test_burst, "a gas let out of a corner has its own pressure")
 {
     const struct gallery_scene *g = gallery_find(hard_scenes, "gas");
     double value[GALLERY_KEYS];
-    struct scene s;
+    FREED(scene) s;
     gallery_usual(g, value);
     value[gallery_key(g, "width")] = 3;
     value[gallery_key(g, "lattice")] = 1;
@@ -334,14 +322,13 @@ TEST(test_burst, "a gas let out of a corner has its own pressure")
     const struct averages_found f = ask(&s, "pressure", 1e4, 0.01, NULL);
     UNIT_TRUE(taken(&f, "events"));
     UNIT_NEAR(f.value, 1.6207, 2 * f.error * f.value);
-    scene_free(&s);
 }
 
 TEST(test_read, "names are read, and others refused")
 {
     struct averages_quantity q;
     char message[AVERAGES_TEXT], symbol[32];
-    struct scene s;
+    FREED(scene) s;
     make(&s, "four-disks", NULL, 0);
     UNIT_TRUE(averages_read(&q, "y:3", &s, message));
     UNIT_EQUAL((double)q.body, 3);
@@ -355,7 +342,6 @@ TEST(test_read, "names are read, and others refused")
     for (size_t k = 0; k < sizeof wrong / sizeof wrong[0]; ++k)
         UNIT_TRUE(!averages_read(&q, wrong[k], &s, message) &&
                   strstr(message, "pressure"));
-    scene_free(&s);
 }
 
 /* Says whether the reason is as expected. */
@@ -367,7 +353,7 @@ static bool says(const struct scene *s, const char *name, const char *why)
 
 TEST(test_refusals, "scenes without an average are refused")
 {
-    struct scene s;
+    FREED(scene) s;
     make(&s, "four-disks", NULL, 0);
     s.restitution = 0.9;
     UNIT_TRUE(says(&s, "pressure", "loses energy"));
@@ -388,18 +374,16 @@ TEST(test_refusals, "scenes without an average are refused")
     scene_free(&s);
     make(&s, "galperin", NULL, 0);
     UNIT_TRUE(says(&s, "x:1", "held"));
-    scene_free(&s);
 }
 
 /* Too short a time: which would be long enough is said. */
 TEST(test_short, "too short a time is refused with a better one")
 {
-    struct scene s;
+    FREED(scene) s;
     make(&s, "four-disks", NULL, 0);
     const struct averages_found f =
         ask(&s, "pressure", 1000, 1e-3, "events");
     UNIT_TRUE(refused(&f) && strstr(f.refusal, "need not"));
-    scene_free(&s);
 }
 
 /* What is much too expensive is refused for little work: for a second by
@@ -414,7 +398,7 @@ TEST(test_dear, "what is much too expensive is refused at little cost")
                  {"four-disks", "x:0", 1e-5},
                  {"four-disks", "pressure", 1e-6}};
     for (size_t k = 0; k < sizeof asked / sizeof asked[0]; ++k) {
-        struct scene s;
+        FREED(scene) s;
         make(&s, asked[k].scene, NULL, 0);
         struct averages_request q = {.scene = &s,
                                      .until = 1e9,
@@ -427,7 +411,6 @@ TEST(test_dear, "what is much too expensive is refused at little cost")
         UNIT_TRUE(refused(&f) && (strstr(f.refusal, "price list") ||
                                   strstr(f.refusal, "need not")));
         UNIT_TRUE(f.cost < 1);
-        scene_free(&s);
     }
 }
 
@@ -458,7 +441,7 @@ TEST(test_locked, "disks that are locked in are refused at little cost")
 /* The tolerance that a refusal offers is held when it is asked for. */
 TEST(test_offer, "the tolerance that is offered can be had")
 {
-    struct scene s;
+    FREED(scene) s;
     make(&s, "four-disks", NULL, 0);
     struct averages_request q = {
         .scene = &s, .until = 1e9, .tolerance = 1e-5, .budget = 0.2};
@@ -471,7 +454,6 @@ TEST(test_offer, "the tolerance that is offered can be had")
     UNIT_TRUE(averages_find(&f, &q));
     UNIT_TRUE(!refused(&f) && f.error <= q.tolerance);
     UNIT_TRUE(f.cost < 0.3);
-    scene_free(&s);
 }
 
 /* The mean over all of a time, from nearly this start. */
@@ -601,7 +583,7 @@ TEST(test_scatter, "errors cover what two runs differ by")
    disk: 1.50533 here. */
 TEST(test_periodic_two, "two disks in a periodic box")
 {
-    struct scene s;
+    FREED(scene) s;
     UNIT_MUST(scene_create(&s, 2));
     s.contact = true;
     for (size_t i = 0; i < 2; ++i) {
@@ -618,5 +600,4 @@ TEST(test_periodic_two, "two disks in a periodic box")
     const struct averages_found f = ask(&s, "pressure", 1e5, 0.01, NULL);
     UNIT_TRUE(taken(&f, "events"));
     UNIT_NEAR(f.value, 1 + A / (2 * (1 - A)), 2 * f.error * f.scale);
-    scene_free(&s);
 }

@@ -11,7 +11,7 @@
 /* Samples 0, 1, 2, ... : every full block is known. */
 TEST(test_joined, "blocks that are joined keep their sums")
 {
-    struct blocks b;
+    FREED(blocks) b;
     UNIT_TRUE(blocks_create(&b, 2));
     for (size_t n = 0; n < 5000; ++n)
         blocks_add(&b, (double[]){(double)n, 1});
@@ -25,7 +25,6 @@ TEST(test_joined, "blocks that are joined keep their sums")
     UNIT_EQUAL(blocks_average(&b, 1).mean, 1);
     UNIT_EQUAL(blocks_average(&b, 1).error, 0);
     UNIT_EQUAL(blocks_average(&b, 0).mean, (5000 / 16 * 16 - 1) / 2.0);
-    blocks_free(&b);
 }
 
 /* Correlated samples: the error of the series itself, within its own
@@ -34,7 +33,7 @@ TEST(test_error, "the error is that of the series")
 {
     enum { COUNT = 100000 };
     static double x[COUNT];
-    struct blocks b;
+    FREED(blocks) b;
     struct random r;
     random_seed(&r, 3);
     UNIT_TRUE(blocks_create(&b, 1));
@@ -49,13 +48,12 @@ TEST(test_error, "the error is that of the series")
     const struct blocks_average whole = blocks_average_of(COUNT, x);
     UNIT_NEAR(whole.error, a.error, 0.3 * a.error);
     UNIT_NEAR(whole.mean, a.mean, a.error);
-    blocks_free(&b);
 }
 
 /* Whole blocks from outside, which double with the others. */
 TEST(test_appended, "whole blocks can be appended")
 {
-    struct blocks b;
+    FREED(blocks) b;
     double total = 0;
     UNIT_TRUE(blocks_create(&b, 1));
     for (size_t n = 0; n < 3000; ++n) {
@@ -66,18 +64,16 @@ TEST(test_appended, "whole blocks can be appended")
     UNIT_EQUAL((double)(b.count * b.per), total);
     UNIT_EQUAL(blocks_average(&b, 0).mean, 7);
     UNIT_TRUE(b.count < BLOCKS_MOST);
-    blocks_free(&b);
 }
 
 TEST(test_few, "one value has no error")
 {
-    struct blocks b;
+    FREED(blocks) b;
     UNIT_TRUE(blocks_create(&b, 1));
     UNIT_TRUE(isnan(blocks_average(&b, 0).error));
     blocks_add(&b, (double[]){3});
     UNIT_EQUAL(blocks_average(&b, 0).mean, 3);
     UNIT_TRUE(isnan(blocks_average(&b, 0).error));
-    blocks_free(&b);
 }
 
 /* Nothing drifts: the law of a normal number over the root of the smaller

@@ -31,7 +31,7 @@ static void begin(struct bonkers *b, size_t movers, double restitution,
    in a box of movers + 1 metres, and of the lengths of the rods. */
 static void fill_random(size_t movers, uint64_t seed, bool rods)
 {
-    struct start s;
+    FREED(start) s;
     struct random r;
     double shift = 0;
     random_seed(&r, seed);
@@ -47,7 +47,6 @@ static void fill_random(size_t movers, uint64_t seed, bool rods)
         shift += 2 * radius[i];
     }
     body[movers + 1].x = s.wall[1] + shift;
-    start_free(&s);
 }
 
 static double state[2][2][LARGEST];
@@ -82,7 +81,7 @@ static enum bonkers_stop compare(size_t movers, double restitution,
 {
     enum bonkers_stop last = BONKERS_TIME;
     for (size_t e = 0; e < sizeof fast / sizeof fast[0]; ++e) {
-        struct bonkers scan, other;
+        FREED(bonkers) scan, other;
         const char *difference = NULL;
         begin(&scan, movers, restitution, BONKERS_SCAN, rods);
         begin(&other, movers, restitution, fast[e], rods);
@@ -105,8 +104,6 @@ static enum bonkers_stop compare(size_t movers, double restitution,
                 break;
         }
         UNIT_TRUE(difference == NULL);
-        bonkers_free(&scan);
-        bonkers_free(&other);
     }
     return last;
 }
@@ -235,7 +232,7 @@ TEST(test_collision_number,
 {
     for (size_t e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e)
         for (uint64_t c = 1; c < 400; c += 7) {
-            struct bonkers a, b;
+            FREED(bonkers) a, b;
             fill_lattice(101, (double[]){1, 3});
             begin(&a, 101, 1, (enum bonkers_engine)e, false);
             begin(&b, 101, 1, BONKERS_SCAN, false);
@@ -246,8 +243,6 @@ TEST(test_collision_number,
             UNIT_TRUE(bonkers_run(&a, INFINITY, c) == BONKERS_COLLISIONS);
             UNIT_TRUE(bonkers_run(&a, INFINITY, 0) == BONKERS_COLLISIONS);
             UNIT_TRUE(differs(&a, &b) == NULL);
-            bonkers_free(&a);
-            bonkers_free(&b);
         }
 }
 
@@ -294,7 +289,7 @@ TEST(test_touching_rows, "and in touching rows")
 TEST(test_long_row, "a touching row of 100000 is struck")
 {
     enum { ROW = 100000 };
-    struct bonkers heap, slab;
+    FREED(bonkers) heap, slab;
     fill_row(ROW, false);
     body[1].v = 1;
     begin(&heap, ROW, 1, BONKERS_HEAP, true);
@@ -309,8 +304,6 @@ TEST(test_long_row, "a touching row of 100000 is struck")
             UNIT_EQUAL(slab.body[1].v, 0);
         }
     }
-    bonkers_free(&heap);
-    bonkers_free(&slab);
 }
 
 /* Points all in one place: pairs that approach collide, pairs that part
@@ -440,7 +433,7 @@ TEST(test_cuts_change_no_bit, "no cut and no look changes a bit")
     for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e)
         for (uint64_t seed = 1; seed <= 12; ++seed) {
             const size_t movers = 3 * seed * seed;
-            struct bonkers whole, cut;
+            FREED(bonkers) whole, cut;
             struct random r;
             static double x[LARGEST], v[LARGEST];
             const double restitution = seed % 3 ? 1 : 0.99;
@@ -462,8 +455,6 @@ TEST(test_cuts_change_no_bit, "no cut and no look changes a bit")
             bonkers_run(&whole, length, UINT64_MAX);
             UNIT_TRUE(whole.collisions > 100);
             UNIT_TRUE(differs(&whole, &cut) == NULL);
-            bonkers_free(&whole);
-            bonkers_free(&cut);
         }
 }
 
@@ -480,7 +471,7 @@ TEST(test_naive_agrees, "the naive engine differs by rounding")
     static const size_t movers[] = {1, 2, 3, 7, 33};
     for (size_t n = 0; n < 5; ++n)
         for (uint64_t seed = 1; seed <= 6; ++seed) {
-            struct bonkers naive, scan;
+            FREED(bonkers) naive, scan;
             const double t = 200.0 / (double)movers[n], size = t / 10;
             double worst = 0;
             fill_random(movers[n], seed, seed % 2);
@@ -501,8 +492,6 @@ TEST(test_naive_agrees, "the naive engine differs by rounding")
                       24 * (double)scan.collisions * DBL_EPSILON *
                           (body[movers[n] + 1].x +
                            2 * sqrt((double)movers[n]) * t));
-            bonkers_free(&naive);
-            bonkers_free(&scan);
         }
 }
 
@@ -514,7 +503,7 @@ TEST(test_symmetries, "mirrored and in other units, every bit is the same")
     for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e)
         for (size_t n = 0; n < 4; ++n) {
             const size_t last = movers[n] + 1;
-            struct bonkers a, mirror, scaled;
+            FREED(bonkers) a, mirror, scaled;
             size_t same = 0;
             fill_random(movers[n], 21, false);
             begin(&a, movers[n], 1, (enum bonkers_engine)e, false);
@@ -543,9 +532,6 @@ TEST(test_symmetries, "mirrored and in other units, every bit is the same")
             }
             UNIT_TRUE(a.collisions > 20);
             UNIT_EQUAL((double)same, (double)last + 1);
-            bonkers_free(&a);
-            bonkers_free(&mirror);
-            bonkers_free(&scaled);
         }
 }
 
@@ -556,7 +542,7 @@ TEST(test_order_and_walls, "bodies stay in order and walls stand")
 {
     for (uint64_t seed = 1; seed <= 12; ++seed) {
         const size_t movers = 2 + 5 * seed, rods = seed % 2;
-        struct bonkers b;
+        FREED(bonkers) b;
         double *x = state[0][0], *v = state[0][1];
         size_t crossed = 0;
         fill_random(movers, seed, rods);
@@ -580,7 +566,6 @@ TEST(test_order_and_walls, "bodies stay in order and walls stand")
         }
         UNIT_EQUAL((double)crossed, 0);
         UNIT_EQUAL((double)b.disorder, 0);
-        bonkers_free(&b);
     }
 }
 
@@ -591,7 +576,7 @@ TEST(test_rods_are_points, "rods are points in a smaller box")
 {
     for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e)
         for (size_t movers = 1; movers < 200; movers = 3 * movers + 1) {
-            struct bonkers points, rods;
+            FREED(bonkers) points, rods;
             struct random r;
             double shift[LARGEST / 100], sum = 0;
             size_t same = 0;
@@ -618,8 +603,6 @@ TEST(test_rods_are_points, "rods are points in a smaller box")
                 same += state[1][0][i] == state[0][0][i] + shift[i] &&
                         state[1][1][i] == state[0][1][i];
             UNIT_EQUAL((double)same, (double)movers + 2);
-            bonkers_free(&points);
-            bonkers_free(&rods);
         }
 }
 
@@ -714,7 +697,7 @@ TEST(test_equal_masses, "equal masses are ghosts")
 {
     for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e)
         for (size_t movers = 2; movers <= 10; movers += 4) {
-            struct bonkers b;
+            FREED(bonkers) b;
             double ghost[10], speed[2][10], fastest = 0, worst = 0;
             const double length = (double)movers + 1;
             fill_random(movers, 31 + movers, false);
@@ -749,7 +732,6 @@ TEST(test_equal_masses, "equal masses are ghosts")
             }
             UNIT_TRUE(b.collisions > 1000);
             UNIT_TRUE(worst < 1e-5); /* of gaps of 1 m */
-            bonkers_free(&b);
         }
 }
 
@@ -780,7 +762,7 @@ TEST(test_cradle, "Newton's cradle")
     for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e)
         for (size_t k = 0; k < sizeof cradle / sizeof cradle[0]; ++k)
             for (int touching = 0; touching < 2; ++touching) {
-                struct bonkers b;
+                FREED(bonkers) b;
                 for (size_t i = 0; i <= 6; ++i) {
                     body[i] = (struct bonkers_body){(double)i, 0, 0, 0};
                     radius[i] = i > 0 && i < 6 ? 0.5 : 0;
@@ -801,7 +783,6 @@ TEST(test_cradle, "Newton's cradle")
                               40 * DBL_EPSILON);
                 UNIT_TRUE(b.body[0].x == -INFINITY &&
                           b.body[6].x == INFINITY);
-                bonkers_free(&b);
             }
 }
 
@@ -815,8 +796,8 @@ TEST(test_galperin, "Galperin's counts")
                 {256, 50}, {4096, 201}, {65536, 804}};
     for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e)
         for (size_t k = 0; k < sizeof runs / sizeof runs[0]; ++k) {
-            struct start s;
-            struct bonkers b;
+            FREED(start) s;
+            FREED(bonkers) b;
             size_t wrong = 0;
             start_fill(&s, &(struct start_request){.kind = START_GALPERIN,
                                                    .ratio = runs[k].ratio});
@@ -826,8 +807,6 @@ TEST(test_galperin, "Galperin's counts")
             UNIT_TRUE(bonkers_run(&b, INFINITY, UINT64_MAX) ==
                       BONKERS_STILL);
             UNIT_EQUAL((double)b.collisions, runs[k].count);
-            bonkers_free(&b);
-            start_free(&s);
         }
 }
 
@@ -837,8 +816,8 @@ TEST(test_galperin, "Galperin's counts")
    hundredth of the drift of a biased collision, 1e-10. */
 TEST(test_energy, "a million collisions keep the energy")
 {
-    struct start s;
-    struct bonkers b;
+    FREED(start) s;
+    FREED(bonkers) b;
     size_t wrong;
     start_fill(&s, &(struct start_request){.kind = START_MIXED});
     bonkers_begin(&b, &s, 1, BONKERS_AUTO, &wrong);
@@ -847,8 +826,6 @@ TEST(test_energy, "a million collisions keep the energy")
     UNIT_TRUE(bonkers_run(&b, INFINITY, 1000000) == BONKERS_COLLISIONS);
     UNIT_NEAR(bonkers_energy(&b) / before, 1, 1e-12);
     UNIT_TRUE(bonkers_energy(&b) != before);
-    bonkers_free(&b);
-    start_free(&s);
 }
 
 /* A ball at rest between a wall and one that comes in, of equal masses. */
@@ -870,7 +847,7 @@ TEST(test_collapse, "two balls and a wall collapse below 0.1716")
     static const double without_end[] = {0,     0.001, 0.05, 0.1,
                                          0.168, 0.17,  0.171};
     for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e) {
-        struct bonkers b;
+        FREED(bonkers) b;
         for (int k = 0; k < 7; ++k) {
             UNIT_TRUE(collapse(&b, without_end[k],
                                (enum bonkers_engine)e) == BONKERS_COLLAPSE);
@@ -884,7 +861,6 @@ TEST(test_collapse, "two balls and a wall collapse below 0.1716")
         UNIT_TRUE(collapse(&b, 0.2, (enum bonkers_engine)e) ==
                   BONKERS_STILL);
         UNIT_EQUAL((double)b.collisions, 9);
-        bonkers_free(&b);
     }
 }
 
@@ -892,14 +868,13 @@ TEST(test_collapse, "two balls and a wall collapse below 0.1716")
 TEST(test_after_a_collapse, "a collapse lasts")
 {
     for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e) {
-        struct bonkers b;
+        FREED(bonkers) b;
         collapse(&b, 0.1, (enum bonkers_engine)e);
         const double now = b.now;
         for (int k = 1; k < 4; ++k)
             UNIT_TRUE(bonkers_run(&b, now + 10 * k, UINT64_MAX) ==
                       BONKERS_COLLAPSE);
         UNIT_EQUAL(b.now, now);
-        bonkers_free(&b);
     }
 }
 
@@ -909,7 +884,7 @@ TEST(test_collapse_in_company, "a collapse is seen among a thousand")
 {
     for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e) {
         enum { OTHERS = 998 };
-        struct bonkers b;
+        FREED(bonkers) b;
         memset(body, 0, (OTHERS + 4) * sizeof body[0]);
         body[1] = (struct bonkers_body){1, 0, 0, 1};
         body[2] = (struct bonkers_body){2, -1, 0, 1};
@@ -918,7 +893,6 @@ TEST(test_collapse_in_company, "a collapse is seen among a thousand")
         body[OTHERS + 3].x = OTHERS + 20;
         begin(&b, OTHERS + 2, 0.168, (enum bonkers_engine)e, false);
         UNIT_TRUE(bonkers_run(&b, 1000, UINT64_MAX) == BONKERS_COLLAPSE);
-        bonkers_free(&b);
     }
 }
 
@@ -927,7 +901,7 @@ TEST(test_collapse_in_company, "a collapse is seen among a thousand")
 TEST(test_row_is_no_collapse, "a struck row is no collapse")
 {
     for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e) {
-        struct bonkers b;
+        FREED(bonkers) b;
         fill_row(40, false);
         body[0].x = -INFINITY;
         body[41].x = INFINITY;
@@ -936,7 +910,6 @@ TEST(test_row_is_no_collapse, "a struck row is no collapse")
         begin(&b, 40, 0.99, (enum bonkers_engine)e, true);
         UNIT_TRUE(bonkers_run(&b, INFINITY, UINT64_MAX) == BONKERS_STILL);
         UNIT_TRUE(b.collisions > 38);
-        bonkers_free(&b);
     }
 }
 
@@ -944,7 +917,7 @@ TEST(test_row_is_no_collapse, "a struck row is no collapse")
 TEST(test_sticking, "sticking bodies move as one")
 {
     for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e) {
-        struct bonkers b;
+        FREED(bonkers) b;
         for (size_t i = 0; i <= 3; ++i)
             body[i] = (struct bonkers_body){(double)i, 0, 0, 1 / 3.0};
         body[0] = (struct bonkers_body){-INFINITY, 0, 0, 0};
@@ -954,13 +927,12 @@ TEST(test_sticking, "sticking bodies move as one")
         UNIT_TRUE(bonkers_run(&b, INFINITY, UINT64_MAX) == BONKERS_STILL);
         UNIT_NEAR(b.body[1].v, 0.5, 2 * DBL_EPSILON);
         UNIT_NEAR(b.body[2].v, 0.5, 2 * DBL_EPSILON);
-        bonkers_free(&b);
     }
 }
 
 TEST(test_start, "starts are checked")
 {
-    struct bonkers b;
+    FREED(bonkers) b;
     bonkers_create(&b, 3, 1, BONKERS_AUTO);
     static const struct {
         double x[5], radius;
@@ -1002,7 +974,6 @@ TEST(test_start, "starts are checked")
     begin(&b, 30, 1, BONKERS_AUTO, true);
     UNIT_TRUE(bonkers_run(&b, 10, UINT64_MAX) == BONKERS_TIME);
     UNIT_EQUAL((double)b.collisions, 0);
-    bonkers_free(&b);
 }
 
 /* The scan for a few movers, slabs for more. */
@@ -1024,7 +995,7 @@ TEST(test_auto, "the engine chosen")
 TEST(test_exact_end, "a collision exactly at the end takes place")
 {
     for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e) {
-        struct bonkers b;
+        FREED(bonkers) b;
         double x[4], v[4];
         memset(body, 0, 4 * sizeof body[0]);
         body[1] = (struct bonkers_body){1, 1, 0, 1};
@@ -1043,7 +1014,6 @@ TEST(test_exact_end, "a collision exactly at the end takes place")
         UNIT_TRUE(x[1] == 2 && x[2] == 2 && v[1] == -1 && v[2] == 1);
         UNIT_EQUAL(b.now, 1);
         UNIT_EQUAL(bonkers_energy(&b), 1);
-        bonkers_free(&b);
     }
 }
 
@@ -1053,7 +1023,7 @@ TEST(test_settle, "a settled run goes on")
 {
     for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e)
         for (int rods = 0; rods < 2; ++rods) {
-            struct bonkers a, b;
+            FREED(bonkers) a, b;
             fill_random(20, 77, rods);
             begin(&a, 20, 1, (enum bonkers_engine)e, rods);
             begin(&b, 20, 1, (enum bonkers_engine)e, rods);
@@ -1076,8 +1046,6 @@ TEST(test_settle, "a settled run goes on")
             UNIT_NEAR(worst, 0,
                       24 * 400 * DBL_EPSILON *
                           (body[21].x + 2 * sqrt(20) * 10));
-            bonkers_free(&a);
-            bonkers_free(&b);
         }
 }
 
@@ -1085,7 +1053,7 @@ TEST(test_settle, "a settled run goes on")
    the report has them in order, and counts only what is no rounding. */
 TEST(test_disorder, "what is out of order is put right and counted")
 {
-    struct bonkers b;
+    FREED(bonkers) b;
     double x[5], v[5];
     UNIT_TRUE(bonkers_create(&b, 3, 1, BONKERS_SCAN));
     b.body[4].x = 4;
@@ -1103,7 +1071,6 @@ TEST(test_disorder, "what is out of order is put right and counted")
     UNIT_EQUAL(x[2], 1);
     UNIT_EQUAL(x[3], 4);
     UNIT_EQUAL(b.body[2].x, 0.5); /* the run is not touched */
-    bonkers_free(&b);
 }
 
 /* ---- under gravity */
@@ -1134,7 +1101,7 @@ static double thrown(double x, double v, double t)
 
 TEST(test_bouncing_ball, "a bouncing ball")
 {
-    struct bonkers b;
+    FREED(bonkers) b;
     const double x = 1, v = 0.3, s = sqrt(v * v + 2 * g * x);
     fall(&b, 1, &x, &v, 1, BONKERS_AUTO);
     const double energy = bonkers_energy(&b);
@@ -1150,7 +1117,6 @@ TEST(test_bouncing_ball, "a bouncing ball")
             UNIT_EQUAL(b.body[1].x, 0);
     }
     UNIT_NEAR(bonkers_energy(&b), energy, 4 * DBL_EPSILON * energy);
-    bonkers_free(&b);
 }
 
 TEST(test_roof, "a roof, and one out of reach")
@@ -1180,7 +1146,7 @@ static int by_height(const void *a, const void *b)
 /* Ten equal beads are bouncing balls that pass through each other. */
 TEST(test_sorted_balls, "equal beads that fall are sorted balls")
 {
-    struct bonkers b;
+    FREED(bonkers) b;
     struct random r;
     double x[10], v[10], got[12], u[12], worst = 0;
     random_seed(&r, 1);
@@ -1201,7 +1167,6 @@ TEST(test_sorted_balls, "equal beads that fall are sorted balls")
     }
     UNIT_TRUE(b.collisions > 10000 && b.disorder == 0);
     UNIT_NEAR(worst, 0, 1e-11); /* some 1e-12; 1e-10 without [[late]] */
-    bonkers_free(&b);
 }
 
 /* Bodies of masses from 1 to 9 over a floor; each height is drawn. */
@@ -1277,7 +1242,7 @@ TEST(test_falling_slab, "and the slab, in columns that come to rest")
 TEST(test_falling_engines, "scan and heap fall alike, the naive nearly")
 {
     for (int k = 0; k < 2; ++k) {
-        struct bonkers scan, heap, slab, naive;
+        FREED(bonkers) scan, heap, slab, naive;
         double x[2][11], v[2][11], worst = 0;
         begin_fall(&scan, BONKERS_SCAN, k ? 0.99 : 1);
         begin_fall(&heap, BONKERS_HEAP, k ? 0.99 : 1);
@@ -1304,10 +1269,6 @@ TEST(test_falling_engines, "scan and heap fall alike, the naive nearly")
         for (int i = 0; i <= 10; ++i)
             worst = fmax(worst, fabs(v[0][i] - v[1][i]));
         UNIT_NEAR(worst, 0, 1e-7);
-        bonkers_free(&scan);
-        bonkers_free(&heap);
-        bonkers_free(&slab);
-        bonkers_free(&naive);
     }
 }
 
@@ -1318,7 +1279,7 @@ TEST(test_upright_shares, "upright, all bodies have equal shares")
 {
     enum { BLOCKS = 40, ROWS = 1000 };
     static double mean[18][BLOCKS];
-    struct bonkers b;
+    FREED(bonkers) b;
     double x[11], v[11];
     begin_fall(&b, BONKERS_AUTO, 1);
     b.body[10].x = INFINITY;
@@ -1347,13 +1308,12 @@ TEST(test_upright_shares, "upright, all bodies have equal shares")
     }
     /* whole masses have exact halves to round: section sec:coin */
     UNIT_NEAR(bonkers_energy(&b) / energy, 1, 1e-11);
-    bonkers_free(&b);
 }
 
 /* Two that lie on the floor are part of it for a third that is as heavy. */
 TEST(test_pile, "what lies on the floor is part of it")
 {
-    struct bonkers b;
+    FREED(bonkers) b;
     const double x[] = {0, 0, 1}, v[] = {0, 0, 0};
     double got[5], u[5];
     fall(&b, 2, x, v, 1, BONKERS_SCAN);
@@ -1368,14 +1328,13 @@ TEST(test_pile, "what lies on the floor is part of it")
     UNIT_EQUAL(got[2], 0);
     UNIT_NEAR(got[3], thrown(1, 0, 100), 1e-12);
     UNIT_TRUE(b.collisions > 5 * 100);
-    bonkers_free(&b);
 }
 
 /* Two that stick in the air, at the moment in which they neither rise nor
    fall, are not on the floor yet. */
 TEST(test_no_rest_in_the_air, "and what stands still in the air is not")
 {
-    struct bonkers b;
+    FREED(bonkers) b;
     const double x[] = {1, 2}, v[] = {5, 3};
     double got[4], u[4];
     fall(&b, 2, x, v, 0, BONKERS_SCAN);
@@ -1387,7 +1346,6 @@ TEST(test_no_rest_in_the_air, "and what stands still in the air is not")
         UNIT_EQUAL(got[i], 1.5);
         UNIT_EQUAL(u[i], -4);
     }
-    bonkers_free(&b);
 }
 
 /* 3 kg on the floor, and 1 kg that falls on them: twice they are hit, come
@@ -1398,14 +1356,13 @@ static int count_fliers(double restitution, enum bonkers_engine engine)
 {
     int fly = 0;
     for (int k = 1; k <= 20; ++k) {
-        struct bonkers b;
+        FREED(bonkers) b;
         const double x[] = {0, 0.1 * k}, v[] = {0, 0};
         fall(&b, 2, x, v, restitution, engine);
         b.body[1].im = 1.0 / 3;
         bonkers_run(&b, 2.005 * sqrt(2 * x[1] / g), UINT64_MAX);
         UNIT_NEAR(b.body[1].v, 0, 1e-7);
         fly += b.body[1].v != 0;
-        bonkers_free(&b);
     }
     return fly;
 }
@@ -1425,7 +1382,7 @@ TEST(test_no_rest_without_loss, "nor does an elastic body come to rest")
    without weight. */
 TEST(test_free_fall, "without a floor weight changes nothing")
 {
-    struct bonkers b, c;
+    FREED(bonkers) b, c;
     double x[2][8], v[2][8];
     for (int k = 0; k < 2; ++k) {
         struct bonkers *which = k ? &c : &b;
@@ -1446,8 +1403,6 @@ TEST(test_free_fall, "without a floor weight changes nothing")
         UNIT_NEAR(x[1][i], x[0][i] - 64, 1e-12);
         UNIT_NEAR(v[1][i], v[0][i] - 16, 1e-12);
     }
-    bonkers_free(&b);
-    bonkers_free(&c);
 }
 
 /* When a gap closes, as the chapter has it. */
@@ -1470,7 +1425,7 @@ TEST(test_own_ways, "they are the bits of the chapters")
                                               BONKERS_SLAB};
     for (uint64_t seed = 0; seed < 60; ++seed) {
         const double restitution = seed % 2 ? 0.7 : 1;
-        struct bonkers b;
+        FREED(bonkers) b;
         fill_random(9, 700 + seed, seed % 4 < 2);
         for (size_t k = 3; k < 9; k += 2) /* bursts, and gaps below zero */
             body[k].im *= seed % 5 ? 1e-6 : 1;
@@ -1487,6 +1442,5 @@ TEST(test_own_ways, "they are the bits of the chapters")
                 same = same && b.due[k] == closing_time(&b.body[k]);
         }
         UNIT_TRUE(same);
-        bonkers_free(&b);
     }
 }

@@ -31,7 +31,7 @@ TEST(test_last_collision, "the clock stands at the last collision")
     static const double x[] = {-INFINITY, 0, 1, 3, INFINITY};
     static const double v[] = {0, 2, 0, 0, 0};
     for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e) {
-        struct bonkers b;
+        FREED(bonkers) b;
         begin(&b, 3, x, v, 1, (enum bonkers_engine)e);
         UNIT_TRUE(!bonkers_is_still(&b));
         UNIT_TRUE(bonkers_run(&b, INFINITY, 2) == BONKERS_COLLISIONS);
@@ -44,7 +44,6 @@ TEST(test_last_collision, "the clock stands at the last collision")
         UNIT_TRUE(bonkers_run(&b, INFINITY, 3) == BONKERS_STILL);
         UNIT_EQUAL(b.now, 4);
         UNIT_EQUAL(bonkers_energy(&b), 2);
-        bonkers_free(&b);
     }
 }
 
@@ -60,7 +59,7 @@ TEST(test_patience, "how many collisions at one time are a collapse")
     static double x[1002], v[1002];
     for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e)
         for (size_t k = 0; k < sizeof movers / sizeof movers[0]; ++k) {
-            struct bonkers b;
+            FREED(bonkers) b;
             const size_t n = movers[k];
             for (size_t i = 0; i <= n + 1; ++i)
                 x[i] = i < 3 ? (double)i : 10 + (double)i;
@@ -73,7 +72,6 @@ TEST(test_patience, "how many collisions at one time are a collapse")
                        2 * patience + (e == BONKERS_NAIVE ? 1 : 2));
             UNIT_EQUAL(b.now, 3);
             UNIT_TRUE(!bonkers_is_cold(&b));
-            bonkers_free(&b);
         }
 }
 
@@ -83,21 +81,20 @@ TEST(test_cold, "a body too slow for numbers ends a run")
 {
     static const double x[] = {0, 1, 2}, v[] = {0, 1, 0};
     for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e) {
-        struct bonkers b;
+        FREED(bonkers) b;
         begin(&b, 1, x, v, 0.5, (enum bonkers_engine)e);
         UNIT_TRUE(bonkers_run(&b, INFINITY, 451) == BONKERS_COLLISIONS);
         UNIT_EQUAL(fabs(b.body[1].v), 0x1p-451);
         UNIT_TRUE(bonkers_run(&b, INFINITY, 1000) == BONKERS_COLLAPSE);
         UNIT_EQUAL((double)b.collisions, 452);
         UNIT_TRUE(bonkers_is_cold(&b));
-        bonkers_free(&b);
     }
 }
 
 /* Potential and kinetic, above a floor and where there is none. */
 TEST(test_energy, "energies above a floor and without")
 {
-    struct bonkers b;
+    FREED(bonkers) b;
     UNIT_MUST(bonkers_create(&b, 2, 1, BONKERS_SCAN));
     b.gravity = 10;
     b.body[0].x = 1;
@@ -110,15 +107,14 @@ TEST(test_energy, "energies above a floor and without")
     UNIT_EQUAL(bonkers_energy(&b), 211 + 60);
     b.gravity = 0;
     UNIT_EQUAL(bonkers_energy(&b), 11);
-    bonkers_free(&b);
 }
 
 /* Which starts are of points, and where the radii go. */
 TEST(test_rods, "points and rods")
 {
     for (size_t with = 0; with <= 3; ++with) {
-        struct start s;
-        struct bonkers b;
+        FREED(start) s;
+        FREED(bonkers) b;
         size_t wrong = 99;
         double x[5], v[5];
         UNIT_MUST(start_create(&s, 3));
@@ -145,8 +141,6 @@ TEST(test_rods, "points and rods")
             UNIT_EQUAL(v[i], i % 4 ? (double)i - 1 : 0);
             UNIT_EQUAL(b.body[i].im, i % 4 ? 1.0 / (1 << (i - 1)) : 0);
         }
-        bonkers_free(&b);
-        start_free(&s);
     }
 }
 
@@ -159,7 +153,7 @@ TEST(test_falling_order, "order in a fall, but for rounding")
     static const double x[] = {-INFINITY, 1, 2, 3, INFINITY};
     static const double v[] = {0, 0, 0, 0, 0};
     for (int more = 0; more < 2; ++more) {
-        struct bonkers b;
+        FREED(bonkers) b;
         double at[5], u[5];
         begin(&b, 3, x, v, 1, BONKERS_SCAN);
         b.gravity = 1;
@@ -172,7 +166,6 @@ TEST(test_falling_order, "order in a fall, but for rounding")
         UNIT_EQUAL(at[2], at[1]);
         UNIT_NEAR(at[1], 1 - 5000, 1e-11);
         UNIT_EQUAL(u[1], -100);
-        bonkers_free(&b);
     }
 }
 
@@ -184,8 +177,8 @@ TEST(test_done_twice, "little is done twice")
     static const size_t movers[] = {200, 1000, 5000};
     for (size_t k = 0; k < 3; ++k)
         for (uint64_t seed = 1; seed <= 3; ++seed) {
-            struct start s;
-            struct bonkers b;
+            FREED(start) s;
+            FREED(bonkers) b;
             size_t wrong;
             UNIT_MUST(
                 start_fill(&s, &(struct start_request){.kind = START_RANDOM,
@@ -195,8 +188,6 @@ TEST(test_done_twice, "little is done twice")
             bonkers_run(&b, 5 + 20000.0 / (double)movers[k], UINT64_MAX);
             UNIT_TRUE(b.collisions > 6000);
             UNIT_NEAR((double)b.redone / (double)b.collisions, 0.04, 0.02);
-            bonkers_free(&b);
-            start_free(&s);
         }
 }
 
@@ -211,12 +202,11 @@ TEST(test_last_bit, "equal masses, in the last bit")
     UNIT_EQUAL(left, 0);
     UNIT_EQUAL(right, 0);
     for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e) {
-        struct bonkers b;
+        FREED(bonkers) b;
         begin(&b, 2, x, v, 0, (enum bonkers_engine)e);
         bonkers_run(&b, INFINITY, 1);
         UNIT_EQUAL((double)b.collisions, 1);
         UNIT_EQUAL(b.body[1].v, 0);
         UNIT_EQUAL(b.body[2].v, 0);
-        bonkers_free(&b);
     }
 }

@@ -182,7 +182,7 @@ TEST(test_ties, "equal times come in the order of pairs")
 {
     for (uint64_t seed = 1; seed <= 5; ++seed) {
         static struct plain p;
-        struct calendar c;
+        FREED(calendar) c;
         struct random r;
         random_seed(&r, seed);
         begin(&c, &p, 300, 0, seed == 5 ? 100 : 0.01);
@@ -190,7 +190,6 @@ TEST(test_ties, "equal times come in the order of pairs")
             put(&c, &p, random_below(&r, 300), k % 2 ? 2.0 : 1.0,
                 random_below(&r, 300));
         UNIT_EQUAL(drain(&c, &p), 0);
-        calendar_free(&c);
     }
 }
 
@@ -198,7 +197,7 @@ TEST(test_ties, "equal times come in the order of pairs")
 TEST(test_partners, "walls and the event itself are partners")
 {
     static struct plain p;
-    struct calendar c;
+    FREED(calendar) c;
     begin(&c, &p, 4, 0, 1);
     put(&c, &p, 3, 1, 3);
     put(&c, &p, 1, 1, 5); /* a wall */
@@ -211,14 +210,13 @@ TEST(test_partners, "walls and the event itself are partners")
     UNIT_EQUAL((double)calendar_first(&c), 3);
     put(&c, &p, 3, INFINITY, 5);
     UNIT_EQUAL((double)calendar_first(&c), 0);
-    calendar_free(&c);
 }
 
 /* Bursts: many events at one time, then silence, then another burst. */
 TEST(test_bursts, "bursts at one time come out in order")
 {
     static struct plain p;
-    struct calendar c;
+    FREED(calendar) c;
     struct random r;
     int bad = 0;
     random_seed(&r, 9);
@@ -235,7 +233,6 @@ TEST(test_bursts, "bursts at one time come out in order")
         }
     }
     UNIT_EQUAL(bad + drain(&c, &p), 0);
-    calendar_free(&c);
 }
 
 /* An event that is put before the one last found, in the past even, comes
@@ -243,7 +240,7 @@ TEST(test_bursts, "bursts at one time come out in order")
 TEST(test_overdue, "what is overdue comes first")
 {
     static struct plain p;
-    struct calendar c;
+    FREED(calendar) c;
     begin(&c, &p, 5, 10, 0.5);
     put(&c, &p, 0, 1000, 1);
     UNIT_EQUAL((double)calendar_first(&c), 0);
@@ -256,7 +253,6 @@ TEST(test_overdue, "what is overdue comes first")
     put(&c, &p, 3, 1e300, 0);
     UNIT_EQUAL((double)calendar_first(&c), 2);
     UNIT_EQUAL(drain(&c, &p), 0);
-    calendar_free(&c);
 }
 
 /* Taken out and put again; one without a time taken out; freed twice. */
@@ -325,7 +321,7 @@ TEST(test_years, "a year begins with its first event")
                  {259, 0.5}, {519, 0.25}, {520, 0.25},      {2000, 0.25}};
     for (size_t k = 0; k < sizeof years / sizeof years[0]; ++k) {
         static struct plain p;
-        struct calendar c;
+        FREED(calendar) c;
         begin(&c, &p, 1, 100, 2);
         UNIT_EQUAL((double)c.days, 65);
         put(&c, &p, 0, 100.5, 0);
@@ -343,7 +339,6 @@ TEST(test_years, "a year begins with its first event")
         UNIT_NEAR(c.width, 2 * years[k].factor, 1e-15);
         UNIT_EQUAL((double)c.today, 0);
         UNIT_EQUAL((double)c.asked, 1);
-        calendar_free(&c);
     }
 }
 
@@ -355,7 +350,7 @@ TEST(test_shorter_days, "a crowded day becomes shorter")
     enum { CROWD = 101 };
     for (int last = 0; last < 2; ++last) {
         static struct plain p;
-        struct calendar c;
+        FREED(calendar) c;
         const double width = last ? 0x1p-52 : 8, start = last ? 1 : 16;
         begin(&c, &p, CROWD, start, width);
         const uint64_t days = c.days;
@@ -376,6 +371,5 @@ TEST(test_shorter_days, "a crowded day becomes shorter")
         UNIT_EQUAL(c.begin, last ? start : start + 3 * width);
         UNIT_TRUE(is_whole(&c, &p));
         UNIT_EQUAL(drain(&c, &p), 0);
-        calendar_free(&c);
     }
 }

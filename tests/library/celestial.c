@@ -41,7 +41,7 @@ static double moment(const struct scene *s, const double v[], size_t axis)
 /* The listing of the paper, number by number. */
 TEST(test_sun_earth, "the Sun and the Earth are the paper's")
 {
-    struct scene s;
+    FREED(scene) s;
     make(&s, "sun-earth", (struct wish[]){{0}});
     UNIT_EQUAL((double)s.bodies, 2);
     UNIT_EQUAL(s.mass[1], 3e-6);
@@ -57,7 +57,6 @@ TEST(test_sun_earth, "the Sun and the Earth are the paper's")
     make(&s, "sun-earth", (struct wish[]){{"centred", 1}, {0}});
     UNIT_NEAR(moment(&s, s.velocity, 1), 0, 1e-22);
     UNIT_NEAR(moment(&s, s.position, 0), 0, 1e-20);
-    scene_free(&s);
 }
 
 /* The elements that went in come out; the planets go round in the right
@@ -70,7 +69,7 @@ TEST(test_planets, "the planets have their elements")
     static const double eccentricity[] = {
         0.20563593, 0.00677672, 0.01671123, 0.09339410,
         0.04838624, 0.05386179, 0.04725744, 0.00859048};
-    struct scene s;
+    FREED(scene) s;
     make(&s, "solar-system", (struct wish[]){{0}});
     UNIT_EQUAL((double)s.bodies, 9);
     for (size_t i = 1; i < 9; ++i) {
@@ -93,7 +92,6 @@ TEST(test_planets, "the planets have their elements")
          (struct wish[]){{"jupiter", 100}, {"planets", 5}, {0}});
     UNIT_EQUAL((double)s.bodies, 6);
     UNIT_NEAR(s.mass[5], 100 / 1047.348644, 1e-15);
-    scene_free(&s);
 }
 
 /* On 1 January 2000 the Earth stood at a longitude of 100.4 degrees less
@@ -101,18 +99,17 @@ TEST(test_planets, "the planets have their elements")
    before its perihelion. */
 TEST(test_date, "and stand where they stood")
 {
-    struct scene s;
+    FREED(scene) s;
     make(&s, "solar-system", (struct wish[]){{0}});
     const double x = s.position[3] - s.position[0];
     const double y = s.position[12] - s.position[9];
     UNIT_NEAR(hypot(x, y), 0.9833, 1e-4);
     UNIT_NEAR(atan2(y, x) * 180 / KEPLER_PI, 100.38, 0.02);
-    scene_free(&s);
 }
 
 TEST(test_circumbinary, "two suns and a planet")
 {
-    struct scene s;
+    FREED(scene) s;
     make(&s, "circumbinary", (struct wish[]){{0}});
     UNIT_NEAR(s.velocity[3], -0.00778928877069, 1e-14);
     UNIT_NEAR(s.velocity[4], 0.0265166459286, 1e-13);
@@ -132,7 +129,6 @@ TEST(test_circumbinary, "two suns and a planet")
     UNIT_NEAR(e, 0.159, 1e-15);
     UNIT_NEAR(s.position[2], 0, 1e-16);
     UNIT_NEAR(s.position[5], 0.7048, 1e-16);
-    scene_free(&s);
 }
 
 /* Table 1 of the paper, to 12 digits; its 7.933369 is not S_8. */
@@ -148,8 +144,8 @@ TEST(test_choreography, "table 1 of the paper, and its slip")
     UNIT_TRUE(fabs(celestial_choreography(8) - 7.933369) > 1e-5);
     for (size_t n = 2; n <= 40;
          ++n) { /* the pull is what the speed needs */
-        struct scene s;
-        struct gravity g;
+        FREED(scene) s;
+        FREED(gravity) g;
         double a[3 * 40] = {0};
         make(&s, "choreography",
              (struct wish[]){{"particles", (double)n}, {0}});
@@ -158,8 +154,6 @@ TEST(test_choreography, "table 1 of the paper, and its slip")
         const double v2 = s.velocity[n] * s.velocity[n];
         UNIT_NEAR(a[0], -v2, 1e-12 * v2);
         UNIT_NEAR(a[n], 0, 1e-12 * v2);
-        gravity_free(&g);
-        scene_free(&s);
     }
 }
 
@@ -176,7 +170,7 @@ TEST(test_growth, "choreographies grow as the theory says")
 
 TEST(test_eight, "the figure of eight has its energy")
 {
-    struct scene s;
+    FREED(scene) s;
     make(&s, "figure-eight", (struct wish[]){{0}});
     struct gravity g;
     double kinetic = 0;
@@ -187,7 +181,6 @@ TEST(test_eight, "the figure of eight has its energy")
               -1.287141995631857705, 4e-15); /* a dozen roundings */
     for (size_t k = 0; k < 2; ++k)
         UNIT_NEAR(moment(&s, s.velocity, k), 0, 1e-15);
-    scene_free(&s);
 }
 
 /* Speeds round a planet with a ring of 0.02 of its mass, by quadrature in
@@ -232,7 +225,7 @@ TEST(test_ring_sum, "which is what a sum over it gives")
 
 TEST(test_ring, "a ring is uniform and repeats itself")
 {
-    struct scene s, again;
+    FREED(scene) s, again;
     make(&s, "ring", (struct wish[]){{0}});
     UNIT_EQUAL((double)s.bodies, 3073);
     double inside = 0, least = 9, most = 0;
@@ -253,8 +246,6 @@ TEST(test_ring, "a ring is uniform and repeats itself")
     scene_free(&again);
     make(&again, "ring", (struct wish[]){{"seed", 2}, {0}});
     UNIT_TRUE(s.position[7] != again.position[7]);
-    scene_free(&again);
-    scene_free(&s);
 }
 
 /* All key combinations: masses keep their sum, momentum is zero. */

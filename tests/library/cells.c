@@ -486,7 +486,7 @@ TEST(test_three_cells, "three cells along an axis are enough")
 /* In a box too narrow for three cells they do not suit. */
 TEST(test_suit, "a box too narrow does not suit")
 {
-    struct disks d;
+    FREED(disks) d;
     UNIT_MUST(disks_create(&d, 2, 4));
     for (size_t i = 0; i < 4; ++i)
         d.disk[i].radius = 0.5;
@@ -501,7 +501,6 @@ TEST(test_suit, "a box too narrow does not suit")
     UNIT_TRUE(cells_suit(&d));
     d.disk[0].radius = 40;
     UNIT_TRUE(!cells_suit(&d));
-    disks_free(&d);
 }
 
 /* A run that is taken up again: places far outside of the box, a clock
@@ -672,8 +671,8 @@ TEST(test_fit, "cells find an overlap where pairs find it")
                 0.2,        SPREAD, NORMAL,
                 1,          0,      0,
                 true};
-            struct disks d;
-            struct cells c;
+            FREED(disks) d;
+            FREED(cells) c;
             struct random r;
             size_t a = 0, b = 0, p = 0, q = 0;
             random_seed(&r, seed);
@@ -694,8 +693,6 @@ TEST(test_fit, "cells find an overlap where pairs find it")
             UNIT_TRUE(pairs == cells);
             UNIT_TRUE(pairs || (a == p && b == q));
             UNIT_TRUE(seed > 4 || pairs);
-            cells_free(&c);
-            disks_free(&d);
         }
 }
 

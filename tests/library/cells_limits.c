@@ -79,8 +79,8 @@ TEST(test_skin, "skin and cells have the sizes of the rules")
         /* 3 + 2 x 2 cells are enough for two */
         {2, 2, DISKS_WALLS, {1000, 1}, {.1, .1, .1}, 20.8207, {7, 1, 1}}};
     for (size_t b = 0; b < sizeof boxes / sizeof boxes[0]; ++b) {
-        struct disks d;
-        struct cells c;
+        FREED(disks) d;
+        FREED(cells) c;
         double longest = 0;
         make(&d, boxes[b].dimensions, boxes[b].count, boxes[b].boundary,
              boxes[b].box, 0);
@@ -97,8 +97,6 @@ TEST(test_skin, "skin and cells have the sizes of the rules")
         UNIT_EQUAL(c.slack, 1e-6 * longest);
         UNIT_EQUAL((double)c.cells,
                    (double)(c.grid[0] * c.grid[1] * c.grid[2]));
-        cells_free(&c);
-        disks_free(&d);
     }
 }
 
@@ -198,8 +196,8 @@ TEST(test_neighbours, "all neighbours are listed, and no others")
     for (int n = 0; n < 48; ++n) {
         const size_t dimensions = n % 2 ? 2 : 3;
         const bool crowd = n % 3 == 2;
-        struct disks d;
-        struct cells c;
+        FREED(disks) d;
+        FREED(cells) c;
         struct random r;
         size_t wrong = 0, away = 0;
         random_seed(&r, (uint64_t)n);
@@ -225,8 +223,6 @@ TEST(test_neighbours, "all neighbours are listed, and no others")
         UNIT_EQUAL((double)wrong, 0);
         UNIT_EQUAL((double)away, 0);
         UNIT_TRUE(c.renewed > 0 || (n % 5 == 0 && !crowd));
-        cells_free(&c);
-        disks_free(&d);
     }
 }
 
@@ -268,8 +264,8 @@ TEST(test_straight_end, "a straight flight ends a skin from the anchor")
                 {0.625, {-1, 3}, 0.5},
                 {0.625, {-1, 0.25}, 0.5}};
     for (size_t w = 0; w < sizeof ways / sizeof ways[0]; ++w) {
-        struct disks d;
-        struct cells c;
+        FREED(disks) d;
+        FREED(cells) c;
         begin_lonely(&c, &d, 0, ways[w].x, ways[w].v);
         const struct calendar_event *e = &c.calendar.event[0];
         const double speed = length(d.disk[0].velocity);
@@ -295,8 +291,6 @@ TEST(test_straight_end, "a straight flight ends a skin from the anchor")
         cells_run(&c, end * (1 + 1e-5), UINT64_MAX);
         UNIT_EQUAL((double)c.renewed, 1);
         UNIT_TRUE(c.calendar.event[1].time == INFINITY);
-        cells_free(&c);
-        disks_free(&d);
     }
 }
 
@@ -305,8 +299,8 @@ TEST(test_straight_end, "a straight flight ends a skin from the anchor")
    way on which it would never come within reach. */
 TEST(test_beyond, "beyond the skin an anchor is renewed at once")
 {
-    struct disks d;
-    struct cells c;
+    FREED(disks) d;
+    FREED(cells) c;
     begin_lonely(&c, &d, 0, 0.625, (const double[]){-1, 0});
     const struct cells_anchor *a = &c.anchor[0];
     c.place[(3 * a->cell + 1) * c.room + a->spot] +=
@@ -317,8 +311,6 @@ TEST(test_beyond, "beyond the skin an anchor is renewed at once")
     UNIT_EQUAL((double)d.wall_collisions, 1);
     UNIT_EQUAL((double)c.renewed, 1);
     UNIT_EQUAL((double)runaways(&c), 0);
-    cells_free(&c);
-    disks_free(&d);
 }
 
 /* Under gravity a quarter of the skin is for falling, which takes at most
@@ -329,8 +321,8 @@ TEST(test_falling_end, "a fall stays within the skin")
 {
     const double g = 2;
     for (int k = 0; k <= 20; ++k) {
-        struct disks d;
-        struct cells c;
+        FREED(disks) d;
+        FREED(cells) c;
         double v[2] = {0, 0};
         begin_lonely(&c, &d, g, 100, v);
         const double most = sqrt(c.skin / (2 * g));
@@ -347,8 +339,6 @@ TEST(test_falling_end, "a fall stays within the skin")
         UNIT_EQUAL((double)runaways(&c), 0);
         cells_run(&c, g + end * (1 + 1e-4), UINT64_MAX);
         UNIT_TRUE(c.renewed > 0);
-        cells_free(&c);
-        disks_free(&d);
     }
 }
 
@@ -360,7 +350,7 @@ TEST(test_many, "many disks, for which memory is fetched early")
     uint64_t hits[2] = {0};
     double last[2] = {0};
     for (int all = 0; all < 2; ++all) {
-        struct disks d;
+        FREED(disks) d;
         struct cells c;
         struct random r;
         const double box[] = {80, 80};
@@ -379,7 +369,6 @@ TEST(test_many, "many disks, for which memory is fetched early")
         UNIT_EQUAL((double)runaways(&c), 0);
         cells_free(&c);
         cells_free(&c); /* twice is harmless */
-        disks_free(&d);
         disks_free(&d);
     }
     UNIT_TRUE(hits[0] == hits[1] && last[0] == last[1]);

@@ -117,7 +117,7 @@ TEST(test_comes_back, "a run comes back to the last bit")
 {
     static const char *const methods[] = {"leapfrog", "radau15", "dopri5"};
     for (size_t k = 0; k < 3; ++k) {
-        struct scene s, t;
+        FREED(scene) s, t;
         struct motion m, n;
         struct checkpoint c, d;
         struct checkpoint_numbers known = {0};
@@ -146,8 +146,6 @@ TEST(test_comes_back, "a run comes back to the last bit")
         checkpoint_end(&d, true);
         motion_end(&m);
         motion_end(&n);
-        scene_free(&s);
-        scene_free(&t);
     }
     char text[256];
     get(ROWS, text, sizeof text);
@@ -623,14 +621,13 @@ static void write_one(void *with)
 static void whole(void *with)
 {
     struct run *r = with;
-    struct scene t;
+    FREED(scene) t;
     struct checkpoint_numbers known;
     save(&r->c, &r->m);
     checkpoint_end(&r->c, true);
     UNIT_TRUE(
         checkpoint_resume(&r->c, "step", command, OUTPUT, &t, &known));
     checkpoint_end(&r->c, false);
-    scene_free(&t);
 }
 TEST(test_memory, "no memory is lost")
 {

@@ -100,11 +100,10 @@ static double twins_apart(const struct choose_request *q,
     UNIT_TRUE(record_view_create(&v, "choose", q->scene, NULL,
                                  q->until - q->scene->time));
     while (o.twin <= twins) {
-        struct record twin;
+        FREED(record) twin;
         ++o.twin;
         record_run(&twin, &v, &o);
         most = fmax(most, record_difference(&v, &c->run, &twin, 1, 16));
-        record_free(&twin);
     }
     record_view_free(&v);
     return most;
@@ -273,7 +272,7 @@ static void check_pick(const struct trial *t, const struct scene *s,
 {
     const struct choose_request q = asked(s, t->until, tolerance);
     struct choose_choice c = chosen(&q, true);
-    struct record_view v;
+    FREED(record_view) v;
     UNIT_TRUE(record_view_create(&v, "choose", s, NULL, t->until));
     struct record truth = recorded(&v, &q, plan(t->truth), INFINITY);
     const double error = record_difference(&v, &c.run, &truth, 1, 16);
@@ -288,7 +287,6 @@ static void check_pick(const struct trial *t, const struct scene *s,
     check_price(&v, &q, &c, &truth);
     record_free(&reference);
     record_free(&truth);
-    record_view_free(&v);
     choose_free(&c);
 }
 
@@ -401,7 +399,7 @@ TEST(test_circle, "three bodies on a circle are known to t = 56")
 TEST(test_fork, "two collisions at once that share a body are a fork")
 {
     for (int k = 0; k < 3; ++k) {
-        struct scene s;
+        FREED(scene) s;
         UNIT_TRUE(scene_create(&s, 3));
         const double apart = sqrt(3) / 2 + (k == 1   ? 1e-16
                                             : k == 2 ? 1e-3
@@ -419,14 +417,13 @@ TEST(test_fork, "two collisions at once that share a body are a fork")
         if (k < 2)
             UNIT_NEAR(c.horizon, 1, 0.13);
         choose_free(&c);
-        scene_free(&s);
     }
 }
 
 /* Collisions at one moment that share nobody may come in any order. */
 TEST(test_no_fork, "two that share nobody are not")
 {
-    struct scene s;
+    FREED(scene) s;
     UNIT_TRUE(scene_create(&s, 4));
     for (size_t i = 0; i < 4; ++i) {
         s.radius[i] = 0.1;
@@ -439,7 +436,6 @@ TEST(test_no_fork, "two that share nobody are not")
     struct choose_choice c = chosen(&q, true);
     UNIT_NEAR(c.run.value[16 * c.columns], -1.2, 1e-15);
     choose_free(&c);
-    scene_free(&s);
 }
 
 /* Observables have scales of their own: the energy of the figure eight,
@@ -508,7 +504,7 @@ static void in_units(struct scene *s, double l, double m, double t)
 /* The same with the bodies in another order: the first one comes last. */
 static void in_order(struct scene *s)
 {
-    struct scene old;
+    FREED(scene) old;
     const size_t n = s->bodies;
     UNIT_TRUE(scene_copy(&old, s));
     for (size_t i = 0; i < n; ++i) {
@@ -525,7 +521,6 @@ static void in_order(struct scene *s)
         s->spring[j].a = (uint32_t)((s->spring[j].a + n - 1) % n);
         s->spring[j].b = (uint32_t)((s->spring[j].b + n - 1) % n);
     }
-    scene_free(&old);
 }
 
 static void turn_vector(double *x, double *y, double c, double s)
@@ -721,13 +716,12 @@ TEST(test_first_look, "a first look among many contacts is bounded")
 {
     struct scene s = made("gas", NULL, 0);
     const struct choose_request q = asked(&s, 1e4, 1e-3);
-    struct record_view v;
+    FREED(record_view) v;
     UNIT_TRUE(record_view_create(&v, "choose", &s, NULL, 1e4));
     struct record r = recorded(&v, &q, plan("radau15:1e-3"), 0.2);
     UNIT_TRUE(r.end == MODELS_COSTLY);
     UNIT_TRUE(r.cost < 0.4);
     record_free(&r);
-    record_view_free(&v);
     scene_free(&s);
 }
 
@@ -913,7 +907,7 @@ TEST(test_chain, "the start of a run is not beyond reason")
     enum { BALLS = 300 };
     static const double stiff[] = {5, 1e308};
     for (size_t k = 0; k < sizeof stiff / sizeof *stiff; ++k) {
-        struct scene s;
+        FREED(scene) s;
         UNIT_TRUE(scene_create(&s, BALLS));
         UNIT_TRUE(scene_add_kind(&s, 1, 0));
         UNIT_TRUE(scene_add_kind(&s, stiff[k], 0));
@@ -929,7 +923,6 @@ TEST(test_chain, "the start of a run is not beyond reason")
         UNIT_TRUE(choose(&c, &q));
         UNIT_TRUE(c.spent <= 1.02 * q.budget);
         choose_free(&c);
-        scene_free(&s);
     }
 }
 
@@ -963,7 +956,7 @@ TEST(test_sentence, "what was taken is said in words")
  */
 TEST(test_hidden, "a scale that hides two bodies is seen")
 {
-    struct scene s;
+    FREED(scene) s;
     UNIT_TRUE(scene_create(&s, 3));
     s.position[1] = 1e-3;
     s.position[2] = 1e6;
@@ -981,5 +974,4 @@ TEST(test_hidden, "a scale that hides two bodies is seen")
         }
         choose_free(&c);
     }
-    scene_free(&s);
 }

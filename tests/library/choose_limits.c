@@ -27,7 +27,7 @@ TEST(test_overlap, "overlaps at the start")
 {
     static const double share[] = {0.999, 1.001, 0.6, 1.5};
     for (size_t k = 0; k < 4; ++k) {
-        struct scene s;
+        FREED(scene) s;
         UNIT_TRUE(scene_create(&s, 2));
         s.contact = true;
         s.wall[0] = SCENE_HARD;
@@ -42,7 +42,6 @@ TEST(test_overlap, "overlaps at the start")
         const bool refused = strstr(c.refusal, "overlap") != NULL;
         UNIT_TRUE(refused == (share[k] < 1));
         choose_free(&c);
-        scene_free(&s);
     }
 }
 
@@ -61,7 +60,7 @@ TEST(test_hidden, "a pair that is hidden")
                  {0.01005, 0.5, true}};
     for (size_t k = 0; k < sizeof known / sizeof known[0]; ++k)
         for (size_t far = 0; far < 3; ++far) {
-            struct scene s;
+            FREED(scene) s;
             UNIT_TRUE(scene_create(&s, 3));
             const size_t a = far == 0, b = far == 2 ? 1 : 2;
             s.position[a] = 0;
@@ -79,7 +78,6 @@ TEST(test_hidden, "a pair that is hidden")
                 UNIT_EQUAL(c.hidden.distance, 0);
             }
             choose_free(&c);
-            scene_free(&s);
         }
 }
 
@@ -104,7 +102,7 @@ TEST(test_standstill, "bodies that come to rest")
 {
     static const double every[] = {0.125, 2};
     for (size_t k = 0; k < 2; ++k) {
-        struct scene s;
+        FREED(scene) s;
         char known[80];
         UNIT_TRUE(scene_create(&s, 2));
         s.contact = true;
@@ -129,7 +127,6 @@ TEST(test_standstill, "bodies that come to rest")
         UNIT_TRUE(strstr(c.refusal, known) == c.refusal);
         UNIT_TRUE(!c.run.value && isinf(c.horizon));
         choose_free(&c);
-        scene_free(&s);
     }
 }
 

@@ -909,7 +909,7 @@ TEST(test_exact_twins, "twins of an exact run")
                  {0.1, -0.2, 1, 4, 0.86, false}};
     const struct models_plan p = {.model = models_find("line")};
     for (size_t k = 0; k < sizeof known / sizeof *known; ++k) {
-        struct record a, b;
+        FREED(record) a, b;
         begin(1e-3);
         request.scene = &still;
         const struct record_setup o = task_setup(&task, p, INFINITY);
@@ -927,8 +927,6 @@ TEST(test_exact_twins, "twins of an exact run")
         for (size_t j = 1; j < played; ++j)
             UNIT_EQUAL(ordered[j].twin, 1 + (double)j);
         UNIT_TRUE((choice.horizon == 0) == known[k].horizon);
-        record_free(&a);
-        record_free(&b);
     }
 }
 
@@ -968,7 +966,7 @@ TEST(test_price_of_twin, "what a twin would cost")
    than a run does whose rows are 2^-40 later. */
 TEST(test_slip, "clocks that are late")
 {
-    struct record a;
+    FREED(record) a;
     begin(1e-3);
     request.scene = &still;
     const struct record_setup o = task_setup(
@@ -982,7 +980,6 @@ TEST(test_slip, "clocks that are late")
     a.clock = 0;
     UNIT_EQUAL(error_of_clock(&task, &a), 0);
     UNIT_EQUAL((double)played, 2);
-    record_free(&a);
 }
 
 /* An undecided contact is asked of balls that are smaller and larger by
@@ -1051,7 +1048,7 @@ TEST(test_even, "references of equal steps")
                  {{15.9, 0, 15.9, 15.8}, 4, 0.1}, {{16.1, 0}, 2, 0},
                  {{15.9, 0, 16.1}, 3, 0},         {{10, 0, 10, 0}, 4, 0}};
     for (size_t k = 0; k < sizeof known / sizeof *known; ++k) {
-        struct scene s;
+        FREED(scene) s;
         begin(1e-3);
         UNIT_TRUE(scene_create(&s, 1));
         request.scene = &s;
@@ -1068,7 +1065,6 @@ TEST(test_even, "references of equal steps")
             UNIT_NEAR(reference.doubt, known[k].doubt * 0.2e-3, 1e-12);
         UNIT_TRUE((reference.run.value != NULL) == (known[k].doubt > 0));
         drop_reference();
-        scene_free(&s);
     }
 }
 

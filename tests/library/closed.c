@@ -123,8 +123,8 @@ TEST(test_relabel,
         const size_t n = 1 + random_below(&r, MOST);
         const bool left = round & 1, right = round & 2;
         const double t = random_between(&r, 0, 20);
-        struct start start;
-        struct bonkers b;
+        FREED(start) start;
+        FREED(bonkers) b;
         size_t wrong;
         UNIT_TRUE(start_create(&start, n));
         for (size_t i = 0; i < n; ++i) {
@@ -145,8 +145,6 @@ TEST(test_relabel,
         UNIT_EQUAL((double)closed_meetings(start.wall[0], start.wall[1], n,
                                            start.x, start.v, t),
                    (double)b.collisions);
-        bonkers_free(&b);
-        start_free(&start);
     }
     UNIT_TRUE(all > 10000);
 }

@@ -94,7 +94,7 @@ TEST(test_small_gap, "a small gap keeps its digits")
 /* The time of a meeting is the same number whenever one asks. */
 TEST(test_canonical, "meetings are canonical")
 {
-    struct disks d;
+    FREED(disks) d;
     begin(&d, 2, 20, 0.5, 8, DISKS_PERIODIC, 3);
     disks_run(&d, INFINITY, 500);
     size_t meetings = 0;
@@ -113,7 +113,6 @@ TEST(test_canonical, "meetings are canonical")
             UNIT_EQUAL(disks_meeting(&d, j, i, at), time);
         }
     UNIT_TRUE(meetings > 10);
-    disks_free(&d);
 }
 
 /* One trajectory, bit for bit, from every pair looked at and from a plan:
@@ -155,7 +154,7 @@ TEST(test_engines, "a plan has the bits of every pair looked at")
 /* A run in pieces has the bits of a run in one; looking changes nothing. */
 TEST(test_pieces, "pieces of a run have the bits of the whole")
 {
-    struct disks one, many;
+    FREED(disks) one, many;
     double place[DISKS_AXES];
     begin(&one, 2, 10, 0.5, 6, DISKS_PERIODIC, 5);
     begin(&many, 2, 10, 0.5, 6, DISKS_PERIODIC, 5);
@@ -168,8 +167,6 @@ TEST(test_pieces, "pieces of a run have the bits of the whole")
     UNIT_EQUAL(many.now, 20);
     UNIT_TRUE(memcmp(one.disk, many.disk, 10 * sizeof *one.disk) == 0);
     UNIT_EQUAL((double)one.collisions, (double)many.collisions);
-    disks_free(&one);
-    disks_free(&many);
 }
 
 /* m v (x - c) summed over the disks. */
@@ -189,7 +186,7 @@ static double moment(const struct disks *d)
    order one each round to 2e-16, and their sum is a few thousand. */
 static void balance(size_t dimensions, double e)
 {
-    struct disks d;
+    FREED(disks) d;
     begin(&d, dimensions, 8, 0.5, 4, DISKS_WALLS, 11);
     for (size_t i = 0; i < 8; ++i)
         d.mass[i] = 1 + (double)i / 4;
@@ -206,7 +203,6 @@ static void balance(size_t dimensions, double e)
     UNIT_NEAR(moment(&d) - before, 2 * energy * d.now + d.virial - walls,
               1e-9);
     UNIT_NEAR(disks_energy(&d) / energy, 1, 1e-12);
-    disks_free(&d);
 }
 
 TEST(test_balance, "virial, walls and energy balance")
@@ -219,7 +215,7 @@ TEST(test_balance, "virial, walls and energy balance")
    is below 1e-15 a collision. */
 TEST(test_conserved, "energy and momentum are conserved")
 {
-    struct disks d;
+    FREED(disks) d;
     double sum[DISKS_AXES] = {0};
     begin(&d, 3, 32, 0.5, 5, DISKS_PERIODIC, 2);
     UNIT_NEAR(disks_energy(&d), 16, 1e-12);
@@ -232,7 +228,6 @@ TEST(test_conserved, "energy and momentum are conserved")
     for (size_t k = 0; k < 3; ++k)
         UNIT_NEAR(sum[k], 0, 1e-12);
     UNIT_EQUAL((double)d.wall_collisions, 0);
-    disks_free(&d);
 }
 
 enum { BLOCKS = 40 };
@@ -265,7 +260,7 @@ struct pressures {
 
 static void measure(size_t count, double each, struct pressures *p)
 {
-    struct disks d;
+    FREED(disks) d;
     begin(&d, 2, count, 0.15, 1, DISKS_WALLS, 1);
     disks_run(&d, INFINITY, 100 * count);
     for (int k = 0; k < BLOCKS; ++k) {
@@ -277,7 +272,6 @@ static void measure(size_t count, double each, struct pressures *p)
         p->virial[k] = 1 + d.virial / (2 * nkt * d.now);
         p->ratio[k] = (double)d.collisions / (double)d.wall_collisions;
     }
-    disks_free(&d);
 }
 
 /* Direct sampling: p(r) = 2.69889(31), f(2r) = 3.95237(59), thus the ratio
@@ -304,7 +298,7 @@ TEST(test_two, "two disks: exact pressure")
    trips; 2 * 3 / 0.6 and 2 * 1 / 0.8 s for the axes of this one. */
 TEST(test_one, "one disk: exact impulses")
 {
-    struct disks d;
+    FREED(disks) d;
     UNIT_MUST(disks_create(&d, 2, 1));
     d.box[0] = 4;
     d.box[1] = 2;
@@ -314,13 +308,12 @@ TEST(test_one, "one disk: exact impulses")
     UNIT_EQUAL((double)d.wall_collisions, 2 + 8);
     UNIT_NEAR(d.impulse[0], 2 * 2 * 0.6, 1e-14);
     UNIT_NEAR(d.impulse[1], 8 * 2 * 0.8, 1e-14);
-    disks_free(&d);
 }
 
 /* Nothing ever happens to disks at rest, and time still passes. */
 TEST(test_rest, "nothing happens at rest")
 {
-    struct disks d;
+    FREED(disks) d;
     begin(&d, 2, 4, 0.15, 1, DISKS_WALLS, 1);
     for (size_t i = 0; i < 4; ++i)
         memset(d.disk[i].velocity, 0, sizeof d.disk[i].velocity);
@@ -329,14 +322,13 @@ TEST(test_rest, "nothing happens at rest")
     UNIT_EQUAL(d.now, 0);
     UNIT_TRUE(disks_run(&d, 5, 10) == DISKS_TIME);
     UNIT_EQUAL(d.now, 5);
-    disks_free(&d);
 }
 
 /* Settling folds the disks into the box and starts all counts anew; an
    event that rounding has put into the past happens now. */
 TEST(test_settle, "settling folds, and begins to count")
 {
-    struct disks d;
+    FREED(disks) d;
     double before[DISKS_AXES], after[DISKS_AXES];
     begin(&d, 2, 6, 0.5, 5, DISKS_PERIODIC, 1);
     disks_run(&d, 50, UINT64_MAX);
@@ -354,13 +346,12 @@ TEST(test_settle, "settling folds, and begins to count")
                       d.disk[i].position[k] < 5);
     UNIT_EQUAL(d.now, 0);
     UNIT_EQUAL((double)d.collisions + d.virial, 0);
-    disks_free(&d);
 }
 
 /* Head-on with e = 1/2: (v1 + v2)/2 -+ e (v1 - v2)/2; a wall gives half. */
 TEST(test_restitution, "restitution")
 {
-    struct disks d;
+    FREED(disks) d;
     UNIT_MUST(disks_create(&d, 2, 2));
     d.box[0] = d.box[1] = 10;
     d.restitution = 0.5;
@@ -375,13 +366,12 @@ TEST(test_restitution, "restitution")
     disks_run(&d, 1 + 5.5 / 0.75 + 0.01, UINT64_MAX);
     UNIT_EQUAL(d.disk[1].velocity[0], -0.375);
     UNIT_EQUAL(d.impulse[0], 0.75 + 0.375);
-    disks_free(&d);
 }
 
 /* Along an axis that is open there is no wall to meet. */
 TEST(test_open_axis, "an open axis has no wall")
 {
-    struct disks d;
+    FREED(disks) d;
     size_t axis;
     UNIT_MUST(disks_create(&d, 2, 1));
     d.box[0] = 1;
@@ -391,7 +381,6 @@ TEST(test_open_axis, "an open axis has no wall")
     UNIT_EQUAL((double)axis, 0);
     d.box[0] = 0;
     UNIT_TRUE(disks_wall(&d, 0, &axis) == INFINITY);
-    disks_free(&d);
 }
 
 /* Disks in rows that fly along their rows, with places, speeds and times
@@ -455,7 +444,7 @@ TEST(test_order, "equal times have an order")
 /* The lattice holds what the packing of a commensurate box allows. */
 TEST(test_lattice, "lattices hold the closest packing")
 {
-    struct disks d;
+    FREED(disks) d;
     size_t a, b;
     /* 4 x 2 cells of width 1 and height sqrt(3): packing .9069 */
     UNIT_MUST(disks_create(&d, 2, 16));
@@ -478,7 +467,6 @@ TEST(test_lattice, "lattices hold the closest packing")
         d.disk[i].radius = 0.5;
     UNIT_TRUE(disks_place_lattice(&d) && disks_fit(&d, &a, &b));
     UNIT_NEAR(disks_packing(&d), acos(-1) / (3 * sqrt(2)), 1e-10);
-    disks_free(&d);
 }
 
 /* One big disk among small ones goes to the middle, up to packing .7. */
@@ -486,7 +474,7 @@ TEST(test_guest, "a guest stands in the middle")
 {
     for (int boundary = 0; boundary < DISKS_BOUNDARIES; ++boundary)
         for (int dense = 2; dense <= 7; ++dense) {
-            struct disks d;
+            FREED(disks) d;
             size_t a = 0, b = 0;
             UNIT_MUST(disks_create(&d, 2, 401));
             d.boundary = boundary;
@@ -496,13 +484,12 @@ TEST(test_guest, "a guest stands in the middle")
             UNIT_TRUE(disks_place_lattice(&d));
             UNIT_TRUE(disks_fit(&d, &a, &b));
             UNIT_EQUAL(d.disk[200].position[0], d.box[0] / 2);
-            disks_free(&d);
         }
 }
 
 TEST(test_random_start, "random starts fit or are refused")
 {
-    struct disks d;
+    FREED(disks) d;
     struct random r;
     size_t a, b;
     random_seed(&r, 1);
@@ -513,13 +500,12 @@ TEST(test_random_start, "random starts fit or are refused")
     UNIT_TRUE(!disks_place_random(&d, &r));
     d.disk[0].radius = 5;
     UNIT_TRUE(!disks_place_random(&d, &r));
-    disks_free(&d);
 }
 
 /* The first pair that overlaps, or the disk that sticks out. */
 TEST(test_fit, "misfits are named")
 {
-    struct disks d;
+    FREED(disks) d;
     size_t a, b;
     begin(&d, 2, 4, 0.15, 1, DISKS_WALLS, 1);
     memcpy(d.disk[3].position, d.disk[1].position, sizeof(double[3]));
@@ -528,13 +514,12 @@ TEST(test_fit, "misfits are named")
     UNIT_TRUE(!disks_fit(&d, &a, &b) && a == 0 && b == 4);
     d.disk[0].position[1] = NAN;
     UNIT_TRUE(!disks_fit(&d, &a, &b) && a == 0);
-    disks_free(&d);
 }
 
 /* Images: nearest, and folded. A box of 4 radii is too narrow. */
 TEST(test_images, "nearest images")
 {
-    struct disks d;
+    FREED(disks) d;
     double apart[DISKS_AXES], place[DISKS_AXES] = {-0.5, 31.25, 0};
     begin(&d, 2, 2, 0.5, 3, DISKS_PERIODIC, 1);
     disks_separation(&d, (double[]){0.25, 0, 0}, (double[]){2.75, 1, 0},
@@ -554,14 +539,13 @@ TEST(test_images, "nearest images")
     UNIT_TRUE(!(disks_replan_distance(&d) > 0));
     d.boundary = DISKS_WALLS;
     UNIT_TRUE(disks_replan_distance(&d) == INFINITY);
-    disks_free(&d);
 }
 
 /* Maxwell's velocities: <m v^2> = kT for each mass, to 4 sigma. */
 TEST(test_temperature, "temperature and speed of a start")
 {
     enum { N = 20000 };
-    struct disks d;
+    FREED(disks) d;
     struct random r;
     double square[2] = {0};
     random_seed(&r, 4);
@@ -580,7 +564,6 @@ TEST(test_temperature, "temperature and speed of a start")
     disks_set_speed(&d, 2, &r);
     UNIT_NEAR(disks_energy(&d), 2 * 3 * N, 1e-7);
     UNIT_TRUE(energy > 0);
-    disks_free(&d);
 }
 
 static void boost(struct disks *d, double x, double y)
@@ -597,7 +580,7 @@ static void boost(struct disks *d, double x, double y)
 TEST(test_drift, "a drift is no heat, but across a wall")
 {
     enum { N = 50 };
-    struct disks d;
+    FREED(disks) d;
     struct random r;
     double drift[DISKS_AXES];
     random_seed(&r, 4);
@@ -630,7 +613,6 @@ TEST(test_drift, "a drift is no heat, but across a wall")
     d.boundary = DISKS_PERIODIC;
     boost(&d, 1.1, 0.3);
     UNIT_EQUAL(disks_heat(&d), 0);
-    disks_free(&d);
 }
 
 /* ---- under gravity */
@@ -651,7 +633,7 @@ TEST(test_ball, "a disk that bounces")
 {
     for (int roof = 0; roof < 2; ++roof) {
         const double g = 9.81, v = roof ? 5 : 3, room = 0.8;
-        struct disks d;
+        FREED(disks) d;
         double place[3], velocity[3];
         begin_fall(&d, DISKS_WALLS, 2, 1, 0.1, g);
         memcpy(d.disk[0].position, (double[]){0.1, 0.1, 0}, 24);
@@ -672,7 +654,6 @@ TEST(test_ball, "a disk that bounces")
             UNIT_NEAR(fabs(velocity[1]), v - g * since, 1e-10);
         }
         UNIT_NEAR(disks_energy(&d), 0.25 * 0.25 / 2 + v * v / 2, 1e-13);
-        disks_free(&d);
     }
 }
 
@@ -721,7 +702,7 @@ static void falling_runs(enum disks_boundary boundary)
     for (size_t dimensions = 2; dimensions <= 3; ++dimensions) {
         const double sides =
             boundary == DISKS_FLOOR ? (double)dimensions - 1 : 0;
-        struct disks plan, look, cut;
+        FREED(disks) plan, look, cut;
         begin_fall(&plan, boundary, dimensions, 12, 0.06, 3);
         begin_fall(&look, boundary, dimensions, 12, 0.06, 3);
         begin_fall(&cut, boundary, dimensions, 12, 0.06, 3);
@@ -757,9 +738,6 @@ static void falling_runs(enum disks_boundary boundary)
             /* 12 times a rounding, and one a collision */
             UNIT_NEAR(momentum, 0, 1e-13);
         }
-        disks_free(&plan);
-        disks_free(&look);
-        disks_free(&cut);
     }
 }
 
@@ -773,7 +751,7 @@ TEST(test_falling_runs, "falling, the plan has the bits of every pair")
    0.2 m/s later, and then every 4.6 s; none meets a side. */
 TEST(test_no_sides, "without sides they meet behind the seam")
 {
-    struct disks d;
+    FREED(disks) d;
     double place[3];
     begin_fall(&d, DISKS_FLOOR, 2, 2, 0.02, 1);
     for (size_t i = 0; i < 2; ++i) {
@@ -792,19 +770,17 @@ TEST(test_no_sides, "without sides they meet behind the seam")
         disks_position(&d, i, place);
         UNIT_NEAR(place[0], i ? 0.975 : 0.025, 1e-12);
     }
-    disks_free(&d);
 }
 
 /* A disk that is put on the floor at rest is reported, not lost. */
 TEST(test_lying, "a disk that lies is reported")
 {
-    struct disks d;
+    FREED(disks) d;
     begin_fall(&d, DISKS_WALLS, 2, 1, 0.1, 1);
     memcpy(d.disk[0].position, (double[]){0.5, 0.1, 0}, 24);
     memcpy(d.disk[0].velocity, (double[]){0, 0, 0}, 24);
     disks_plan(&d);
     UNIT_TRUE(disks_run(&d, 10, UINT64_MAX) == DISKS_COLLAPSE);
-    disks_free(&d);
 }
 
 /* All speeds are the one asked for, and nothing else changes; the momentum
@@ -814,7 +790,7 @@ TEST(test_speeds, "speeds and momentum of a start")
     for (size_t dimensions = 2; dimensions <= 3; ++dimensions)
         for (int b = 0; b < DISKS_BOUNDARIES; ++b)
             for (int warm = 0; warm < 2; ++warm) {
-                struct disks d;
+                FREED(disks) d;
                 struct random r;
                 double total[DISKS_AXES] = {0}, mass = 0, energy = 0;
                 begin(&d, dimensions, 5, 0.25, 8, b, 1);
@@ -847,10 +823,9 @@ TEST(test_speeds, "speeds and momentum of a start")
                     else
                         UNIT_TRUE(fabs(total[k]) > 1e-3);
                 }
-                disks_free(&d);
             }
     /* There is none to take out of one disk alone. */
-    struct disks one;
+    FREED(disks) one;
     struct random r;
     double drift[DISKS_AXES];
     random_seed(&r, 2);
@@ -864,7 +839,6 @@ TEST(test_speeds, "speeds and momentum of a start")
         UNIT_EQUAL(drift[k], one.disk[0].velocity[k]);
     UNIT_EQUAL(disks_heat(&one), 0);
     UNIT_EQUAL(disks_temperature(&one), 0);
-    disks_free(&one);
 }
 
 /* Two disks of 1 kg that fly apart at 1 m/s, and drift: with sqrt(eps / 2),
@@ -874,7 +848,7 @@ TEST(test_least_drift, "a drift below the last bit is none")
     for (size_t k = 0; k < 2; ++k)
         for (int more = 0; more < 2; ++more) {
             const double v = more ? 1.06e-8 : 1.04e-8;
-            struct disks d;
+            FREED(disks) d;
             double drift[DISKS_AXES];
             UNIT_MUST(disks_create(&d, 2, 2));
             d.boundary = DISKS_PERIODIC;
@@ -883,7 +857,6 @@ TEST(test_least_drift, "a drift below the last bit is none")
             d.disk[1].velocity[k] = -1 + v;
             disks_drift(&d, drift);
             UNIT_NEAR(drift[k], more ? v : 0, 1e-16);
-            disks_free(&d);
         }
 }
 
@@ -899,7 +872,7 @@ TEST(test_cold, "which speeds are too cold")
                   {0, 0.25, -449}, {16, 0.25, -449}, {0.5, 0.0625, -448}};
     for (size_t n = 0; n < sizeof limits / sizeof limits[0]; ++n)
         for (size_t who = 0; who < 2; ++who) {
-            struct disks d;
+            FREED(disks) d;
             UNIT_MUST(disks_create(&d, 2, 2));
             UNIT_TRUE(!disks_cold(&d)); /* all are at rest */
             d.restitution = 0.5;
@@ -915,14 +888,13 @@ TEST(test_cold, "which speeds are too cold")
             d.restitution = 0.5;
             d.gravity = 1;
             UNIT_TRUE(!disks_cold(&d));
-            disks_free(&d);
         }
 }
 
 /* A thousand collisions at one time, and ten for each disk, are none. */
 TEST(test_collapsed, "how long a clock may stand")
 {
-    struct disks d;
+    FREED(disks) d;
     begin(&d, 2, 7, 0.15, 4, DISKS_PERIODIC, 1);
     d.now = 2;
     for (int k = 1; k <= 1071; ++k) {
@@ -933,14 +905,13 @@ TEST(test_collapsed, "how long a clock may stand")
     UNIT_TRUE(disks_over(&d, 3));
     disks_collide(&d, (struct disks_event){2.5, 3, 3});
     UNIT_EQUAL((double)d.standing, 0);
-    disks_free(&d);
 }
 
 /* A third of half the narrowest periodic side, less two of the widest radii
    together; 0 from where that is a millionth of the side. */
 TEST(test_disks_replan_distance, "how far a disk flies before it looks")
 {
-    struct disks d;
+    FREED(disks) d;
     UNIT_MUST(disks_create(&d, 3, 3));
     for (int widest = 0; widest < 3; ++widest) {
         for (int i = 0; i < 3; ++i)
@@ -960,7 +931,6 @@ TEST(test_disks_replan_distance, "how far a disk flies before it looks")
         d.box[0] = 4 * (1 + 1.9e-6);
         UNIT_EQUAL(disks_replan_distance(&d), 0);
     }
-    disks_free(&d);
 }
 
 /* Between walls a lattice goes from one to the other, along each axis. */
@@ -968,7 +938,7 @@ TEST(test_from_wall_to_wall, "a lattice goes from wall to wall")
 {
     for (size_t dimensions = 2; dimensions <= 3; ++dimensions)
         for (size_t count = 8; count < 200; count += count) {
-            struct disks d;
+            FREED(disks) d;
             begin(&d, dimensions, count, 0.05, 2, DISKS_WALLS, 1);
             for (size_t k = 0; k < dimensions; ++k) {
                 double low = 2, high = 0;
@@ -979,7 +949,6 @@ TEST(test_from_wall_to_wall, "a lattice goes from wall to wall")
                 UNIT_NEAR(low, 0.05, 1e-15);
                 UNIT_NEAR(high, 1.95, 2e-15);
             }
-            disks_free(&d);
         }
 }
 
@@ -987,7 +956,7 @@ TEST(test_from_wall_to_wall, "a lattice goes from wall to wall")
    than 1e-9 of the box, does so by rounding. */
 TEST(test_rounding_fits, "what rounding may overlap")
 {
-    struct disks d;
+    FREED(disks) d;
     UNIT_MUST(disks_create(&d, 3, 2));
     for (size_t k = 0; k < 3; ++k)
         d.box[k] = 10 * (double)(k + 1);
@@ -1010,7 +979,6 @@ TEST(test_rounding_fits, "what rounding may overlap")
             d.disk[0].position[k] = NAN;
             UNIT_TRUE(disks_clash(&d, 0, 2) && disks_clash(&d, 0, 1));
         }
-    disks_free(&d);
 }
 
 /* Less than four last bits of the box above the floor, and of a flight that
@@ -1019,7 +987,7 @@ TEST(test_rounding_fits, "what rounding may overlap")
 TEST(test_where_it_lies, "and which disk lies")
 {
     for (size_t who = 0; who < 3; ++who) {
-        struct disks d;
+        FREED(disks) d;
         begin_fall(&d, DISKS_WALLS, 2, 3, 0.0625, 8);
         d.now = 4;
         for (size_t i = 0; i < 3; ++i) {
@@ -1040,7 +1008,6 @@ TEST(test_where_it_lies, "and which disk lies")
         a->position[1] = 0.0625;
         d.gravity = 0;
         UNIT_EQUAL((double)disks_lying(&d), 3);
-        disks_free(&d);
     }
 }
 
@@ -1088,7 +1055,7 @@ TEST(test_widest_lattice, "of all lattices it is the widest")
             for (size_t count = 1; count < 60; count += 1 + count / 2)
                 for (int boundary = 0; boundary < DISKS_BOUNDARIES;
                      ++boundary) {
-                    struct disks d;
+                    FREED(disks) d;
                     double low = 0, high = 40;
                     UNIT_MUST(disks_create(&d, dimensions, count));
                     d.boundary = (enum disks_boundary)boundary;
@@ -1111,6 +1078,5 @@ TEST(test_widest_lattice, "of all lattices it is the widest")
                         UNIT_TRUE(!placed || count == 1 ||
                                   disks_fit(&d, &p, &q));
                     }
-                    disks_free(&d);
                 }
 }

@@ -50,7 +50,7 @@ TEST(test_all_keys, "every key of every scene at both ends")
 
 TEST(test_pendulum, "the double pendulum hangs where it should")
 {
-    struct scene s;
+    FREED(scene) s;
     make(&s, "double-pendulum", NULL, 0);
     /* the sines of the series and those of the C library are both right to
        a rounding, of numbers below 1 */
@@ -63,13 +63,12 @@ TEST(test_pendulum, "the double pendulum hangs where it should")
     UNIT_EQUAL(s.freedom[1], 1);
     UNIT_EQUAL(s.freedom[4], 0);
     UNIT_EQUAL(s.freedom[0], 0);
-    scene_free(&s);
 }
 
 /* Symmetric to the last bit, the rim held and flat. */
 TEST(test_membrane, "a membrane is symmetric to the last bit")
 {
-    struct scene s;
+    FREED(scene) s;
     make(&s, "membrane", "s", 2);
     const double *z = s.position + 128;
     for (size_t y = 0; y < 8; ++y)
@@ -86,7 +85,6 @@ TEST(test_membrane, "a membrane is symmetric to the last bit")
                       1e-16);
         }
     UNIT_EQUAL((double)s.springs, 112);
-    scene_free(&s);
 }
 
 /* The paper's membrane, along z only: its first mode at 1, 2, 5, 10 s. */
@@ -98,9 +96,9 @@ TEST(test_naive, "the paper's membrane moves as computed elsewhere")
                                   {10, -.9797675654}};
     const struct elastic_membrane m = {8,   8, 1, 50,    0, 1,
                                        0.1, 1, 1, false, 0, 0};
-    struct scene s;
-    struct springs p;
-    struct stepping t;
+    FREED(scene) s;
+    FREED(springs) p;
+    FREED(stepping) t;
     UNIT_MUST(!elastic_membrane(&s, &m));
     begin(&p, &t, &s, "kahan-li8", 0.02);
     for (int k = 0; k < 4; ++k) {
@@ -112,9 +110,6 @@ TEST(test_naive, "the paper's membrane moves as computed elsewhere")
                    sin(acos(-1) * (double)(i / 8) / 7);
         UNIT_NEAR(4 * sum / 49 / 0.1, expected[k][1], 1e-9);
     }
-    stepping_free(&t);
-    springs_free(&p);
-    scene_free(&s);
 }
 
 /* Two rows of five, six uprights, and the diagonals of five cells; those
@@ -122,14 +117,13 @@ TEST(test_naive, "the paper's membrane moves as computed elsewhere")
 TEST(test_truss, "a truss has the diagonals it was asked for")
 {
     for (int diagonals = 0; diagonals < 3; ++diagonals) {
-        struct scene s;
+        FREED(scene) s;
         int left = 0;
         make(&s, "cantilever", "diagonals", diagonals);
         for (size_t i = 0; i < s.springs; ++i)
             left += s.spring[i].b - s.spring[i].a == 5;
         UNIT_EQUAL((double)s.springs, 16 + 5 * diagonals);
         UNIT_EQUAL(left, diagonals == 2 ? 5 : 0);
-        scene_free(&s);
     }
 }
 
@@ -140,17 +134,14 @@ TEST(test_beam, "the beam comes to rest as computed elsewhere")
     const double x[] = {-0.0056884367, -0.0734410910, -1.5278380940};
     const double y[] = {-0.0424677517, -0.4201093055, -2.9697608283};
     for (int k = 0; k < 3; ++k) {
-        struct scene s;
-        struct springs p;
-        struct stepping t;
+        FREED(scene) s;
+        FREED(springs) p;
+        FREED(stepping) t;
         make(&s, "cantilever", "gravity", g[k]);
         s.damping = 2;
         begin(&p, &t, &s, "leapfrog", 0.01);
         stepping_run(&t, 6000); /* some exp(-50) of the motion is left */
         UNIT_NEAR(s.position[5] - 5, x[k], 2e-10);
         UNIT_NEAR(s.position[17], y[k], 2e-10);
-        stepping_free(&t);
-        springs_free(&p);
-        scene_free(&s);
     }
 }

@@ -255,7 +255,7 @@ TEST(test_small, "theta is how large a cell may look")
 {
     const struct box box = {{-1, -2, -3}, {4, 5, 6}};
     mass[0] = 1;
-    struct gravity g;
+    FREED(gravity) g;
     UNIT_TRUE(gravity_create(&g, 1, mass, 1, 0) &&
               gravity_use_tree(&g, 0.5));
     for (int k = 0; k < 3; ++k)
@@ -272,7 +272,6 @@ TEST(test_small, "theta is how large a cell may look")
                 const struct cell c = {1, at[0], at[1], at[2], 1, 0, 1, 1};
                 UNIT_TRUE(is_small(g.tree, &c, &box) == (far == 1));
             }
-    gravity_free(&g);
 }
 
 /* How many cells the tree of n bodies has. */

@@ -50,7 +50,7 @@ TEST(test_all, "every scene can be made, and fits")
          ++g, ++count) {
         double value[GALLERY_KEYS];
         const size_t keys = gallery_usual(g, value);
-        struct scene s;
+        FREED(scene) s;
         for (size_t k = 0; k < keys; ++k) {
             UNIT_TRUE(value[k] >= g->key[k].low &&
                       value[k] <= g->key[k].high);
@@ -58,7 +58,6 @@ TEST(test_all, "every scene can be made, and fits")
         }
         UNIT_TRUE(!g->build(&s, value));
         UNIT_TRUE(s.contact && s.dt > 0 && fits(&s));
-        scene_free(&s);
     }
     UNIT_TRUE(count >= 8);
 }
@@ -80,8 +79,8 @@ TEST(test_wrong, "what cannot be made is refused")
    it (chapter 7). */
 TEST(test_four_disks, "four disks are those of chapter 5")
 {
-    struct scene s;
-    struct disks d, e;
+    FREED(scene) s;
+    FREED(disks) d, e;
     struct random r;
     make(&s, "four-disks", "seed", 7);
     random_seed(&r, 7);
@@ -94,9 +93,6 @@ TEST(test_four_disks, "four disks are those of chapter 5")
     UNIT_TRUE(hard_disks(&e, &s));
     UNIT_TRUE(memcmp(d.disk, e.disk, 4 * sizeof *d.disk) == 0);
     UNIT_TRUE(memcmp(d.box, e.box, sizeof d.box) == 0);
-    disks_free(&d);
-    disks_free(&e);
-    scene_free(&s);
 }
 
 static const char *const lines[] = {"thermal", "piston", "galperin"};
@@ -109,9 +105,9 @@ TEST(test_lines, "the lines are those of chapters 2 to 4")
 {
     for (int k = 0; k < 3; ++k)
         for (int wide = 0; wide < 2; ++wide) {
-            struct scene s;
-            struct start a, b;
-            struct bonkers x, y;
+            FREED(scene) s;
+            FREED(start) a, b;
+            FREED(bonkers) x, y;
             size_t wrong;
             make(&s, lines[k], "radius", wide ? 0.05 : 0);
             const struct start_request request = {.kind = kinds[k],
@@ -133,11 +129,6 @@ TEST(test_lines, "the lines are those of chapters 2 to 4")
             bonkers_run(&y, 20, UINT64_MAX);
             UNIT_TRUE(x.collisions > 0);
             UNIT_EQUAL((double)y.collisions, (double)x.collisions);
-            bonkers_free(&x);
-            bonkers_free(&y);
-            start_free(&a);
-            start_free(&b);
-            scene_free(&s);
         }
 }
 
@@ -145,10 +136,10 @@ TEST(test_lines, "the lines are those of chapters 2 to 4")
    2 s, up to one collision that is not yet found. */
 TEST(test_line_by_steps, "a line collides as often by steps")
 {
-    struct scene s;
-    struct spheres p;
-    struct start start;
-    struct bonkers b;
+    FREED(scene) s;
+    FREED(spheres) p;
+    FREED(start) start;
+    FREED(bonkers) b;
     size_t wrong;
     make(&s, "thermal", NULL, 0);
     UNIT_TRUE(hard_start(&start, &s) &&
@@ -164,16 +155,12 @@ TEST(test_line_by_steps, "a line collides as often by steps")
     }
     UNIT_NEAR((double)(p.collisions + p.wall_collisions),
               (double)b.collisions, 1);
-    spheres_free(&p);
-    bonkers_free(&b);
-    start_free(&start);
-    scene_free(&s);
 }
 
 /* A hanging ball feels no force: string and weight cancel. */
 TEST(test_strings, "hanging balls hang")
 {
-    struct scene s;
+    FREED(scene) s;
     make(&s, "cradle", "string", 1);
     UNIT_EQUAL((double)s.bodies, 10);
     UNIT_EQUAL((double)s.springs, 5);
@@ -188,5 +175,4 @@ TEST(test_strings, "hanging balls hang")
         UNIT_NEAR(s.velocity[i], 0, 0);
     }
     UNIT_NEAR(s.position[0] - s.position[5], -0.5, 1e-15);
-    scene_free(&s);
 }

@@ -232,7 +232,7 @@ TEST(test_rounding, "what of a rate is rounding")
 TEST(test_slack, "what of a gap is")
 {
     for (int far = 0; far < 6; ++far) {
-        struct scene s;
+        FREED(scene) s;
         struct motion m;
         UNIT_MUST(scene_create(&s, 2));
         s.contact = true;
@@ -261,6 +261,5 @@ TEST(test_slack, "what of a gap is")
                 UNIT_EQUAL(g->rounding, 0x1p-50 * (most + 0.75));
         }
         motion_end(&m);
-        scene_free(&s);
     }
 }

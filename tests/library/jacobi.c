@@ -53,7 +53,7 @@ static double apart(const struct scene *a, const struct scene *b)
    grows with the time, here up to 200. */
 static void check_pair(const char *method, double dt)
 {
-    struct scene s;
+    FREED(scene) s;
     double x[3], v[3];
     UNIT_MUST(gallery_choose(&s, celestial_scenes, "sun-earth",
                              (struct gallery_choice[]){{"mass", 0.1},
@@ -68,7 +68,6 @@ static void check_pair(const char *method, double dt)
     kepler_move(1.1 * s.k2, 50 * dt, x, v);
     for (size_t k = 0; k < 3; ++k)
         UNIT_NEAR(s.position[2 * k + 1] - s.position[2 * k], x[k], 3e-12);
-    scene_free(&s);
 }
 
 TEST(test_pair, "two bodies are exact at any step")
@@ -125,15 +124,13 @@ TEST(test_reversal, "steps back lead back")
 {
     static const char *const names[] = {"wisdom-holman", "sbab4"};
     for (size_t k = 0; k < 2; ++k) {
-        struct scene s, before;
+        FREED(scene) s, before;
         build(&s, 0.01, 0.2);
         UNIT_MUST(scene_copy(&before, &s));
         go(&s, names[k], 0.3, 60);
         UNIT_TRUE(apart(&s, &before) > 0.1);
         go(&s, names[k], -0.3, 60);
         UNIT_TRUE(apart(&s, &before) < 1e-11);
-        scene_free(&s);
-        scene_free(&before);
     }
 }
 
@@ -152,7 +149,7 @@ TEST(test_momentum, "momentum and the centre of mass are kept")
 {
     static const char *const names[] = {"wisdom-holman", "sbab4"};
     for (size_t k = 0; k < 2; ++k) {
-        struct scene s, before;
+        FREED(scene) s, before;
         build(&s, 0.01, 0.2);
         s.velocity[0] = 0.3;
         UNIT_MUST(scene_copy(&before, &s));
@@ -164,36 +161,31 @@ TEST(test_momentum, "momentum and the centre of mass are kept")
             UNIT_NEAR(moment(&s, s.position, c), x + 100 * p,
                       1e5 * DBL_EPSILON);
         }
-        scene_free(&s);
-        scene_free(&before);
     }
 }
 
 /* A body without mass disturbs nobody. */
 TEST(test_light, "a body without mass disturbs nobody")
 {
-    struct scene s, t;
+    FREED(scene) s, t;
     build(&s, 1e-3, 0.1);
     s.mass[2] = 0;
     UNIT_MUST(scene_copy(&t, &s));
     go(&s, "wisdom-holman", 0.02, 20);
     go(&t, "kahan-li8", 0.02, 20);
     UNIT_TRUE(apart(&s, &t) < 1e-6);
-    scene_free(&s);
-    scene_free(&t);
 }
 
 /* Who has left for ever has no ellipse: the run ends. */
 TEST(test_open, "an orbit that opens ends the run")
 {
-    struct scene s;
+    FREED(scene) s;
     struct motion m;
     build(&s, 1e-3, 0.1);
     UNIT_MUST(motion_begin(&m, "jacobi", &s, "wisdom-holman", 0.1));
     s.velocity[5] += 3;
     UNIT_TRUE(motion_run(&m, 1000) == STEPPING_INFINITE);
     motion_end(&m);
-    scene_free(&s);
 }
 
 static void refuses(struct scene *s, const char *why)
@@ -204,7 +196,7 @@ static void refuses(struct scene *s, const char *why)
 
 TEST(test_refusals, "what is no system of planets is refused")
 {
-    struct scene s;
+    FREED(scene) s;
     build(&s, 0.01, 0.1);
     UNIT_TRUE(jacobi_refuses(&s) == NULL);
     s.contact = true;
@@ -246,5 +238,4 @@ TEST(test_refusals, "what is no system of planets is refused")
     UNIT_TRUE(jacobi_refuses(&s) == NULL);
     UNIT_MUST(scene_add_kind(&s, 1, 0) && scene_add_spring(&s, 0, 1, 0, 1));
     refuses(&s, "the scene has springs");
-    scene_free(&s);
 }

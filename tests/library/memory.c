@@ -514,13 +514,11 @@ TEST(test_forces_twice, "freed twice, what moves bodies")
     scene_free(&scene);
     scene_free(&scene);
     const double mass[] = {2, 1, 1};
-    struct gravity g;
-    struct jacobi j;
+    FREED(gravity) g;
+    FREED(jacobi) j;
     UNIT_TRUE(gravity_create(&g, 3, mass, 1, 0) &&
               gravity_use_tree(&g, 0.5) && jacobi_create(&j, 3, mass, 1));
     gravity_free(&g);
-    gravity_free(&g);
-    jacobi_free(&j);
     jacobi_free(&j);
 }
 

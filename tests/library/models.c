@@ -1059,7 +1059,7 @@ TEST(test_books, "and each one books what it does")
     for (const struct stepping_method *k = stepping_next(NULL); k;
          k = stepping_next(k)) {
         char text[64];
-        struct scene s;
+        FREED(scene) s;
         struct motion m;
         snprintf(text, sizeof text, "%s:64", k->name);
         struct models_run r = run_of(text, 64, 1);
@@ -1074,7 +1074,6 @@ TEST(test_books, "and each one books what it does")
                       ? asked > 64.0 * (double)k->stages
                       : asked - 64.0 * (double)k->stages <= 1);
         motion_end(&m);
-        scene_free(&s);
         models_end(&r);
     }
     scene_free(&scene);

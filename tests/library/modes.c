@@ -9,9 +9,8 @@
 
 static void find(struct modes *m, const struct scene *s)
 {
-    struct springs p;
+    FREED(springs) p;
     UNIT_MUST(springs_create(&p, s) && modes_find(m, &p, s->position));
-    springs_free(&p);
 }
 
 static void make(struct scene *s, const char *name, const char *key,
@@ -32,8 +31,8 @@ TEST(test_taut, "all modes of a taut membrane are those of the formula")
 {
     const struct elastic_membrane e = {8, 6, 2, 50,   0, 0.8,
                                        0, 1, 1, true, 0, 0};
-    struct scene s;
-    struct modes m;
+    FREED(scene) s;
+    FREED(modes) m;
     double law[72];
     size_t n = 0;
     UNIT_MUST(!elastic_membrane(&s, &e));
@@ -51,16 +50,14 @@ TEST(test_taut, "all modes of a taut membrane are those of the formula")
     UNIT_EQUAL((double)m.size, (double)n);
     for (size_t i = 0; i < n; ++i) /* of up to 200: 1e-12 is 20 roundings */
         UNIT_NEAR(m.square[i], law[i], 1e-12);
-    modes_free(&m);
-    scene_free(&s);
 }
 
 /* The 8 x 8 membrane: first and largest frequency taut; at rest length no
    stiffness across. */
 TEST(test_membranes, "a membrane at rest length has 36 loose modes")
 {
-    struct scene s;
-    struct modes m;
+    FREED(scene) s;
+    FREED(modes) m;
     int loose = 0;
     make(&s, "membrane", "amplitude", 0);
     find(&m, &s);
@@ -77,14 +74,12 @@ TEST(test_membranes, "a membrane at rest length has 36 loose modes")
     UNIT_NEAR(sqrt(m.square[0]), 1.990287738972, 1e-11);
     UNIT_NEAR(sqrt(m.square[1]), 3.083962808592, 1e-11);
     UNIT_NEAR(sqrt(m.square[m.size - 1]), 15.103518, 1e-6);
-    modes_free(&m);
-    scene_free(&s);
 }
 
 TEST(test_cantilever, "the cantilever's frequencies and deflection")
 {
-    struct scene s;
-    struct modes m;
+    FREED(scene) s;
+    FREED(modes) m;
     double a[36] = {0}, u[36] = {0};
     make(&s, "cantilever", NULL, 0);
     find(&m, &s);
@@ -99,15 +94,13 @@ TEST(test_cantilever, "the cantilever's frequencies and deflection")
     UNIT_NEAR(u[17], -0.425, 1e-12);
     UNIT_NEAR(u[11], 0.055, 1e-12);
     UNIT_NEAR(u[23], -0.425, 1e-12);
-    modes_free(&m);
-    scene_free(&s);
 }
 
 /* Modes of length 1, at right angles, each a solution of its equation. */
 TEST(test_orthogonal, "modes are at right angles")
 {
-    struct scene s;
-    struct modes m;
+    FREED(scene) s;
+    FREED(modes) m;
     make(&s, "cantilever", "diagonals", 1);
     find(&m, &s);
     for (size_t i = 0; i < m.size; ++i)
@@ -117,15 +110,13 @@ TEST(test_orthogonal, "modes are at right angles")
                 sum += m.shape[i * m.size + k] * m.shape[j * m.size + k];
             UNIT_NEAR(sum, i == j, 1e-13);
         }
-    modes_free(&m);
-    scene_free(&s);
 }
 
 /* The pendulum as it hangs: sqrt of (D1 + 2 D2 +- ...)/2. */
 TEST(test_pendulum, "the double pendulum's frequencies")
 {
-    struct scene s;
-    struct modes m;
+    FREED(scene) s;
+    FREED(modes) m;
     make(&s, "double-pendulum", "angle1", 0);
     s.position[7] = -3.6 / 5000;
     s.position[8] = s.position[7] - 1 - 0.36;
@@ -135,16 +126,14 @@ TEST(test_pendulum, "the double pendulum's frequencies")
     UNIT_NEAR(sqrt(m.square[1]), 2.23494966, 1e-8);
     UNIT_NEAR(sqrt(m.square[2]), 2.31417569, 1e-8);
     UNIT_NEAR(sqrt(m.square[3]), 70.74605996, 1e-8);
-    modes_free(&m);
-    scene_free(&s);
 }
 
 /* Two bodies of 2 kg and 1 kg between walls on springs of 0.3 N/m: the
    matrix is 0.3, -0.3/root 2, 0.6, its roots 0.45 +- root 0.0675. */
 TEST(test_by_hand, "two bodies between walls, by hand")
 {
-    struct scene s;
-    struct modes m;
+    FREED(scene) s;
+    FREED(modes) m;
     UNIT_MUST(scene_create(&s, 4) && scene_add_kind(&s, 0.3, 0));
     for (size_t i = 0; i < 4; ++i) {
         s.position[i] = (double)i;
@@ -163,6 +152,4 @@ TEST(test_by_hand, "two bodies between walls, by hand")
         UNIT_NEAR(m.shape[2 * k] * (0.3 - root) + m.shape[2 * k + 1] * off,
                   0, 1e-15);
     }
-    modes_free(&m);
-    scene_free(&s);
 }

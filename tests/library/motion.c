@@ -47,7 +47,7 @@ static void begin(struct motion *m, struct scene *s, const char *method)
 /* Equation (11.9), term by term, with formulas of its own. */
 TEST(test_sum, "what acts is the sum of all that is in the scene")
 {
-    struct scene s;
+    FREED(scene) s;
     struct motion m;
     double a[9], d[3], w[3], expected[9];
     build(&s, false);
@@ -87,13 +87,12 @@ TEST(test_sum, "what acts is the sum of all that is in the scene")
         UNIT_NEAR(a[c], expected[c], 1e-14);
     UNIT_EQUAL(s.velocity[3], 0);
     motion_end(&m);
-    scene_free(&s);
 }
 
 /* Springs alone take a way of their own. */
 TEST(test_springs_alone, "springs alone move as they do with others")
 {
-    struct scene s, t;
+    FREED(scene) s, t;
     struct motion m, n;
     build(&s, false);
     s.k2 = 0;
@@ -107,8 +106,6 @@ TEST(test_springs_alone, "springs alone move as they do with others")
         UNIT_NEAR(s.position[c], t.position[c], 1e-14);
     motion_end(&m);
     motion_end(&n);
-    scene_free(&s);
-    scene_free(&t);
 }
 
 /* Two bodies alone take a shorter way, and a shorter one yet in the plane
@@ -153,7 +150,7 @@ static void build_two(struct scene *s, int way)
 TEST(test_two, "and two bodies alone, to the bit")
 {
     for (int way = 0; way < TWOS; ++way) {
-        struct scene s, t;
+        FREED(scene) s, t;
         struct motion m, n;
         build_two(&s, way);
         UNIT_MUST(scene_copy(&t, &s));
@@ -171,8 +168,6 @@ TEST(test_two, "and two bodies alone, to the bit")
                           6 * sizeof(double)));
         motion_end(&m);
         motion_end(&n);
-        scene_free(&s);
-        scene_free(&t);
     }
 }
 
@@ -191,7 +186,7 @@ static bool is_short(struct scene *s, const char *method)
 TEST(test_not_two, "what is not two bodies alone")
 {
     for (int what = 0; what < 7; ++what) {
-        struct scene s;
+        FREED(scene) s;
         if (what == 0) {
             build(&s, false); /* three */
             s.damping = s.kind[0].damping = 0;
@@ -214,7 +209,6 @@ TEST(test_not_two, "what is not two bodies alone")
         for (size_t c = 0; what == 5 && c < 6; ++c)
             s.freedom[c] = 0;
         UNIT_TRUE(is_short(&s, "leapfrog") == (what == 6));
-        scene_free(&s);
     }
 }
 
@@ -222,7 +216,7 @@ TEST(test_not_two, "what is not two bodies alone")
 TEST(test_compensated, "which sums are compensated")
 {
     for (int what = 0; what < 8; ++what) {
-        struct scene s;
+        FREED(scene) s;
         struct motion m;
         UNIT_MUST(scene_create(&s, 2));
         s.position[1] = 1;
@@ -256,13 +250,12 @@ TEST(test_compensated, "which sums are compensated")
         begin(&m, &s, "radau15");
         UNIT_TRUE(!m.stepping.compensated);
         motion_end(&m);
-        scene_free(&s);
     }
 }
 
 TEST(test_held, "what is held stays")
 {
-    struct scene s;
+    FREED(scene) s;
     struct motion m;
     build(&s, true);
     begin(&m, &s, "leapfrog");
@@ -272,14 +265,13 @@ TEST(test_held, "what is held stays")
     UNIT_TRUE(s.position[4] != 0.1);
     UNIT_NEAR(motion_time(&m), 10, 1e-12);
     motion_end(&m);
-    scene_free(&s);
 }
 
 /* Leapfrog is exact for a fall: z = -g t^2/2, up to the rounding of 1000
    sums of numbers below 100. */
 TEST(test_fall, "a fall is exact")
 {
-    struct scene s;
+    FREED(scene) s;
     struct motion m;
     UNIT_MUST(scene_create(&s, 1));
     s.gravity[2] = -2;
@@ -293,14 +285,13 @@ TEST(test_fall, "a fall is exact")
     UNIT_NEAR(motion_potential(&m), -200, 1e-10);
     UNIT_EQUAL(motion_energy(&m).gravity, 0);
     motion_end(&m);
-    scene_free(&s);
 }
 
 /* Leapfrog turns an oscillator by 2 asin(h/2) in a step (8.x): here of the
    frequency 1, two masses 2 on a spring with D = 1. */
 TEST(test_oscillator, "an oscillator turns by leapfrog's angle")
 {
-    struct scene s;
+    FREED(scene) s;
     struct motion m;
     UNIT_MUST(scene_create(&s, 2));
     UNIT_MUST(scene_add_kind(&s, 1, 0));
@@ -314,7 +305,6 @@ TEST(test_oscillator, "an oscillator turns by leapfrog's angle")
     /* 500 steps of rounding */
     UNIT_NEAR(s.position[1], 0.5 + 0.1 * cos(500 * 2 * asin(0.05)), 1e-13);
     motion_end(&m);
-    scene_free(&s);
 }
 
 /* Whether the two have the same places and velocities to the last bit. */
@@ -330,7 +320,7 @@ TEST(test_cuts, "how a run is cut changes no bit")
     for (int contact = 0; contact < 2; ++contact)
         for (const struct stepping_method *k = stepping_next(NULL); k;
              k = stepping_next(k)) {
-            struct scene s, t;
+            FREED(scene) s, t;
             struct motion m, n;
             build(&s, contact);
             build(&t, contact);
@@ -346,8 +336,6 @@ TEST(test_cuts, "how a run is cut changes no bit")
             UNIT_TRUE(!contact || m.collisions > 0);
             motion_end(&m);
             motion_end(&n);
-            scene_free(&s);
-            scene_free(&t);
         }
 }
 
@@ -432,7 +420,7 @@ TEST(test_saved, "a saved run goes on to the same bits")
    that of before, and either run asks for a new one. */
 TEST(test_saved_after_contact, "saved right after a contact as well")
 {
-    struct scene s, t;
+    FREED(scene) s, t;
     struct motion m, n;
     build_way(&s, DAMPED | CONTACT);
     begin(&m, &s, "leapfrog");
@@ -447,15 +435,13 @@ TEST(test_saved_after_contact, "saved right after a contact as well")
     UNIT_TRUE(is_same(&s, &t));
     motion_end(&m);
     motion_end(&n);
-    scene_free(&s);
-    scene_free(&t);
 }
 
 /* As a checkpoint has it, start and steps besides: the times are the same
    as well. Without what sums carry, or the acceleration, all is not. */
 static void resume(uint64_t cut, bool carry, bool kept, bool same)
 {
-    struct scene s, t;
+    FREED(scene) s, t;
     struct motion m, n;
     build(&s, false);
     s.time = 0.7;
@@ -477,8 +463,6 @@ static void resume(uint64_t cut, bool carry, bool kept, bool same)
     UNIT_EQUAL(motion_time(&m), motion_time(&n));
     motion_end(&m);
     motion_end(&n);
-    scene_free(&s);
-    scene_free(&t);
 }
 
 TEST(test_resume, "and a resumed one to the same times")
@@ -529,7 +513,7 @@ TEST(test_heeded, "an acceleration that was kept is heeded where it counts")
 TEST(test_forgotten, "and forgotten where it does not")
 {
     for (int way = 0; way < 2; ++way) {
-        struct scene s, t;
+        FREED(scene) s, t;
         struct motion m;
         build(&s, false);
         begin(&m, &s, "leapfrog");
@@ -541,8 +525,6 @@ TEST(test_forgotten, "and forgotten where it does not")
         UNIT_MUST(motion_note(&m));
         UNIT_TRUE(way ? t.kept == NULL : scene_same(&s, &t));
         motion_end(&m);
-        scene_free(&s);
-        scene_free(&t);
     }
 }
 
@@ -550,7 +532,7 @@ TEST(test_forgotten, "and forgotten where it does not")
    now: half a kick and a drift by it give the next place. */
 TEST(test_contact, "after a contact the method looks again")
 {
-    struct scene s;
+    FREED(scene) s;
     struct motion m;
     bool met = false;
     build(&s, true);
@@ -577,7 +559,6 @@ TEST(test_contact, "after a contact the method looks again")
     }
     UNIT_TRUE(met);
     motion_end(&m);
-    scene_free(&s);
 }
 
 /* n bodies of radius 0.1 in a row along x, 1 m apart, held but along x. */
@@ -606,7 +587,7 @@ TEST(test_light, "what has no mass")
 {
     for (size_t axis = 0; axis < 3; ++axis)
         for (size_t light = 0; light < 3; ++light) {
-            struct scene s;
+            FREED(scene) s;
             row(&s, 3);
             s.mass[light] = 0;
             has(&s, MOTION_WELL, 0);
@@ -624,7 +605,6 @@ TEST(test_light, "what has no mass")
             UNIT_MUST(scene_add_kind(&s, 1, 0));
             UNIT_MUST(scene_add_spring(&s, 0, 2, 0, 1));
             has(&s, light == 1 ? MOTION_WELL : MOTION_MASSLESS, light);
-            scene_free(&s);
         }
 }
 
@@ -634,7 +614,7 @@ TEST(test_box, "what is in a box")
 {
     for (size_t k = 0; k < 3; ++k)
         for (int wall = SCENE_OPEN; wall <= SCENE_PERIODIC; ++wall) {
-            struct scene s;
+            FREED(scene) s;
             row(&s, 2);
             s.wall[k] = (enum scene_wall)wall;
             s.low[k] = -1;
@@ -655,7 +635,6 @@ TEST(test_box, "what is in a box")
             has(&s, MOTION_RESTITUTION, 0);
             s.restitution = 1;
             has(&s, MOTION_WELL, 0);
-            scene_free(&s);
         }
 }
 
@@ -663,7 +642,7 @@ TEST(test_box, "what is in a box")
    and not all of them hang on springs. Off the line they pass. */
 TEST(test_points, "points on a line")
 {
-    struct scene s;
+    FREED(scene) s;
     row(&s, 4);
     s.contact = true;
     s.radius[1] = 0;
@@ -701,7 +680,6 @@ TEST(test_points, "points on a line")
     has(&s, MOTION_WELL, 0);
     s.radius[0] = 0; /* one of three, on a spring too */
     has(&s, MOTION_WELL, 0);
-    scene_free(&s);
 }
 
 /* Steps of another length: the time goes on, and so do counts, the sums'
@@ -712,7 +690,7 @@ TEST(test_shorten, "steps may change their length")
     static const char *const methods[] = {"leapfrog", "rk4", "radau15"};
     for (int k = 0; k < 3; ++k)
         for (int two = 0; two < 2; ++two) {
-            struct scene s, t;
+            FREED(scene) s, t;
             struct motion m, n;
             if (two)
                 build_two(&s, SOFT);
@@ -738,8 +716,6 @@ TEST(test_shorten, "steps may change their length")
             UNIT_NEAR(motion_time(&n), 2, 1e-15);
             motion_end(&m);
             motion_end(&n);
-            scene_free(&s);
-            scene_free(&t);
         }
 }
 
@@ -748,7 +724,7 @@ TEST(test_shorten, "steps may change their length")
    along the axes that are free. */
 TEST(test_energies, "energies by hand")
 {
-    struct scene s;
+    FREED(scene) s;
     struct motion m;
     UNIT_MUST(scene_create(&s, 2));
     s.mass[0] = 2;
@@ -777,7 +753,6 @@ TEST(test_energies, "energies by hand")
     UNIT_EQUAL(motion_potential(&m), e.gravity + e.springs + e.weight);
     UNIT_TRUE(motion_contacts(&m) == m.soft.near);
     motion_end(&m);
-    scene_free(&s);
 }
 
 static bool from_outside(void *with, double dt, double x[], double v[])
@@ -789,7 +764,7 @@ static bool from_outside(void *with, double dt, double x[], double v[])
 
 TEST(test_outside, "another stepper can take the method's place")
 {
-    struct scene s;
+    FREED(scene) s;
     struct motion m;
     double clock = 0;
     UNIT_MUST(scene_create(&s, 1));
@@ -803,7 +778,6 @@ TEST(test_outside, "another stepper can take the method's place")
     UNIT_EQUAL(motion_time(&m), 0.75);
     UNIT_TRUE(motion_run(&m, 2) == STEPPING_STUCK);
     motion_end(&m);
-    scene_free(&s);
 }
 
 static int begin_unknown(void *scene)
@@ -815,10 +789,9 @@ static int begin_unknown(void *scene)
 /* A method that does not exist is refused by its name. */
 TEST(test_unknown, "a method that does not exist is refused")
 {
-    struct scene s;
+    FREED(scene) s;
     build(&s, false);
     const struct child c = child_run(begin_unknown, &s, NULL);
     UNIT_EQUAL(c.status, 3);
     UNIT_TRUE(strcmp(c.err, "motion: there is no method 'no-such'\n") == 0);
-    scene_free(&s);
 }

@@ -35,11 +35,10 @@ static struct opencl *open(bool single, enum opencl_way way)
 
 static void sum_here(double a[])
 {
-    struct gravity g;
+    FREED(gravity) g;
     gravity_create(&g, BODIES, mass, k2, softening);
     g.kernel = GRAVITY_PORTABLE;
     gravity_add(&g, x, a);
-    gravity_free(&g);
 }
 
 static void test_bits(void)

@@ -62,7 +62,7 @@ static struct scene falling(void)
 TEST(test_parabola, "a parabola, row by row")
 {
     struct scene s = falling();
-    struct record_view v;
+    FREED(record_view) v;
     UNIT_TRUE(record_view_create(&v, "record", &s, NULL, 0.48));
     const struct record_setup o = order(&s, "leapfrog:7", 0.48, 16);
     struct record r = recorded(&v, &o);
@@ -74,7 +74,6 @@ TEST(test_parabola, "a parabola, row by row")
     UNIT_EQUAL(r.work[MODELS_EVALUATION], 1 + 16 * 7);
     UNIT_EQUAL(r.cost, models_cost(r.work));
     record_free(&r);
-    record_view_free(&v);
     scene_free(&s);
 }
 
@@ -84,7 +83,7 @@ TEST(test_parabola, "a parabola, row by row")
 TEST(test_asked, "rows have their time and collisions")
 {
     struct scene s = falling();
-    struct record_view v;
+    FREED(record_view) v;
     struct observables asked;
     char message[OBSERVABLES_MESSAGE];
     s.time = 3;
@@ -97,7 +96,6 @@ TEST(test_asked, "rows have their time and collisions")
         UNIT_TRUE(k == 25 || r.value[k * v.columns + 1] == (k > 25));
     }
     record_free(&r);
-    record_view_free(&v);
     scene_free(&s);
 }
 
@@ -152,7 +150,7 @@ TEST(test_twins, "from elsewhere a run differs by rounding")
         }
         struct observables asked;
         char message[OBSERVABLES_MESSAGE];
-        struct record_view v;
+        FREED(record_view) v;
         UNIT_TRUE(!names[k] ||
                   observables_read(&asked, names[k], 4, message));
         UNIT_TRUE(record_view_create(&v, "record", &s,
@@ -169,7 +167,6 @@ TEST(test_twins, "from elsewhere a run differs by rounding")
             record_free(&b);
         }
         record_free(&a);
-        record_view_free(&v);
     }
     scene_free(&s);
 }
@@ -179,7 +176,7 @@ TEST(test_twins, "from elsewhere a run differs by rounding")
 TEST(test_apart, "records are compared")
 {
     struct scene s = light_orbit(1, 1.1);
-    struct record_view v;
+    FREED(record_view) v;
     UNIT_TRUE(record_view_create(&v, "record", &s, NULL, 8));
     UNIT_EQUAL(v.scale, 1);
     struct record_setup o = order(&s, "kepler", 8, 16);
@@ -195,7 +192,6 @@ TEST(test_apart, "records are compared")
     }
     UNIT_NEAR(error[0] / error[1], 4, 0.1);
     record_free(&truth);
-    record_view_free(&v);
     scene_free(&s);
 }
 
@@ -204,7 +200,7 @@ TEST(test_apart, "records are compared")
 TEST(test_limit, "a run ends at its limit, and two at one")
 {
     struct scene s = light_orbit(1, 1.1);
-    struct record_view v;
+    FREED(record_view) v;
     UNIT_TRUE(record_view_create(&v, "record", &s, NULL, 8));
     struct record_setup o = order(&s, "pefrl:16", 8, 16);
     struct record a = recorded(&v, &o), b, c;
@@ -235,7 +231,6 @@ TEST(test_limit, "a run ends at its limit, and two at one")
     record_free(&a);
     record_free(&b);
     record_free(&c);
-    record_view_free(&v);
     scene_free(&s);
 }
 
@@ -261,7 +256,7 @@ static double scale(const struct scene *s, const char *name, double length,
    and one of 5 kg at (0, -4) with (0, -1), that feel nothing. */
 TEST(test_scales, "scales by hand")
 {
-    struct scene s;
+    FREED(scene) s;
     UNIT_TRUE(scene_create(&s, 2));
     s.mass[0] = 2;
     s.mass[1] = 5;
@@ -293,14 +288,13 @@ TEST(test_scales, "scales by hand")
     s.position[0] = 3;
     UNIT_EQUAL(scale(&s, "vx:0", 10, "velocities"), 0.3);
     UNIT_NEAR(scale(&s, "energy", 10, "energy"), 7 * 0.09, 1e-15);
-    scene_free(&s);
 }
 
 /* A light body on a parabola has no energy but its kinetic one and the same
    again below zero: 1e-6 J, not the rounding that is left of their sum. */
 TEST(test_parabolic, "energies that cancel have a scale")
 {
-    struct scene s;
+    FREED(scene) s;
     UNIT_TRUE(scene_create(&s, 2));
     s.mass[1] = 1e-6;
     s.position[1] = 1;
@@ -310,7 +304,6 @@ TEST(test_parabolic, "energies that cancel have a scale")
     UNIT_NEAR(scale(&s, "energy", 10, "energy"), 1e-6, 1e-20);
     s.velocity[1] = s.velocity[3] = 0; /* at rest: the energy itself */
     UNIT_NEAR(scale(&s, "energy", 10, "energy"), 1e-6, 1e-20);
-    scene_free(&s);
 }
 
 /* Without the body that most adds to the size. */
@@ -318,7 +311,7 @@ TEST(test_without, "the body that is far away")
 {
     static const double places[3][3] = {{0, 1, 10}, {-10, 0, 1}, {4, 0, 1}};
     static const size_t far[3] = {2, 0, 0};
-    struct scene s;
+    FREED(scene) s;
     UNIT_TRUE(scene_create(&s, 3));
     for (size_t axis = 0; axis < 3; ++axis)
         for (size_t k = 0; k < 3; ++k) {
@@ -328,7 +321,6 @@ TEST(test_without, "the body that is far away")
             UNIT_EQUAL(record_scale_without(&s, &found), 1);
             UNIT_EQUAL((double)found, (double)far[k]);
         }
-    scene_free(&s);
 }
 
 /* Places far from the origin are known as well as they are written: half a
@@ -336,8 +328,8 @@ TEST(test_without, "the body that is far away")
    not where the scene is as wide as it is far. */
 TEST(test_grain, "far from the origin places are coarse")
 {
-    struct scene s;
-    struct record_view v;
+    FREED(scene) s;
+    FREED(record_view) v;
     struct observables asked;
     char message[OBSERVABLES_MESSAGE];
     UNIT_TRUE(scene_create(&s, 2));
@@ -380,8 +372,6 @@ TEST(test_grain, "far from the origin places are coarse")
     s.position[1] = 4.1;
     UNIT_TRUE(record_view_create(&v, "record", &s, NULL, 1));
     UNIT_EQUAL(v.rounded, 0x1p-53 * 2.1 / v.scale);
-    record_view_free(&v);
-    scene_free(&s);
 }
 
 /* Rows made by hand, in a box that is periodic along x, 6 m, and has walls
@@ -390,7 +380,7 @@ TEST(test_grain, "far from the origin places are coarse")
 TEST(test_rows, "rows are compared round the box")
 {
     struct scene s = all_at_once();
-    struct record_view v;
+    FREED(record_view) v;
     UNIT_TRUE(record_view_create(&v, "record", &s, NULL, 2));
     const double scale = sqrt(6 * 6 + 2 * 2);
     UNIT_NEAR(v.scale, scale, 1e-14);
@@ -432,7 +422,6 @@ TEST(test_rows, "rows are compared round the box")
     UNIT_TRUE(isinf(record_difference(&v, &a, &b, 0, 2)));
     UNIT_TRUE(isinf(record_difference(&v, &b, &a, 0, 2)));
     UNIT_TRUE(record_difference(&v, &a, &b, 0, 1) < INFINITY);
-    record_view_free(&v);
     scene_free(&s);
 }
 
@@ -443,8 +432,8 @@ TEST(test_least, "by how little two missed, seen twice")
 {
     static const double gaps[] = {1e-3, -1e-3};
     for (size_t k = 0; k < 2; ++k) {
-        struct scene s;
-        struct record_view v;
+        FREED(scene) s;
+        FREED(record_view) v;
         UNIT_TRUE(scene_create(&s, 2));
         s.contact = true;
         s.radius[0] = s.radius[1] = 0.1;
@@ -467,7 +456,5 @@ TEST(test_least, "by how little two missed, seen twice")
                           1e-9);
                 record_free(&r);
             }
-        record_view_free(&v);
-        scene_free(&s);
     }
 }

@@ -234,21 +234,20 @@ TEST(test_scales, "scales of units")
 /* A body that flies along one axis is as fast along any. */
 TEST(test_speed, "how fast a body is")
 {
-    struct scene s;
+    FREED(scene) s;
     UNIT_TRUE(scene_create(&s, 2));
     for (size_t k = 0; k < 3; ++k) {
         s.velocity[2 * k + 1] = (const double[]){2, -3, 6}[k];
         s.velocity[2 * k] = 50;
     }
     UNIT_EQUAL(speed_of_body(&s, 1), 7);
-    scene_free(&s);
 }
 
 /* From what is measured: 2 kg at 4 m/s and 3 kg at 1 m/s, 5 m apart. */
 TEST(test_measured, "scales of a scene")
 {
-    struct scene s;
-    struct record_view v;
+    FREED(scene) s;
+    FREED(record_view) v;
     UNIT_TRUE(scene_create(&s, 2));
     s.mass[0] = 2;
     s.mass[1] = 3;
@@ -271,6 +270,4 @@ TEST(test_measured, "scales of a scene")
     v.scene.k2 = 5; /* they would circle in 2 pi/omega, omega^2 = 25/5^3 */
     to = measure_scales(&v, 10);
     UNIT_NEAR(to.speed, 5 * sqrt(0.2), 1e-14);
-    record_view_free(&v);
-    scene_free(&s);
 }

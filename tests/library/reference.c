@@ -50,14 +50,13 @@ static void friction(void *what, const double x[], const double v[],
 TEST(test_friction, "an oscillator with friction")
 {
     double x = 1, v = 0;
-    struct reference r;
+    FREED(reference) r;
     reference_begin(&r, (struct stepping_forces){1, true, friction, NULL},
                     1e-14);
     UNIT_TRUE(reference_step(&r, 5, &x, &v));
     UNIT_NEAR(x, oscillator_known[0][2], 1e-13);
     UNIT_TRUE(reference_step(&r, 5, &x, &v));
     UNIT_NEAR(x, oscillator_known[0][3], 1e-13);
-    reference_free(&r);
 }
 
 static void nowhere(void *what, const double x[], const double v[],
@@ -70,9 +69,8 @@ static void nowhere(void *what, const double x[], const double v[],
 TEST(test_gives_up, "it says when it gives up")
 {
     double x = 0, v = 0;
-    struct reference r;
+    FREED(reference) r;
     reference_begin(&r, (struct stepping_forces){1, false, nowhere, NULL},
                     1e-10);
     UNIT_TRUE(!reference_step(&r, 5, &x, &v));
-    reference_free(&r);
 }

@@ -71,7 +71,7 @@ static const double unit[] = {1, 1, 1};
 TEST(test_two_disks, "two disks are where the closed forms say")
 {
     for (double step = 0; step < 0.5; step += 0.4) {
-        struct sampling s;
+        FREED(sampling) s;
         box(&s, 2, DISKS_WALLS, unit, 2, 0.15);
         const struct told t = run(&s, step, 300000);
         if (step == 0)
@@ -80,7 +80,6 @@ TEST(test_two_disks, "two disks are where the closed forms say")
         UNIT_NEAR(t.mean[WALL_Y], 1.771667475064, 4 * t.error[WALL_Y]);
         UNIT_NEAR(t.mean[PAIR], 3.202196, 4 * t.error[PAIR]);
         UNIT_TRUE(t.error[WALL_X] < 0.006 && t.error[PAIR] < 0.03);
-        sampling_free(&s);
     }
 }
 
@@ -89,7 +88,7 @@ TEST(test_two_disks, "two disks are where the closed forms say")
 TEST(test_four_disks, "four disks are where a long run says")
 {
     for (double step = 0; step < 0.3; step += 0.2) {
-        struct sampling s;
+        FREED(sampling) s;
         box(&s, 2, DISKS_WALLS, unit, 4, 0.15);
         const struct told t = run(&s, step, 300000);
         if (step == 0)
@@ -98,7 +97,6 @@ TEST(test_four_disks, "four disks are where a long run says")
         UNIT_NEAR(t.mean[WALL_Y], 2.698893, 4 * t.error[WALL_Y] + 1e-3);
         UNIT_NEAR(t.mean[PAIR], 3.952373, 4 * t.error[PAIR] + 2e-3);
         UNIT_TRUE(t.error[WALL_X] < 0.03 && t.error[PAIR] < 0.03);
-        sampling_free(&s);
     }
 }
 
@@ -110,7 +108,7 @@ TEST(test_virial, "walls and pairs agree on the pressure")
     for (size_t dimensions = 2; dimensions <= 3; ++dimensions)
         for (double step = 0; step < 0.3; step += 0.2) {
             const double r = 0.13, D = (double)dimensions;
-            struct sampling s;
+            FREED(sampling) s;
             box(&s, dimensions, DISKS_WALLS, sides, 5, r);
             const struct told t = run(&s, step, 200000);
             double walls = 0, error = 0;
@@ -122,7 +120,6 @@ TEST(test_virial, "walls and pairs agree on the pressure")
             UNIT_NEAR(walls, 1 + factor * t.mean[PAIR],
                       4 * (error + factor * t.error[PAIR]));
             UNIT_TRUE(error < 0.02 * walls);
-            sampling_free(&s);
         }
 }
 
@@ -163,7 +160,7 @@ static double scanned(const struct sampling *s, size_t i, size_t except,
 TEST(test_pair_line, "a line past images has the right free part")
 {
     for (size_t dimensions = 2; dimensions <= 3; ++dimensions) {
-        struct sampling s;
+        FREED(sampling) s;
         struct random r;
         size_t seen = 0;
         box(&s, dimensions, DISKS_PERIODIC, unit, 6, 0.15);
@@ -193,14 +190,13 @@ TEST(test_pair_line, "a line past images has the right free part")
             seen += first;
         }
         UNIT_TRUE(seen > 3 && seen < 20);
-        sampling_free(&s);
     }
 }
 
 /* Between walls, with small ones in the way. */
 TEST(test_wall_line, "a line between walls has it, too")
 {
-    struct sampling s;
+    FREED(sampling) s;
     struct random r;
     size_t both = 0, one = 0;
     UNIT_TRUE(sampling_create(&s, 2, DISKS_WALLS, unit, 2, 0.15, 5, 0.05));
@@ -222,7 +218,6 @@ TEST(test_wall_line, "a line between walls has it, too")
         one += low != high;
     }
     UNIT_TRUE(both > 2 && one > 2);
-    sampling_free(&s);
 }
 
 /* R = 1, d = 0.2: computed with 12 digits and by 2e7 random points. */
@@ -274,8 +269,8 @@ TEST(test_depletion, "Asakura and Oosawa's law of distances")
                                   ? 25 - 2 * acos(-1) * 1.44
                                   : 125 - 8 * acos(-1) / 3 * 1.728;
         double law[PARTS] = {0}, total = 0, all = 0;
-        struct means m;
-        struct sampling s;
+        FREED(means) m;
+        FREED(sampling) s;
         struct random r;
         UNIT_TRUE(means_create(&m, PARTS));
         UNIT_TRUE(sampling_create(&s, dimensions, DISKS_PERIODIC, sides, 2,
@@ -311,8 +306,6 @@ TEST(test_depletion, "Asakura and Oosawa's law of distances")
                       4 * means_error(&m, p) / all);
         UNIT_TRUE(dimensions == 3 || law[0] > law[PARTS - 1]);
         UNIT_TRUE(means_error(&m, 0) / all < 0.02);
-        means_free(&m);
-        sampling_free(&s);
     }
 }
 
@@ -320,7 +313,7 @@ TEST(test_depletion, "Asakura and Oosawa's law of distances")
    most the step; all fit all the time. */
 TEST(test_moves, "a try moves one disk or none")
 {
-    struct sampling s;
+    FREED(sampling) s;
     struct random r;
     size_t moved = 0, a, b;
     box(&s, 2, DISKS_WALLS, unit, 4, 0.2);
@@ -344,13 +337,12 @@ TEST(test_moves, "a try moves one disk or none")
         moved += said;
     }
     UNIT_TRUE(moved > 5000 && moved < 15000);
-    sampling_free(&s);
 }
 
 /* Where no lattice fits they grow; where nothing fits there is no start. */
 TEST(test_starts, "starts are found, or not")
 {
-    struct sampling s;
+    FREED(sampling) s;
     struct random r;
     size_t a, b;
     random_seed(&r, 7);
@@ -364,7 +356,6 @@ TEST(test_starts, "starts are found, or not")
     sampling_free(&s);
     UNIT_TRUE(sampling_create(&s, 2, DISKS_WALLS, unit, 1, 0.3, 500, 0.1));
     UNIT_TRUE(sampling_start(&s, &r));
-    sampling_free(&s);
 }
 
 /* Four disks: ln 0.036555; thirty in a box of four times the area: no
@@ -372,7 +363,7 @@ TEST(test_starts, "starts are found, or not")
 TEST(test_guess, "hopeless throws are known beforehand")
 {
     const double sides[] = {2, 2};
-    struct sampling s;
+    FREED(sampling) s;
     struct random r;
     random_seed(&r, 8);
     box(&s, 2, DISKS_WALLS, unit, 4, 0.15);
@@ -382,14 +373,13 @@ TEST(test_guess, "hopeless throws are known beforehand")
     box(&s, 2, DISKS_WALLS, sides, 30, 0.15);
     const double guess = sampling_log_acceptance(&s, 100000, &r);
     UNIT_TRUE(guess < -25 && guess > -60);
-    sampling_free(&s);
 }
 
 /* Mean and error of independent numbers; joined blocks; an unfinished one
    counts in the mean. */
 TEST(test_means, "means and their errors")
 {
-    struct means m;
+    FREED(means) m;
     struct random r;
     double sum = 0;
     random_seed(&r, 9);
@@ -413,15 +403,14 @@ TEST(test_means, "means and their errors")
     /* 1/sqrt(12 n), uncertain by 8 per cent. */
     UNIT_NEAR(means_error(&m, 0), 1 / sqrt(12 * 100003.0),
               0.32 / sqrt(12 * 100003.0));
-    means_free(&m);
 }
 
 /* Chains of two disks in a periodic box of side 1: Z - 1, its error, and
    the share of the samples in which they are nearer than 0.4. */
 static void run_chains(size_t dimensions, double told[3])
 {
-    struct sampling s;
-    struct means m;
+    FREED(sampling) s;
+    FREED(means) m;
     struct random r;
     random_seed(&r, 1);
     box(&s, dimensions, DISKS_PERIODIC, unit, 2, 0.15);
@@ -448,8 +437,6 @@ static void run_chains(size_t dimensions, double told[3])
                           : 4 * acos(-1) / 3 * (0.064 - 0.027) /
                                 (1 - 4 * acos(-1) / 3 * 0.027))) /
         means_error(&m, 1);
-    means_free(&m);
-    sampling_free(&s);
 }
 
 /* The other's room is the box less a circle of twice the radius, and its
@@ -475,7 +462,7 @@ TEST(test_chains, "chains of two disks know the closed forms")
 TEST(test_long_chains, "chains of many keep all disks apart")
 {
     static const double sides[] = {13, 13};
-    struct sampling s;
+    FREED(sampling) s;
     struct random r;
     double gained = 0, touches = 0;
     size_t a, b;
@@ -497,5 +484,4 @@ TEST(test_long_chains, "chains of many keep all disks apart")
     sampling_chain(&s, 1, 0.75, &r, &gained);
     UNIT_EQUAL(s.disks.disk[0].position[1] + s.disks.disk[1].position[1],
                0.75);
-    sampling_free(&s);
 }

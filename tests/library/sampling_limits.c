@@ -35,7 +35,7 @@ TEST(test_chain, "a chain of three, by hand")
         for (uint64_t seed = 1; seed <= 16; ++seed) {
             /* The row stands in the middle, or across the seam. */
             const double aside = seed % 2 ? 0 : 4.75;
-            struct sampling s;
+            FREED(sampling) s;
             struct random r;
             double gained = 0;
             box(&s, 3, DISKS_PERIODIC, 10, 3, 0.5, NULL);
@@ -58,7 +58,6 @@ TEST(test_chain, "a chain of three, by hand")
                            fmod(places[i][1] + aside, 10));
                 UNIT_EQUAL(at[(axis + 2) % 3], places[i][2]);
             }
-            sampling_free(&s);
         }
     UNIT_EQUAL(seen, 7);
 }
@@ -94,7 +93,7 @@ TEST(test_grazing, "what is grazed is not pushed")
 {
     for (uint64_t seed = 1; seed <= 4; ++seed) {
         static const double places[][3] = {{1, 5, 0}, {3, 6, 0}};
-        struct sampling s;
+        FREED(sampling) s;
         struct random r;
         double gained = 0, before, after;
         box(&s, 2, DISKS_PERIODIC, 10, 2, 0.5, places);
@@ -104,7 +103,6 @@ TEST(test_grazing, "what is grazed is not pushed")
         after = s.disks.disk[0].position[0] + s.disks.disk[1].position[0];
         UNIT_EQUAL(after - before, 5);
         UNIT_EQUAL(gained, 0);
-        sampling_free(&s);
     }
 }
 
@@ -129,7 +127,7 @@ TEST(test_wall_density, "a disk that slides from wall to wall")
         {4, {.5, .29, .6, .75}, {.5, .5, .5, .5}, 0}};
     for (size_t n = 0; n < sizeof lines / sizeof lines[0]; ++n)
         for (size_t axis = 0; axis < 2; ++axis) {
-            struct sampling s;
+            FREED(sampling) s;
             box(&s, 2, DISKS_WALLS, 1, lines[n].count, 0.1, NULL);
             for (size_t i = 0; i < lines[n].count; ++i) {
                 s.disks.disk[i].position[axis] = lines[n].x[i];
@@ -137,7 +135,6 @@ TEST(test_wall_density, "a disk that slides from wall to wall")
             }
             UNIT_NEAR(sampling_wall_density(&s, 0, axis), lines[n].expected,
                       1e-13);
-            sampling_free(&s);
         }
 }
 
@@ -150,7 +147,7 @@ TEST(test_pair_density, "a disk that slides away from another")
             for (int round = 0; round < 2; ++round)
                 for (int third = 0; third < 4; ++third) {
                     static const double at[] = {0, 0.75, 0.65, 0.59};
-                    struct sampling s;
+                    FREED(sampling) s;
                     const double p = (double)D;
                     box(&s, D, round ? DISKS_PERIODIC : DISKS_WALLS, 1,
                         third ? 3 : 2, 0.1, NULL);
@@ -171,7 +168,6 @@ TEST(test_pair_density, "a disk that slides away from another")
                     UNIT_NEAR(sampling_pair_density(&s, 0, 1),
                               third == 3 ? 0 : p * pow(0.2, p - 1) / part,
                               1e-12);
-                    sampling_free(&s);
                 }
 }
 
@@ -181,7 +177,7 @@ TEST(test_acceptance, "shares of throws, as they are counted")
 {
     for (uint64_t seed = 1; seed <= 20; ++seed) {
         enum { COUNT = 7, THROWS = 300 };
-        struct sampling s;
+        FREED(sampling) s;
         struct random r;
         double expected = 0, last = 0;
         size_t reached[COUNT + 1] = {0};
@@ -207,7 +203,6 @@ TEST(test_acceptance, "shares of throws, as they are counted")
         }
         random_seed(&r, seed);
         UNIT_NEAR(sampling_log_acceptance(&s, THROWS, &r), expected, 1e-13);
-        sampling_free(&s);
     }
 }
 
@@ -217,7 +212,7 @@ TEST(test_tries, "half of the tries are for large ones")
 {
     enum { TRIES = 4000 };
     const double sides[] = {10, 10};
-    struct sampling s;
+    FREED(sampling) s;
     struct random r;
     int large = 0, moved = 0;
     double farthest = 0, widest = 0;
@@ -244,14 +239,13 @@ TEST(test_tries, "half of the tries are for large ones")
     UNIT_NEAR(large, TRIES / 2.0, 4 * sqrt(TRIES / 4.0) + TRIES - moved);
     UNIT_TRUE(farthest <= 0.25 && farthest > 0.24);
     UNIT_TRUE(widest > 9);
-    sampling_free(&s);
 }
 
 /* Means of 1, 2, 3, ... and of what comes once: blocks are joined when
    there are 128, and the sums of an unfinished one count. */
 TEST(test_joined, "means and blocks of known numbers")
 {
-    struct means m;
+    FREED(means) m;
     UNIT_MUST(means_create(&m, 2));
     UNIT_TRUE(isnan(means_mean(&m, 1)));
     UNIT_TRUE(isnan(means_error(&m, 1)));
@@ -273,7 +267,6 @@ TEST(test_joined, "means and blocks of known numbers")
         UNIT_NEAR(means_error(&m, 0), length * sqrt((b + 1) / 12),
                   1e-11 * n);
     }
-    means_free(&m);
 }
 
 /* In a periodic box a third disk stands 0.45 m to each side against the
@@ -308,7 +301,7 @@ TEST(test_images, "images end a slide in every direction")
 TEST(test_ideal, "small ones do not see each other")
 {
     const double sides[] = {10, 10};
-    struct sampling s;
+    FREED(sampling) s;
     struct random r;
     int moves[4] = {0};
     random_seed(&r, 3);
@@ -326,5 +319,4 @@ TEST(test_ideal, "small ones do not see each other")
     }
     for (size_t i = 0; i < 4; ++i)
         UNIT_TRUE(moves[i] > 5);
-    sampling_free(&s);
 }

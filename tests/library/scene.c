@@ -56,7 +56,7 @@ TEST(test_paper, "the paper's listing reads as it is")
 /* Springs as the paper's script for a membrane makes them. */
 TEST(test_springs, "springs in any order, rest lengths, displacements")
 {
-    struct scene s;
+    FREED(scene) s;
     UNIT_TRUE(parse(&s, "dis 1 0 0 5\n"
                         "sl 1 0 0\n"
                         "sl 0 2 1 0.5\n"
@@ -80,13 +80,12 @@ TEST(test_springs, "springs in any order, rest lengths, displacements")
     UNIT_EQUAL(s.kind[1].stiffness, 7);
     UNIT_EQUAL(s.gravity[2], -9.81);
     UNIT_EQUAL(s.damping, 0.25);
-    scene_free(&s);
 }
 
 /* The lines that are ours. */
 TEST(test_ours, "our own lines")
 {
-    struct scene s;
+    FREED(scene) s;
     UNIT_TRUE(parse(&s, "pos 0 1 2 3 0 -1 .5\nspecies 0 4294967295\n"
                         "carry 0 1 2 3 4 5 6e-20\nsoft 1e-3\ntime -5\n"
                         "kept 0 7 -0 8e-20\n"
@@ -106,7 +105,6 @@ TEST(test_ours, "our own lines")
               s.wall[2] == SCENE_OPEN);
     UNIT_EQUAL(s.low[1], -1);
     UNIT_EQUAL(s.high[0], 4);
-    scene_free(&s);
 }
 
 /* A text is read in passes: first what belongs to the bodies and the scene,
@@ -404,14 +402,11 @@ TEST(test_written, "what is written reads with the same bits")
     struct random r;
     random_seed(&r, 8);
     for (int i = 0; i < 300; ++i) {
-        struct scene a, b, c;
+        FREED(scene) a, b, c;
         make_random(&a, &r);
         UNIT_TRUE(write_to(&a, path));
         UNIT_TRUE(scene_read(&b, "scene", path) && scene_same(&a, &b));
         UNIT_TRUE(scene_copy(&c, &b) && scene_same(&a, &c));
-        scene_free(&a);
-        scene_free(&b);
-        scene_free(&c);
     }
     unlink(path);
 }
@@ -446,7 +441,7 @@ TEST(test_letters, "what is written, letter by letter")
         "linear 11 12\n"
         "dt 0.03125\n"
         "time 13\n";
-    struct scene s;
+    FREED(scene) s;
     char written[2048];
     UNIT_TRUE(parse(&s, text));
     UNIT_TRUE(write_to(&s, path));
@@ -464,7 +459,6 @@ TEST(test_letters, "what is written, letter by letter")
     UNIT_TRUE(parse(&s, "pos 0 1 2 3 4 5 6\nlinear 5 2\nhertz 3\n"));
     UNIT_TRUE(s.law == SCENE_HERTZ && s.contact);
     UNIT_TRUE(s.stiffness == 3 && s.dashpot == 0);
-    scene_free(&s);
 }
 
 /* A copy is its own, and grows on its own. */

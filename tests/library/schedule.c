@@ -67,7 +67,7 @@ static void take(struct schedule *s, struct plain *p)
    INFINITY. Fewer levels mean more ties. */
 static void mix(size_t size, int levels, uint64_t seed)
 {
-    struct schedule s;
+    FREED(schedule) s;
     struct plain p = {.size = size};
     struct random r;
     int bad = 0;
@@ -98,7 +98,6 @@ static void mix(size_t size, int levels, uint64_t seed)
     while (p.count > 0)
         take(&s, &p);
     UNIT_EQUAL((double)s.count, 0);
-    schedule_free(&s);
 }
 
 TEST(test_against_plain, "events come out as from a plain array")
@@ -113,13 +112,12 @@ TEST(test_against_plain, "events come out as from a plain array")
 /* Events at one time come out in the order of their numbers. */
 TEST(test_ties, "equal times come in the order of numbers")
 {
-    struct schedule s;
+    FREED(schedule) s;
     schedule_create(&s, MOST, MOST);
     for (size_t i = 0; i < MOST; ++i)
         schedule_put(&s, (i * 77) % MOST, i % 2 ? 0.0 : -0.0);
     for (size_t i = 0; i < MOST; ++i)
         UNIT_EQUAL((double)schedule_take(&s), (double)i);
-    schedule_free(&s);
 }
 
 /* Dropped twice, put after it was dropped, cleared while empty. */

@@ -167,12 +167,11 @@ TEST(test_rest, "to rest is to be pressed")
 /* A restitution and springs are one too many. */
 TEST(test_twice, "restitution or springs")
 {
-    struct scene s;
+    FREED(scene) s;
     make(&s, 2, SCENE_LINEAR, 0);
     UNIT_EQUAL((double)motion_flaw(&s, NULL), MOTION_WELL);
     s.restitution = 0.5;
     UNIT_EQUAL((double)motion_flaw(&s, NULL), MOTION_RESTITUTION);
-    scene_free(&s);
 }
 
 /* What is stored is what the force gives back: the difference of the
@@ -183,8 +182,8 @@ TEST(test_stored, "what is stored comes back")
 {
     static const enum scene_law kinds[] = {SCENE_LINEAR, SCENE_HERTZ};
     for (size_t kind = 0; kind < 2; ++kind) {
-        struct scene s;
-        struct soft t;
+        FREED(scene) s;
+        FREED(soft) t;
         double x[9], v[9] = {0}, a[9] = {0};
         make(&s, 3, kinds[kind], -0.03);
         for (size_t i = 0; i < 3; ++i) {
@@ -217,8 +216,6 @@ TEST(test_stored, "what is stored comes back")
         for (size_t i = 0; i < 3; ++i)
             x[3 + i] = 0.05;
         UNIT_EQUAL(soft_potential(&t, x), 0);
-        soft_free(&t);
-        scene_free(&s);
     }
 }
 
@@ -228,8 +225,8 @@ TEST(test_stored, "what is stored comes back")
 TEST(test_by_hand, "two by hand")
 {
     static const double force[] = {0, 0, 0, 0, -0.3, 0.15, 0, -0.4, 0.2};
-    struct scene s;
-    struct soft t;
+    FREED(scene) s;
+    FREED(soft) t;
     double a[9] = {0};
     make(&s, 3, SCENE_LINEAR, 9);
     s.stiffness = 8;
@@ -254,6 +251,4 @@ TEST(test_by_hand, "two by hand")
     soft_add(&t, s.position, s.velocity, a);
     for (size_t c = 0; c < 9; ++c)
         UNIT_EQUAL(a[c], 0);
-    soft_free(&t);
-    scene_free(&s);
 }

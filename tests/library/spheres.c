@@ -74,8 +74,8 @@ TEST(test_shares, "the depth is shared by radius or by mass")
     static const double first[] = {-0.125, -0.0625}, /* radius; mass */
         second[] = {0.875, 0.9375};
     for (int shift = SPHERES_BY_RADIUS; shift <= SPHERES_BY_MASS; ++shift) {
-        struct scene s;
-        struct spheres p;
+        FREED(scene) s;
+        FREED(spheres) p;
         begin_pair(&s);
         begin(&p, &s, SPHERES_APPROACHING, shift, 1);
         UNIT_EQUAL((double)spheres_resolve(&p, s.position, s.velocity), 1);
@@ -84,8 +84,6 @@ TEST(test_shares, "the depth is shared by radius or by mass")
         UNIT_EQUAL(s.position[0], first[shift]);
         UNIT_EQUAL(s.position[1], second[shift]);
         UNIT_EQUAL(p.depth, 0.25);
-        spheres_free(&p);
-        scene_free(&s);
     }
 }
 
@@ -93,8 +91,8 @@ TEST(test_shares, "the depth is shared by radius or by mass")
    since, the second has gone on to 9/8. */
 TEST(test_going_back, "going back leads to where they should be")
 {
-    struct scene s;
-    struct spheres p;
+    FREED(scene) s;
+    FREED(spheres) p;
     begin_pair(&s);
     begin(&p, &s, SPHERES_APPROACHING, SPHERES_BACK, 1);
     UNIT_EQUAL((double)spheres_resolve(&p, s.position, s.velocity), 1);
@@ -102,23 +100,19 @@ TEST(test_going_back, "going back leads to where they should be")
     UNIT_EQUAL(s.velocity[1], 2);
     UNIT_EQUAL(s.position[0], -0.125);
     UNIT_EQUAL(s.position[1], 1.125);
-    spheres_free(&p);
-    scene_free(&s);
 }
 
 /* No longer than the step: pushed apart by mass instead. */
 TEST(test_not_too_far, "nobody goes back for more than a step")
 {
-    struct scene s;
-    struct spheres p;
+    FREED(scene) s;
+    FREED(spheres) p;
     begin_pair(&s);
     begin(&p, &s, SPHERES_APPROACHING, SPHERES_BACK, 0.0625);
     spheres_resolve(&p, s.position, s.velocity);
     UNIT_EQUAL(s.velocity[1], 2);
     UNIT_EQUAL(s.position[0], -0.0625);
     UNIT_EQUAL(s.position[1], 0.9375);
-    spheres_free(&p);
-    scene_free(&s);
 }
 
 /* Glancing hits, found late, against where both would be if they had been
@@ -134,8 +128,8 @@ TEST(test_oblique, "oblique hits found late are made good")
         const double b = random_between(&r, -0.95, 0.95);
         const double tau = random_between(&r, 0, 0.3);
         const double along = sqrt(1 - b * b); /* contact at (along, b) */
-        struct scene s;
-        struct spheres p;
+        FREED(scene) s;
+        FREED(spheres) p;
         make(&s, 2);
         s.radius[0] = 0.2;
         s.radius[1] = 0.3;
@@ -155,8 +149,6 @@ TEST(test_oblique, "oblique hits found late are made good")
             UNIT_NEAR(s.position[3] / unit, b + J1 * b * tau, 1e-13);
         } else /* through the rim: out again within tau */
             UNIT_TRUE(tau > 2 * along);
-        spheres_free(&p);
-        scene_free(&s);
     }
 }
 
@@ -164,8 +156,8 @@ TEST(test_oblique, "oblique hits found late are made good")
    that of the row; the third is touched by nobody before its turn. */
 TEST(test_in_one_step, "a velocity goes through a row in a step")
 {
-    struct scene s;
-    struct spheres p;
+    FREED(scene) s;
+    FREED(spheres) p;
     make(&s, 3);
     s.position[1] = 0.875;
     s.position[2] = 1.9375; /* a gap of 1/16 to where 1 goes back from */
@@ -176,8 +168,6 @@ TEST(test_in_one_step, "a velocity goes through a row in a step")
     UNIT_EQUAL(s.position[0], -0.125);
     UNIT_EQUAL(s.position[1], 0.9375);
     UNIT_EQUAL(s.position[2], 2);
-    spheres_free(&p);
-    scene_free(&s);
 }
 
 /* 1 and the heavy 0 come at each other with 1 m/s in steps of 0.1 s, and
@@ -187,8 +177,8 @@ TEST(test_in_one_step, "a velocity goes through a row in a step")
 TEST(test_pushed, "who is pushed meets the next")
 {
     for (int way = 0; way < 12; ++way) {
-        struct scene s;
-        struct spheres p;
+        FREED(scene) s;
+        FREED(spheres) p;
         const size_t heavy = way % 2 ? 2 : 0, far = 2 - heavy;
         const size_t k = (size_t)(way / 4);
         make(&s, 3);
@@ -204,8 +194,6 @@ TEST(test_pushed, "who is pushed meets the next")
         p.order = heavy ? SPHERES_DESCENDING : SPHERES_ASCENDING;
         UNIT_EQUAL((double)spheres_resolve(&p, s.position, s.velocity), 2);
         UNIT_NEAR(v[far], 12, 1e-7);
-        spheres_free(&p);
-        scene_free(&s);
     }
 }
 
@@ -214,7 +202,7 @@ TEST(test_nearest, "images are the nearest")
 {
     static const double at[] = {0.95, 1.05, -0.95, -1.05, 2.9, -3.1},
                         way[] = {0.95, -0.95, -0.95, 0.95, 0.9, 0.9};
-    struct scene s;
+    FREED(scene) s;
     make(&s, 2);
     s.wall[1] = SCENE_PERIODIC;
     s.low[1] = 5;
@@ -225,15 +213,14 @@ TEST(test_nearest, "images are the nearest")
         UNIT_NEAR(spheres_way(&s, s.position, 1, 0, 1), -way[i], 1e-15);
         UNIT_EQUAL(spheres_way(&s, s.position, 0, 1, 0), at[i]);
     }
-    scene_free(&s);
 }
 
 /* Parting pairs: the paper throws them back, the other rule does not. */
 TEST(test_parting, "only the paper reflects pairs that part")
 {
     for (int rule = SPHERES_ALL; rule <= SPHERES_APPROACHING; ++rule) {
-        struct scene s;
-        struct spheres p;
+        FREED(scene) s;
+        FREED(spheres) p;
         begin_pair(&s);
         s.velocity[0] = -1;
         s.velocity[1] = 1;
@@ -242,8 +229,6 @@ TEST(test_parting, "only the paper reflects pairs that part")
         UNIT_EQUAL(s.velocity[1], rule == SPHERES_ALL ? -2 : 1);
         UNIT_EQUAL((double)p.receding, rule == SPHERES_ALL);
         UNIT_EQUAL(s.position[1] - s.position[0], 1);
-        spheres_free(&p);
-        scene_free(&s);
     }
 }
 
@@ -252,8 +237,8 @@ TEST(test_parting, "only the paper reflects pairs that part")
    comes down on it: J = 2 (4/5) / (9/25 + 1). */
 TEST(test_fixed, "what is fixed along an axis stays")
 {
-    struct scene s;
-    struct spheres p;
+    FREED(scene) s;
+    FREED(spheres) p;
     make(&s, 2);
     s.freedom[2] = s.freedom[4] = 0; /* body 0 along y, z */
     s.position[1] = 0.54;
@@ -290,8 +275,6 @@ TEST(test_fixed, "what is fixed along an axis stays")
     UNIT_EQUAL(s.velocity[0], -1);
     UNIT_NEAR(s.position[0], -0.1, 1e-15);
     UNIT_EQUAL(s.position[1], 0.9);
-    spheres_free(&p);
-    scene_free(&s);
 }
 
 /* What locates contacts asks for: velocities and counts alone. 2 kg at
@@ -299,8 +282,8 @@ TEST(test_fixed, "what is fixed along an axis stays")
    virial has that times the distance, 1 m. */
 TEST(test_asked, "contacts that others find")
 {
-    struct scene s;
-    struct spheres p;
+    FREED(scene) s;
+    FREED(spheres) p;
     make(&s, 2);
     s.mass[0] = s.mass[1] = 2;
     s.restitution = 0.5;
@@ -318,15 +301,13 @@ TEST(test_asked, "contacts that others find")
     UNIT_EQUAL(p.impulse[1], 12);
     UNIT_EQUAL(p.impulse[0], 0);
     UNIT_EQUAL((double)p.wall_collisions, 1);
-    spheres_free(&p);
-    scene_free(&s);
 }
 
 /* Mirrored, with restitution, and left alone on the way in. */
 TEST(test_walls, "walls mirror, and lose what they should")
 {
-    struct scene s;
-    struct spheres p;
+    FREED(scene) s;
+    FREED(spheres) p;
     make(&s, 1);
     s.mass[0] = 2;
     s.wall[0] = SCENE_HARD;
@@ -344,15 +325,13 @@ TEST(test_walls, "walls mirror, and lose what they should")
     s.velocity[0] = 1;
     UNIT_EQUAL((double)spheres_resolve(&p, s.position, s.velocity), 0);
     UNIT_EQUAL(s.position[0], -0.75);
-    spheres_free(&p);
-    scene_free(&s);
 }
 
 /* Two bodies at one place, a body alone, no body at all. */
 TEST(test_awkward, "awkward scenes do no harm")
 {
-    struct scene s;
-    struct spheres p;
+    FREED(scene) s;
+    FREED(spheres) p;
     make(&s, 2);
     s.velocity[0] = 1;
     begin(&p, &s, SPHERES_APPROACHING, SPHERES_BACK, 1e-3);
@@ -370,8 +349,6 @@ TEST(test_awkward, "awkward scenes do no harm")
     begin(&p, &s, SPHERES_ALL, SPHERES_BY_MASS, 1e-3);
     p.search = SPHERES_SWEEP;
     UNIT_EQUAL((double)spheres_resolve(&p, s.position, s.velocity), 0);
-    spheres_free(&p);
-    scene_free(&s);
 }
 
 /* A crowd of unequal spheres in space, in each kind of box. */
@@ -400,8 +377,8 @@ TEST(test_sweep, "the sweep finds what every pair finds")
 {
     for (int wall = SCENE_OPEN; wall <= SCENE_PERIODIC; ++wall)
         for (int order = 0; order < SPHERES_ORDERS; ++order) {
-            struct scene a, b;
-            struct spheres pa, pb;
+            FREED(scene) a, b;
+            FREED(spheres) pa, pb;
             make_crowd(&a, wall, 1);
             make_crowd(&b, wall, 1);
             begin(&pa, &a, SPHERES_APPROACHING, SPHERES_BACK, 0.02);
@@ -417,18 +394,14 @@ TEST(test_sweep, "the sweep finds what every pair finds")
                              600 * sizeof *a.velocity) == 0);
             UNIT_TRUE(pa.collisions == pb.collisions &&
                       pa.collisions > 100);
-            spheres_free(&pa);
-            spheres_free(&pb);
-            scene_free(&a);
-            scene_free(&b);
         }
 }
 
 /* In a periodic box of four radii a pair is near on both sides. */
 TEST(test_tiny_box, "a pair that is near twice collides once")
 {
-    struct scene a, b;
-    struct spheres pa, pb;
+    FREED(scene) a, b;
+    FREED(spheres) pa, pb;
     struct scene *scene[] = {&a, &b};
     for (int i = 0; i < 2; ++i) {
         make_crowd(scene[i], SCENE_PERIODIC, 3);
@@ -444,10 +417,6 @@ TEST(test_tiny_box, "a pair that is near twice collides once")
     UNIT_TRUE(pa.collisions == pb.collisions && pa.collisions > 100);
     UNIT_TRUE(memcmp(a.velocity, b.velocity, 600 * sizeof *a.velocity) ==
               0);
-    spheres_free(&pa);
-    spheres_free(&pb);
-    scene_free(&a);
-    scene_free(&b);
 }
 
 /* Energy and momentum by every rule and shift; the centre of mass by all
@@ -456,8 +425,8 @@ TEST(test_kept, "energy, momentum, centre of mass are kept")
 {
     for (int shift = SPHERES_BY_RADIUS; shift <= SPHERES_BACK; ++shift)
         for (int rule = SPHERES_ALL; rule <= SPHERES_APPROACHING; ++rule) {
-            struct scene s;
-            struct spheres p;
+            FREED(scene) s;
+            FREED(spheres) p;
             make_crowd(&s, SCENE_PERIODIC, 2);
             begin(&p, &s, rule, shift, 0.02);
             const double E = energy(&s), P = total(&s, s.velocity),
@@ -467,8 +436,6 @@ TEST(test_kept, "energy, momentum, centre of mass are kept")
             UNIT_NEAR(total(&s, s.velocity), P, 1e-12 * s.bodies);
             const double off = fabs(total(&s, s.position) - X - 2 * P);
             UNIT_TRUE(shift == SPHERES_BY_RADIUS ? off > 0.01 : off < 1e-9);
-            spheres_free(&p);
-            scene_free(&s);
         }
 }
 
@@ -478,8 +445,8 @@ TEST(test_identity, "walls balance flight and virial")
 {
     for (int shift = SPHERES_BY_RADIUS; shift <= SPHERES_BACK; ++shift)
         for (int coarse = 0; coarse < 2; ++coarse) {
-            struct scene s;
-            struct spheres p;
+            FREED(scene) s;
+            FREED(spheres) p;
             const double dt = coarse ? 0.08 : 0.01;
             double rest = 0;
             UNIT_TRUE(!gallery_make(&s, gallery_find(hard_scenes, "gas"),
@@ -497,8 +464,6 @@ TEST(test_identity, "walls balance flight and virial")
             for (size_t k = 0; k < 2; ++k)
                 rest += p.impulse[k] * (s.high[k] / 2 - 0.1);
             UNIT_NEAR(rest / (2 * E * 8), 0, 1e-12);
-            spheres_free(&p);
-            scene_free(&s);
         }
 }
 
@@ -519,8 +484,8 @@ TEST(test_cradle, "what leaves the cradle")
     for (size_t row = 0; row < sizeof rows / sizeof *rows; ++row)
         for (int way = 0; way < 6; ++way) {
             double value[GALLERY_KEYS];
-            struct scene s;
-            struct spheres p;
+            FREED(scene) s;
+            FREED(spheres) p;
             gallery_usual(g, value);
             value[gallery_key(g, "left")] = rows[row].left;
             value[gallery_key(g, "right")] = rows[row].right;
@@ -534,16 +499,14 @@ TEST(test_cradle, "what leaves the cradle")
             run(&s, &p, 8000);
             for (int i = 0; i < 5; ++i)
                 UNIT_NEAR(s.velocity[i], rows[row].out[i], 1e-14);
-            spheres_free(&p);
-            scene_free(&s);
         }
 }
 
 /* Three bodies at once: by hand, from either side first. */
 TEST(test_order_of_pairs, "the order of pairs decides")
 {
-    struct scene s;
-    struct spheres p;
+    FREED(scene) s;
+    FREED(spheres) p;
     make(&s, 3); /* 1 is hit from both sides at once, and weighs more */
     s.mass[1] = 2;
     s.position[0] = -0.9;
@@ -567,8 +530,6 @@ TEST(test_order_of_pairs, "the order of pairs decides")
     spheres_resolve(&p, s.position, s.velocity);
     UNIT_NEAR(s.velocity[2], 1 / 3., 1e-15);
     UNIT_NEAR(s.velocity[0], 1 - 20 / 9., 1e-15);
-    spheres_free(&p);
-    scene_free(&s);
 }
 
 /* The deepest first: here the later pair, which comes out as above; of
@@ -576,8 +537,8 @@ TEST(test_order_of_pairs, "the order of pairs decides")
 TEST(test_deepest, "or their depth")
 {
     for (int equal = 0; equal < 2; ++equal) {
-        struct scene s;
-        struct spheres p;
+        FREED(scene) s;
+        FREED(spheres) p;
         make(&s, 3);
         s.mass[1] = 2;
         s.position[0] = equal ? 0.9 : -0.95;
@@ -591,8 +552,6 @@ TEST(test_deepest, "or their depth")
         const double first = 1 / 3., last = 1 - 20 / 9.;
         UNIT_NEAR(s.velocity[2], equal ? last : first, 1e-15);
         UNIT_NEAR(s.velocity[0], equal ? first : last, 1e-15);
-        spheres_free(&p);
-        scene_free(&s);
     }
 }
 
@@ -604,8 +563,8 @@ TEST(test_overlaps, "what overlaps, and how deep")
     enum { N = 30 };
     for (int round = 0; round < 18; ++round) {
         struct random r;
-        struct scene s;
-        struct spheres p;
+        FREED(scene) s;
+        FREED(spheres) p;
         size_t found = 0;
         random_seed(&r, (uint64_t)round);
         make(&s, N);
@@ -651,8 +610,6 @@ TEST(test_overlaps, "what overlaps, and how deep")
             }
         UNIT_EQUAL((double)pairs, (double)found);
         UNIT_TRUE(found > 3);
-        spheres_free(&p);
-        scene_free(&s);
     }
 }
 
@@ -660,7 +617,7 @@ TEST(test_overlaps, "what overlaps, and how deep")
 TEST(test_depth, "an overlap of what is held is none")
 {
     for (int held = 0; held < 4; ++held) {
-        struct scene s;
+        FREED(scene) s;
         begin_pair(&s);
         for (size_t i = 0; i < 2; ++i)
             for (size_t k = 0; k < SCENE_AXES; ++k)
@@ -668,7 +625,6 @@ TEST(test_depth, "an overlap of what is held is none")
         UNIT_EQUAL(spheres_depth(&s), held == 3 ? 0 : 0.25);
         s.contact = false;
         UNIT_EQUAL(spheres_depth(&s), 0);
-        scene_free(&s);
     }
 }
 
@@ -715,8 +671,8 @@ TEST(test_passed, "who passes through another is counted")
     random_seed(&r, 7);
     size_t all = 0;
     for (int round = 0; round < 60; ++round) {
-        struct scene s;
-        struct spheres p, q;
+        FREED(scene) s;
+        FREED(spheres) p, q;
         double before[3 * N], flown[3 * N], v[3 * N];
         make(&s, N);
         for (size_t k = 0; k < SCENE_AXES; ++k) {
@@ -745,9 +701,6 @@ TEST(test_passed, "who passes through another is counted")
         UNIT_EQUAL((double)p.passed, (double)passed);
         UNIT_EQUAL((double)q.passed, (double)passed);
         UNIT_TRUE(round % 2 || passed == 0);
-        spheres_free(&p);
-        spheres_free(&q);
-        scene_free(&s);
     }
     UNIT_TRUE(all > 100);
 }
@@ -770,8 +723,8 @@ TEST(test_turned, "but not who has turned at a wall")
         const size_t k = round / 4 % SPHERES_AXES, who = round % 2;
         const bool high = round / 2 % 2;
         const size_t row = round / (4 * SPHERES_AXES);
-        struct scene s;
-        struct spheres p;
+        FREED(scene) s;
+        FREED(spheres) p;
         make(&s, 2);
         s.radius[0] = s.radius[1] = 0.1;
         s.wall[k] = known[row].wall ? SCENE_HARD : SCENE_OPEN;
@@ -783,8 +736,6 @@ TEST(test_turned, "but not who has turned at a wall")
         begin(&p, &s, SPHERES_APPROACHING, SPHERES_BY_MASS, 1);
         spheres_watch(&p, s.position, s.velocity);
         UNIT_EQUAL((double)p.passed, known[row].passed);
-        spheres_free(&p);
-        scene_free(&s);
     }
 }
 
@@ -793,8 +744,8 @@ TEST(test_turned, "but not who has turned at a wall")
 TEST(test_many_passed, "nor for ever")
 {
     for (int search = SPHERES_PAIRS; search <= SPHERES_SWEEP; ++search) {
-        struct scene s;
-        struct spheres p;
+        FREED(scene) s;
+        FREED(spheres) p;
         make(&s, 64);
         for (size_t i = 0; i < 64; ++i) {
             s.radius[i] = 1e-3;
@@ -805,7 +756,5 @@ TEST(test_many_passed, "nor for ever")
         p.search = (enum spheres_search)search;
         spheres_resolve(&p, s.position, s.velocity);
         UNIT_EQUAL((double)p.passed, SPHERES_PASSED);
-        spheres_free(&p);
-        scene_free(&s);
     }
 }

@@ -27,16 +27,15 @@ static void make_pair(struct scene *s, double x, double y, bool axial)
 
 static void forces(const struct scene *s, double a[])
 {
-    struct springs p;
+    FREED(springs) p;
     UNIT_MUST(springs_create(&p, s));
     springs_accelerate(&p, s->position, s->velocity, a);
-    springs_free(&p);
 }
 
 /* Stretched from 1 to 5 m along (3, 4): 40 N, and the second is heavier. */
 TEST(test_pull, "a stretched spring draws its ends together")
 {
-    struct scene s;
+    FREED(scene) s;
     double a[6];
     make_pair(&s, 3, 4, false);
     forces(&s, a);
@@ -45,7 +44,6 @@ TEST(test_pull, "a stretched spring draws its ends together")
     UNIT_NEAR(a[1], -12, 1e-14);
     UNIT_NEAR(a[3], -16, 1e-14);
     UNIT_EQUAL(a[4], 0);
-    scene_free(&s);
 }
 
 /* At rest length: only the dashpots act. Moving across the axis the printed
@@ -53,7 +51,7 @@ TEST(test_pull, "a stretched spring draws its ends together")
 TEST(test_dashpots,
      "the printed dashpot brakes all, the axial one its axis")
 {
-    struct scene s;
+    FREED(scene) s;
     double full[6], axial[6];
     make_pair(&s, 1, 0, false);
     s.velocity[1] = 0.5;
@@ -67,14 +65,13 @@ TEST(test_dashpots,
     UNIT_NEAR(axial[0], 1.5, 1e-15);
     UNIT_NEAR(axial[1], -0.75, 1e-15);
     UNIT_EQUAL(axial[2], 0);
-    scene_free(&s);
 }
 
 /* Two bodies in one place: no direction, so no elastic force, and nothing
    that is not a number. */
 TEST(test_same_place, "two bodies in one place do no harm")
 {
-    struct scene s;
+    FREED(scene) s;
     double a[6];
     make_pair(&s, 0, 0, false);
     forces(&s, a);
@@ -85,14 +82,13 @@ TEST(test_same_place, "two bodies in one place do no harm")
     forces(&s, a);
     for (int i = 0; i < 6; ++i)
         UNIT_EQUAL(a[i], 0);
-    scene_free(&s);
 }
 
 /* Held axes feel nothing; gravity and friction act where a body is free. */
 TEST(test_held, "held axes, gravity and friction")
 {
-    struct scene s;
-    struct springs p;
+    FREED(scene) s;
+    FREED(springs) p;
     double a[6], more[6] = {7, 7, 7, 7, 7, 7};
     make_pair(&s, 3, 4, false);
     s.freedom[0] = s.freedom[3] = 0;
@@ -109,15 +105,13 @@ TEST(test_held, "held axes, gravity and friction")
     UNIT_EQUAL(more[0], 7);
     UNIT_NEAR(more[2], 7 + 32, 1e-13);
     UNIT_TRUE(springs_damped(&p) && springs_forces(&p).damped);
-    springs_free(&p);
-    scene_free(&s);
 }
 
 /* The energy's slope is the force: central differences, error h^2. */
 TEST(test_potential, "the slope of the energy is the force")
 {
-    struct scene s;
-    struct springs p;
+    FREED(scene) s;
+    FREED(springs) p;
     double a[6];
     make_pair(&s, 0.3, 0.5, false);
     s.position[4] = 0.7;
@@ -132,16 +126,14 @@ TEST(test_potential, "the slope of the energy is the force")
         s.position[i] = here;
         UNIT_NEAR(-(up - down) / (2 * h) / s.mass[i % 2], a[i], 1e-8);
     }
-    springs_free(&p);
-    scene_free(&s);
 }
 
 /* Of two springs that hang on the last bodies, either way round: stretched
    from 1 to 5 m along (3, 4), and compressed to 0.5 m. */
 TEST(test_stored, "and what springs have stored")
 {
-    struct scene s;
-    struct springs p;
+    FREED(scene) s;
+    FREED(springs) p;
     UNIT_MUST(scene_create(&s, 4) && scene_add_kind(&s, 10, 0) &&
               scene_add_spring(&s, 1, 2, 0, 1) &&
               scene_add_spring(&s, 3, 2, 0, 1));
@@ -151,8 +143,6 @@ TEST(test_stored, "and what springs have stored")
     s.position[11] = 0.5;
     UNIT_MUST(springs_create(&p, &s));
     UNIT_EQUAL(springs_potential(&p, s.position), 80 + 1.25);
-    springs_free(&p);
-    scene_free(&s);
 }
 
 /* ---- the two ways, and threads ----------------------------------------
@@ -262,31 +252,29 @@ TEST(test_same_bits, "scatter, gather and threads give the same bits")
                                      {64, 64}, {50, 61}, {1500, 3}};
     for (size_t i = 0; i < sizeof size / sizeof *size; ++i)
         for (int way = 0; way < 5; ++way) {
-            struct scene s;
+            FREED(scene) s;
             make_membrane(&s, size[i][0], size[i][1], way % 3);
             s.axial = way == 2;
             s.gravity[2] = way > 2 ? -1 : 0;
             s.damping = way > 3 ? 0.3 : 0;
             same_bits(&s, size[i][0] * size[i][1] == 20 ? 1 : 2);
-            scene_free(&s);
         }
 }
 
 /* A net so wide that no two steps of it would stay in the cache. */
 TEST(test_wide, "on a wide net too")
 {
-    struct scene s;
+    FREED(scene) s;
     make_membrane(&s, 8000, 3, 0);
     same_bits(&s, 2);
-    scene_free(&s);
 }
 
 /* Steps of leapfrog, in pieces of `piece`, swept or not. */
 static void leap(const struct scene *from, uint64_t steps, uint64_t piece,
                  bool swept, struct scene *s)
 {
-    struct springs p;
-    struct stepping stepping;
+    FREED(springs) p;
+    FREED(stepping) stepping;
     make_membrane(s, 40, 30, 0.5);
     memcpy(s->position, from->position, 3600 * sizeof *s->position);
     memcpy(s->velocity, from->velocity, 3600 * sizeof *s->velocity);
@@ -301,8 +289,6 @@ static void leap(const struct scene *from, uint64_t steps, uint64_t piece,
     for (uint64_t k = 0; k < steps; k += piece)
         stepping_run(&stepping, piece);
     UNIT_EQUAL((double)stepping.evaluations, (double)steps + 1);
-    stepping_free(&stepping);
-    springs_free(&p);
 }
 
 /* With dashpots, with friction, without both; the last kick of a piece is
@@ -310,7 +296,8 @@ static void leap(const struct scene *from, uint64_t steps, uint64_t piece,
 TEST(test_leapfrog, "leapfrog swept and in pieces, the same bits")
 {
     for (int way = 0; way < 3; ++way) {
-        struct scene s, one, other;
+        struct scene other;
+        FREED(scene) s, one;
         make_membrane(&s, 40, 30, way == 0 ? 0.5 : 0);
         s.damping = way == 1 ? 0.2 : 0;
         leap(&s, 140, 1, false, &one);
@@ -324,8 +311,6 @@ TEST(test_leapfrog, "leapfrog swept and in pieces, the same bits")
                                  3600 * sizeof *one.velocity) == 0);
                 scene_free(&other);
             }
-        scene_free(&one);
-        scene_free(&s);
     }
 }
 
@@ -333,7 +318,7 @@ TEST(test_leapfrog, "leapfrog swept and in pieces, the same bits")
    springs, one across the grid, and holes. */
 TEST(test_odd_lists, "so they do for lists that are no grid")
 {
-    struct scene s;
+    FREED(scene) s;
     const double values[] = {20, 9, 1, 1.5, 1, 1000, 0.5, 2, 1, 0.1};
     UNIT_MUST(
         !gallery_find(elastic_scenes, "cantilever")->build(&s, values));
@@ -358,13 +343,12 @@ TEST(test_odd_lists, "so they do for lists that are no grid")
             s.spring[i].kind = 1;
     UNIT_TRUE(s.springs > 500);
     same_bits(&s, 3);
-    scene_free(&s);
 }
 
 /* Nothing but inner forces: the momentum stays, to rounding. */
 TEST(test_momentum, "inner forces keep the momentum")
 {
-    struct scene s;
+    FREED(scene) s;
     struct springs p;
     struct stepping t;
     const double values[] = {9, 5, 1, 1, 2, 100, 0.5, 2, 0, 0};
@@ -390,7 +374,6 @@ TEST(test_momentum, "inner forces keep the momentum")
         stepping_free(&t);
         springs_free(&p);
     }
-    scene_free(&s);
 }
 
 /* A spinning dumbbell: L falls as exp(-c t / mu) with the printed dashpot,
@@ -398,9 +381,9 @@ TEST(test_momentum, "inner forces keep the momentum")
 TEST(test_spin, "what dashpots do to rotation")
 {
     for (int axial = 0; axial < 2; ++axial) {
-        struct scene s;
-        struct springs p;
-        struct stepping t;
+        FREED(scene) s;
+        FREED(springs) p;
+        FREED(stepping) t;
         make_pair(&s, 1.2, 0, axial);
         s.kind[0].damping = 0.3;
         s.velocity[2] = -1; /* y velocities: no momentum */
@@ -418,9 +401,6 @@ TEST(test_spin, "what dashpots do to rotation")
         }
         /* mu = 2/3 kg; 3 s; the error of a step with damping, some 3e-9 */
         UNIT_NEAR(spin[1] / spin[0], axial ? 1 : exp(-0.3 * 3 * 1.5), 1e-8);
-        stepping_free(&t);
-        springs_free(&p);
-        scene_free(&s);
     }
 }
 
@@ -455,9 +435,9 @@ TEST(test_regimes, "the stepped oscillator follows it")
     for (int i = 0; i < 5; ++i) {
         double error[2];
         for (int fine = 0; fine < 2; ++fine) {
-            struct scene s;
-            struct springs p;
-            struct stepping t;
+            FREED(scene) s;
+            FREED(springs) p;
+            FREED(stepping) t;
             const double h = fine ? 0.01 : 0.02;
             if (gallery_make(&s, o, "damping", 2 * g[i]) ||
                 !springs_create(&p, &s) ||
@@ -467,9 +447,6 @@ TEST(test_regimes, "the stepped oscillator follows it")
                 exit(1);
             stepping_run(&t, fine ? 300 : 150);
             error[fine] = fabs(s.position[1] - 4 - closed(g[i], 3));
-            stepping_free(&t);
-            springs_free(&p);
-            scene_free(&s);
         }
         UNIT_TRUE(error[1] < 1e-4);
         UNIT_NEAR(log2(error[0] / error[1]), 2, 0.1); /* order 2 */
@@ -482,9 +459,9 @@ TEST(test_regimes, "the stepped oscillator follows it")
 static void swing(double damping, const char *method, double dt,
                   const double expected[][5], size_t rows, double tolerance)
 {
-    struct scene s;
-    struct springs p;
-    struct stepping t;
+    FREED(scene) s;
+    FREED(springs) p;
+    FREED(stepping) t;
     if (gallery_make(&s, gallery_find(elastic_scenes, "double-pendulum"),
                      "damping", damping) ||
         !springs_create(&p, &s) ||
@@ -499,9 +476,6 @@ static void swing(double damping, const char *method, double dt,
         UNIT_NEAR(s.position[2], e[3], tolerance);
         UNIT_NEAR(s.position[8], e[4], tolerance);
     }
-    stepping_free(&t);
-    springs_free(&p);
-    scene_free(&s);
 }
 
 TEST(test_pendulum, "the double pendulum is where it should be")

@@ -418,7 +418,7 @@ TEST(test_all_numbers, "all that is fixed of each kind")
 /* Room for movers of 1 kg, all else zero. */
 TEST(test_create, "room for a start")
 {
-    struct start s;
+    FREED(start) s;
     UNIT_TRUE(start_create(&s, 3));
     UNIT_EQUAL((double)s.movers, 3);
     for (size_t i = 0; i < 3; ++i) {
@@ -428,5 +428,4 @@ TEST(test_create, "room for a start")
         UNIT_EQUAL(s.radius[i], 0);
     }
     UNIT_TRUE(s.wall[0] == 0 && s.wall[1] == 0 && s.gravity == 0);
-    start_free(&s);
 }

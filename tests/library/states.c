@@ -76,7 +76,7 @@ TEST(test_there_and_back, "what is written is read again")
     for (size_t D = 2; D <= 3; ++D)
         for (int n = 0; n < 5; ++n) {
             const enum disks_boundary boundary = n % 3;
-            struct disks d, back;
+            FREED(disks) d, back;
             char message[STATES_MESSAGE];
             double sides[DISKS_AXES] = {0};
             make(&d, D, boundary, n > 2 || boundary == DISKS_FLOOR);
@@ -120,8 +120,6 @@ TEST(test_there_and_back, "what is written is read again")
                     UNIT_EQUAL(a->velocity[k], v[k]);
                 }
             }
-            disks_free(&d);
-            disks_free(&back);
         }
     remove(path);
 }

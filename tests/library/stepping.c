@@ -66,10 +66,9 @@ static void begin(struct stepping *s, const struct stepping_method *m,
 static void go(const char *name, struct stepping_forces f, double dt,
                uint64_t steps, double *x, double *v)
 {
-    struct stepping s;
+    FREED(stepping) s;
     begin(&s, stepping_find(name), f, dt, x, v);
     UNIT_TRUE(stepping_run(&s, steps) == STEPPING_DONE);
-    stepping_free(&s);
 }
 
 /* |dq| + |dp| of the pendulum q = 1.5, p = 0.2 at t = 3 */
@@ -279,7 +278,7 @@ TEST(test_implicit_at_rest, "implicit steps near a place of rest")
     const double rest[2] = {-3.6 / 5000, -3.6 / 5000 - 1 - 1.8 / 5};
     for (int m = 0; m < 2; ++m)
         for (double dt = 0.03; dt < 1; dt *= 1.5) {
-            struct stepping s;
+            FREED(stepping) s;
             const struct stepping_forces f = {2, false, hanging, NULL};
             double x[2] = {rest[0] + 1e-9, rest[1]}, v[2] = {0, 0};
             begin(&s, stepping_find(name[m]), f, dt, x, v);
@@ -287,7 +286,6 @@ TEST(test_implicit_at_rest, "implicit steps near a place of rest")
             /* the energy of the fast mode is kept, and gives the reach */
             UNIT_NEAR(x[0], rest[0], 1.1e-9);
             UNIT_NEAR(x[1], rest[1], 1.1e-9);
-            stepping_free(&s);
         }
 }
 
@@ -308,7 +306,7 @@ TEST(test_newton, "and stiff springs bend no equation")
     const struct stepping_forces f = {2, false, stiff, NULL};
     const double dt = 0.1;
     double x[] = {0.6, -0.8}, v[] = {0, 0};
-    struct stepping s;
+    FREED(stepping) s;
     begin(&s, stepping_find("implicit-midpoint"), f, dt, x, v);
     for (int n = 0; n < 200; ++n) {
         const double x0[] = {x[0], x[1]}, v0[] = {v[0], v[1]};
@@ -321,7 +319,6 @@ TEST(test_newton, "and stiff springs bend no equation")
             UNIT_NEAR(x[k] - x0[k], dt * (v0[k] + v[k]) / 2, 1e-14);
         }
     }
-    stepping_free(&s);
 }
 
 /* There and back: symmetric methods return but for rounding, the others
@@ -494,7 +491,7 @@ static void pendulums(void *what, const double x[], const double v[],
 static void swing(const struct stepping_method *m, bool compensated,
                   size_t from, size_t n, double x[], double v[])
 {
-    struct stepping s;
+    FREED(stepping) s;
     for (size_t i = 0; i < n; ++i) {
         x[i] = 0.1 * (double)(from + i + 1);
         v[i] = 1 / (double)(from + i + 1);
@@ -503,7 +500,6 @@ static void swing(const struct stepping_method *m, bool compensated,
           v);
     s.compensated = compensated;
     UNIT_TRUE(stepping_run(&s, 20) == STEPPING_DONE);
-    stepping_free(&s);
 }
 
 /* Several at a time, four by four with three left over, and as many as an
@@ -531,13 +527,12 @@ static void count(const struct stepping_method *m, struct stepping_forces f,
                   double *first, double *more)
 {
     double x[] = {0.5, 0.1}, v[] = {0.1, 1.5};
-    struct stepping s;
+    FREED(stepping) s;
     begin(&s, m, f, 0.01, x, v);
     stepping_run(&s, 1);
     *first = (double)s.evaluations;
     stepping_run(&s, 100);
     *more = (double)s.evaluations - *first;
-    stepping_free(&s);
 }
 
 /* A step asks as often as its row says, the first one perhaps once more;
@@ -601,7 +596,7 @@ static void check_parts(const struct stepping_method *m)
         const struct stepping_forces f =
             way & 1 ? rough_forces : orbit_forces;
         double x[] = {0.5, 0.1}, v[] = {0.1, 1.5}, y[2], u[2], note[11];
-        struct stepping s, t;
+        FREED(stepping) s, t;
         begin(&s, m, f, 0.03, x, v);
         s.compensated = way & 2;
         stepping_run(&s, 5);
@@ -630,8 +625,6 @@ static void check_parts(const struct stepping_method *m)
         /* Leapfrog under friction has a way of its own for many steps. */
         UNIT_TRUE((!memcmp(y, x, sizeof y) && !memcmp(u, v, sizeof u)) ||
                   stepping_keeps(&t));
-        stepping_free(&s);
-        stepping_free(&t);
     }
 }
 
@@ -661,14 +654,13 @@ TEST(test_linear, "Newton's method is right at once on linear forces")
         if (m->family != STEPPING_IMPLICIT)
             continue;
         double x[] = {0.3, -1.1}, v[] = {4, 0.7};
-        struct stepping s;
+        FREED(stepping) s;
         begin(&s, m, (struct stepping_forces){2, true, stiff_linear, NULL},
               0.5, x, v);
         UNIT_EQUAL(stepping_run(&s, 10), STEPPING_DONE);
         const double n = (double)m->stages;
         UNIT_TRUE((double)s.evaluations <=
                   10 * (1 + 2 * n + n + 4 * n + 8 * n));
-        stepping_free(&s);
     }
 }
 
@@ -687,13 +679,12 @@ TEST(test_singular, "a matrix that has no inverse")
 {
     const struct stepping_forces f = {1, false, repelled, NULL};
     double x = 0.5, v = 0.25;
-    struct stepping s;
+    FREED(stepping) s;
     begin(&s, stepping_find("implicit-midpoint"), f, 2, &x, &v);
     UNIT_EQUAL(stepping_run(&s, 1), STEPPING_STUCK);
     UNIT_EQUAL(x, 0.5);
     UNIT_EQUAL(v, 0.25);
     UNIT_EQUAL((double)s.evaluations, 5);
-    stepping_free(&s);
 }
 
 static void grow(void *what, const double x[], const double v[], double a[])
@@ -711,7 +702,7 @@ TEST(test_infinite, "what is not finite is noticed")
         uint64_t ends[2];
         for (int cut = 0; cut < 2; ++cut) {
             double x = 2, v = 2;
-            struct stepping s;
+            FREED(stepping) s;
             enum stepping_end end = STEPPING_DONE;
             begin(&s, m, f, 0.1, &x, &v);
             while (end == STEPPING_DONE && s.steps < 1000)
@@ -721,7 +712,6 @@ TEST(test_infinite, "what is not finite is noticed")
                                   : STEPPING_INFINITE));
             UNIT_TRUE(end != STEPPING_STUCK || x - x == 0);
             ends[cut] = s.steps;
-            stepping_free(&s);
         }
         UNIT_EQUAL((double)ends[0], (double)ends[1]);
     }

@@ -59,7 +59,7 @@ TEST(test_pairs, "two alone on a line have a pressure and no mean place")
 {
     static const double ratios[] = {1.1, 1.618033988749895, 2, 3, 30, 1000};
     for (size_t k = 0; k < sizeof ratios / sizeof ratios[0]; ++k) {
-        struct scene s;
+        FREED(scene) s;
         make_pair(&s, ratios[k], 1);
         const struct averages_found f = ask(&s, "x:0", 5000, 0.05, NULL);
         UNIT_TRUE(refused(&f) && strstr(f.refusal, "depends on the start"));
@@ -67,7 +67,6 @@ TEST(test_pairs, "two alone on a line have a pressure and no mean place")
         const struct averages_found g =
             ask(&s, "pressure", 5000, 0.01, NULL);
         UNIT_TRUE(taken(&g, "tonks"));
-        scene_free(&s);
     }
 }
 
@@ -85,7 +84,7 @@ static void make_box(struct scene *s, size_t n, double width, double height)
    never across, and the mean that blocks believe is that of this start. */
 TEST(test_line_of_disks, "disks that all move along one line never mix")
 {
-    struct scene s;
+    FREED(scene) s;
     make_box(&s, 3, 1, 1);
     put(&s, 0, 1, 0.1, (double[]){0.25, 0.25}, (double[]){1, 0});
     put(&s, 1, 2, 0.1, (double[]){0.75, 0.25}, (double[]){0.3, 0});
@@ -94,7 +93,6 @@ TEST(test_line_of_disks, "disks that all move along one line never mix")
     UNIT_TRUE(refused(&f) && f.value < 0.35);
     const struct averages_found g = ask(&s, "pressure", 1e4, 0.02, NULL);
     UNIT_TRUE(refused(&g) && strstr(g.refusal, "remember the start"));
-    scene_free(&s);
 }
 
 /* Two disks that fly up and down and drift to each other: for hundreds of
@@ -102,7 +100,7 @@ TEST(test_line_of_disks, "disks that all move along one line never mix")
    along x. */
 TEST(test_columns, "disks that have not met are not believed")
 {
-    struct scene s;
+    FREED(scene) s;
     make_box(&s, 2, 1, 1);
     put(&s, 0, 1, 0.1, (double[]){0.25, 0.3}, (double[]){1e-3, 1});
     put(&s, 1, 2, 0.1, (double[]){0.75, 0.6}, (double[]){-1e-4, 0.7});
@@ -112,14 +110,13 @@ TEST(test_columns, "disks that have not met are not believed")
     UNIT_NEAR(f.value, 1.0816704238714616, 1.5 * f.error * f.scale);
     const struct averages_found g = ask(&s, "pressure", 100, 0.01, NULL);
     UNIT_TRUE(refused(&g));
-    scene_free(&s);
 }
 
 /* Two disks that hardly pass each other: blocks settle on either side, by
    eight errors from the middle. */
 TEST(test_door, "disks that have not passed are not believed")
 {
-    struct scene s;
+    FREED(scene) s;
     make_box(&s, 2, 1, 0.45);
     put(&s, 0, 1, 0.11, (double[]){0.3, 0.2}, (double[]){0.5, -0.4});
     put(&s, 1, 2, 0.11, (double[]){0.7, 0.2}, (double[]){0.2, 0.7});
@@ -127,14 +124,13 @@ TEST(test_door, "disks that have not passed are not believed")
         const struct averages_found f = ask(&s, "x:0", 3e4, e, NULL);
         UNIT_TRUE(refused(&f) || fabs(f.value - 0.5) <= 2 * f.error);
     }
-    scene_free(&s);
 }
 
 /* Settled after 2048 s at 5 m, and on the way to 6 m all the same: no mean
    is given that a longer run would not have. */
 TEST(test_patience, "a heavy piston that has settled has not")
 {
-    struct scene s;
+    FREED(scene) s;
     make_piston(&s, 41, 600);
     const struct averages_found f = ask(&s, "x:20", 2048, 0.05, NULL);
     UNIT_TRUE(refused(&f) && strstr(f.refusal, "settle"));
@@ -145,14 +141,13 @@ TEST(test_patience, "a heavy piston that has settled has not")
     /* thirty years of it cost too much, which is seen early */
     const struct averages_found h = ask(&s, "x:20", 9.5e8, 0.01, NULL);
     UNIT_TRUE(refused(&h) && h.cost < 1);
-    scene_free(&s);
 }
 
 /* Disks in their corners: blocks have a mean of 0.27 and an error of less
    than a hundredth. */
 TEST(test_corners, "disks that keep their corners have no mean place")
 {
-    struct scene s;
+    FREED(scene) s;
     make_four(&s, 0.2);
     const struct averages_found f = ask(&s, "x:0", 2000, 0.02, NULL);
     UNIT_TRUE(refused(&f) && strstr(f.refusal, "far from where"));
@@ -160,19 +155,17 @@ TEST(test_corners, "disks that keep their corners have no mean place")
     UNIT_TRUE(f.error > 0.23);
     const struct averages_found g = ask(&s, "pressure", 1e5, 0.01, NULL);
     UNIT_TRUE(!refused(&g)); /* does not care which is which */
-    scene_free(&s);
 }
 
 /* Equal masses on a line keep their speeds: the mean of the cradle's first
    ball is nowhere near the law of places, and no mean is given. */
 TEST(test_equal_masses, "equal masses on a line have no mean place")
 {
-    struct scene s;
+    FREED(scene) s;
     UNIT_MUST(
         !gallery_make(&s, gallery_find(hard_scenes, "cradle"), NULL, 0));
     const struct averages_found f = ask(&s, "x:0", 1e4, 0.01, NULL);
     UNIT_TRUE(refused(&f) && strstr(f.refusal, "exchange their speeds"));
-    scene_free(&s);
 }
 
 /* Points thrown into a metre each, whose masses differ by a share. */
@@ -198,14 +191,13 @@ static void make_line(struct scene *s, size_t n, double share,
    it at 0.935(12). What is said, if anything, holds that. */
 TEST(test_alike, "masses that are nearly alike are not believed")
 {
-    struct scene s;
+    FREED(scene) s;
     make_line(&s, 8, 0.01, 11);
     for (double e = 0.02; e > 1e-3; e /= 2) {
         const struct averages_found f = ask(&s, "x:0", 3e4, e, NULL);
         UNIT_TRUE(refused(&f) ||
                   fabs(f.value - 0.935) <= 0.024 + f.error * f.scale);
     }
-    scene_free(&s);
 }
 
 /* Lines of bodies that hardly forget: all differ by little, or one is much
@@ -215,7 +207,7 @@ TEST(test_slow_lines, "lines that hardly forget are not believed")
 {
     for (uint64_t seed = 1; seed <= 20; ++seed)
         for (int heavy = 0; heavy < 2; ++heavy) {
-            struct scene s;
+            FREED(scene) s;
             make_line(&s, heavy ? 7 : 3, heavy ? 0.3 : 0.01, seed);
             if (heavy)
                 s.mass[3] *= 50;
@@ -226,18 +218,16 @@ TEST(test_slow_lines, "lines that hardly forget are not believed")
             UNIT_TRUE(f.way && s.mass[body] > 0);
             UNIT_TRUE(refused(&f) ||
                       fabs(f.value - law) <= 1.5 * f.error * f.scale);
-            scene_free(&s);
         }
 }
 
 /* Steps have a bias that no sample mends: no way to a pressure. */
 TEST(test_steps, "steps are no way to a pressure")
 {
-    struct scene s;
+    FREED(scene) s;
     make_four(&s, 0.15);
     const struct averages_found f = ask(&s, "pressure", 1e6, 0.02, NULL);
     UNIT_TRUE(taken(&f, "events"));
     const struct averages_found g = ask(&s, "pressure", 1e6, 0.02, "steps");
     UNIT_TRUE(refused(&g) && strstr(g.refusal, "no way"));
-    scene_free(&s);
 }

@@ -11,12 +11,11 @@
 static void begin(struct bonkers *b, struct start_request request,
                   enum bonkers_engine engine)
 {
-    struct start s;
+    FREED(start) s;
     size_t wrong = 0;
     UNIT_MUST(start_fill(&s, &request) &&
               bonkers_begin(b, &s, 1, engine, &wrong));
     UNIT_EQUAL((double)wrong, (double)b->gaps);
-    start_free(&s);
 }
 
 /* How far the bodies miss their starting places after n collisions forth
@@ -156,7 +155,7 @@ TEST(test_looking, "only the naive engine feels when it is looked at")
 TEST(test_late_clock, "a clock of 10^9 s leaves all in order")
 {
     for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e) {
-        struct bonkers b;
+        FREED(bonkers) b;
         double x[42], v[42];
         size_t crossed = 0;
         begin(&b,
@@ -177,7 +176,6 @@ TEST(test_late_clock, "a clock of 10^9 s leaves all in order")
         UNIT_EQUAL((double)(crossed + b.disorder), 0);
         /* a random walk of eps/2 and a bias, see tests/library/bonkers.c */
         UNIT_NEAR(bonkers_energy(&b) / before, 1, 1e-12);
-        bonkers_free(&b);
     }
 }
 
@@ -190,7 +188,7 @@ TEST(test_comes_to_rest,
 {
     for (int k = 0; k < 10; ++k) {
         const double e = k / 10.0, g = 9.81, h = 1;
-        struct bonkers b;
+        FREED(bonkers) b;
         UNIT_TRUE(bonkers_create(&b, 1, e, BONKERS_SCAN));
         b.gravity = g;
         b.body[1] = (struct bonkers_body){h, 0, 0, 1};
@@ -202,7 +200,6 @@ TEST(test_comes_to_rest,
         UNIT_EQUAL(b.body[1].x, 0);
         UNIT_EQUAL(b.body[1].v, 0);
         UNIT_TRUE(b.collisions < 500); /* log(1e-15) / log(e), or so */
-        bonkers_free(&b);
     }
 }
 
@@ -214,7 +211,7 @@ TEST(test_pile, "three that fall come to rest, nine do not")
     for (int k = 0; k < 27; ++k) {
         const double e = k % 9 / 10.0;
         const size_t n = k < 18 ? 3 : 9;
-        struct bonkers b;
+        FREED(bonkers) b;
         UNIT_TRUE(bonkers_create(&b, n, e, BONKERS_SCAN));
         b.gravity = 9.81;
         for (size_t i = 1; i <= n; ++i)
@@ -229,6 +226,5 @@ TEST(test_pile, "three that fall come to rest, nine do not")
         } else if (e <= 0.5) {
             UNIT_TRUE(stop == BONKERS_COLLAPSE);
         }
-        bonkers_free(&b);
     }
 }

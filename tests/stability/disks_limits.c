@@ -33,7 +33,7 @@ static void strike(struct disks *d, bool up)
 TEST(test_three, "three at once: the numbers decide")
 {
     for (int up = 0; up < 2; ++up) {
-        struct disks d;
+        FREED(disks) d;
         strike(&d, up);
         const double side = up ? 1 : -1, w = sqrt(3);
         UNIT_NEAR(d.disk[0].velocity[0], -0.125, 1e-14);
@@ -43,7 +43,6 @@ TEST(test_three, "three at once: the numbers decide")
         UNIT_NEAR(d.disk[2].velocity[0], 0.375, 1e-14);
         UNIT_NEAR(d.disk[2].velocity[1], -side * w / 8, 1e-14);
         UNIT_NEAR(disks_energy(&d), 0.5, 1e-15);
-        disks_free(&d);
     }
 }
 
@@ -51,7 +50,7 @@ TEST(test_three, "three at once: the numbers decide")
    Symmetry survives, in any order. */
 TEST(test_four_at_once, "four at once: two pairs stay symmetric")
 {
-    struct disks d;
+    FREED(disks) d;
     make(&d, 4, 10);
     for (size_t i = 0; i < 4; ++i) {
         const double x = i % 2 ? 1 : -1, y = i / 2 ? 1 : -1;
@@ -67,7 +66,6 @@ TEST(test_four_at_once, "four at once: two pairs stay symmetric")
     disks_run(&d, 30, UINT64_MAX);
     UNIT_EQUAL(d.disk[0].position[0] + d.disk[1].position[0], 10);
     UNIT_EQUAL(d.disk[0].position[0], d.disk[2].position[0]);
-    disks_free(&d);
 }
 
 static void begin(struct disks *d, size_t count, double r, double side,
@@ -132,7 +130,7 @@ TEST(test_chaos, "the way back is lost after 50 collisions")
 /* A collapse ends the run, and in finite time; e near one does not. */
 TEST(test_collapse, "inelastic collapse ends a run")
 {
-    struct disks d;
+    FREED(disks) d;
     begin(&d, 100, 0.5, sqrt(280), 1, 1);
     d.restitution = 0.3;
     UNIT_TRUE(disks_run(&d, INFINITY, 20000) == DISKS_COLLAPSE);
@@ -143,7 +141,6 @@ TEST(test_collapse, "inelastic collapse ends a run")
     begin(&d, 100, 0.5, sqrt(280), 1, 1);
     d.restitution = 0.95;
     UNIT_TRUE(disks_run(&d, INFINITY, 20000) == DISKS_COLLISIONS);
-    disks_free(&d);
 }
 
 /* Two disks in a large periodic box. Who looks only once at the nearest
@@ -151,7 +148,7 @@ TEST(test_collapse, "inelastic collapse ends a run")
    box of 10, the nearest image is behind. */
 TEST(test_nearest_image, "the nearest image is not always met")
 {
-    struct disks d;
+    FREED(disks) d;
     make(&d, 2, 10);
     d.boundary = DISKS_PERIODIC;
     d.disk[0] = (struct disk){{1, 5, 0}, 0, {1, 0, 0}, 0.5};
@@ -160,14 +157,13 @@ TEST(test_nearest_image, "the nearest image is not always met")
     UNIT_TRUE(disks_plan(&d));
     UNIT_TRUE(disks_run(&d, INFINITY, 1) == DISKS_COLLISIONS);
     UNIT_NEAR(d.now, 2.5, 1e-15);
-    disks_free(&d);
 }
 
 /* Disks in contact over and over, a dense box: overlaps stay at rounding,
    1e5 collisions with errors of places of a few eps each. */
 TEST(test_overlaps, "overlaps stay at rounding")
 {
-    struct disks d;
+    FREED(disks) d;
     size_t a, b;
     double deepest = 0;
     begin(&d, 30, 0.5, 5.9, 1, 3);
@@ -184,5 +180,4 @@ TEST(test_overlaps, "overlaps stay at rounding")
     }
     UNIT_TRUE(disks_fit(&d, &a, &b));
     UNIT_NEAR(deepest, 0, 1e-11);
-    disks_free(&d);
 }

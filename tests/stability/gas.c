@@ -81,7 +81,7 @@ TEST(test_states, "a state in a file keeps every bit")
     for (size_t D = 2; D <= 3; ++D)
         for (size_t round = 0; round < 2; ++round) {
             char name[] = "/tmp/states-XXXXXX", message[STATES_MESSAGE];
-            struct disks d, e;
+            FREED(disks) d, e;
             size_t a, b;
             make(&d, D, 60, D == 2 ? 11 : 6);
             d.boundary = round ? DISKS_PERIODIC : DISKS_WALLS;
@@ -106,7 +106,5 @@ TEST(test_states, "a state in a file keeps every bit")
                       0);
             UNIT_TRUE(memcmp(e.box, d.box, sizeof d.box) == 0);
             UNIT_TRUE(disks_fit(&e, &a, &b));
-            disks_free(&d);
-            disks_free(&e);
         }
 }

@@ -77,8 +77,8 @@ TEST(test_pressure, "perfect energy, wrong pressure")
 TEST(test_tunnelling, "long steps go through")
 {
     for (int slow = 0; slow < 2; ++slow) {
-        struct scene s;
-        struct spheres p;
+        FREED(scene) s;
+        FREED(spheres) p;
         UNIT_MUST(scene_create(&s, 2));
         s.contact = true;
         s.radius[0] = s.radius[1] = 0.1;
@@ -91,8 +91,6 @@ TEST(test_tunnelling, "long steps go through")
         UNIT_EQUAL((double)p.collisions, slow);
         UNIT_NEAR(s.velocity[0], slow ? -1 : 1, 1e-15);
         UNIT_NEAR(energy(&s), 1, 1e-15);
-        spheres_free(&p);
-        scene_free(&s);
     }
 }
 
@@ -102,8 +100,8 @@ static void strike(double mass, enum spheres_order order, double v[])
 {
     const struct gallery_scene *g = gallery_find(hard_scenes, "cradle");
     double value[GALLERY_KEYS], momentum = 0;
-    struct scene s;
-    struct spheres p;
+    FREED(scene) s;
+    FREED(spheres) p;
     gallery_usual(g, value);
     value[gallery_key(g, "right")] = 1;
     value[gallery_key(g, "gap")] = 0;
@@ -119,8 +117,6 @@ static void strike(double mass, enum spheres_order order, double v[])
     }
     UNIT_NEAR(momentum, 0, 1e-14);
     UNIT_NEAR(energy(&s), 1, 1e-14);
-    spheres_free(&p);
-    scene_free(&s);
 }
 
 TEST(test_touching, "a heavy middle ball: the order decides")
@@ -196,8 +192,8 @@ TEST(test_break, "the break has two answers")
 TEST(test_shoved, "a heavy disk is shoved")
 {
     for (int shift = SPHERES_BY_RADIUS; shift <= SPHERES_BACK; ++shift) {
-        struct scene s;
-        struct spheres p;
+        FREED(scene) s;
+        FREED(spheres) p;
         double before = 0, P = 0, after = 0;
         make(&s, "brownian", NULL, 0);
         s.wall[0] = s.wall[1] = SCENE_PERIODIC;
@@ -212,8 +208,6 @@ TEST(test_shoved, "a heavy disk is shoved")
         const double moved = fabs(after - before - 2 * P);
         UNIT_TRUE(shift == SPHERES_BY_RADIUS ? moved > 0.01
                                              : moved < 1e-10);
-        spheres_free(&p);
-        scene_free(&s);
     }
 }
 
@@ -223,7 +217,7 @@ TEST(test_shoved, "a heavy disk is shoved")
 TEST(test_turn, "a turn behind a wall is missed")
 {
     for (int parts = 1; parts <= 2; ++parts) {
-        struct scene s;
+        FREED(scene) s;
         struct motion m;
         UNIT_MUST(scene_create(&s, 2) && scene_add_kind(&s, 1, 0) &&
                   scene_add_spring(&s, 0, 1, 0, 9));
@@ -244,7 +238,6 @@ TEST(test_turn, "a turn behind a wall is missed")
         UNIT_NEAR(s.position[0],
                   cos(parts > 1 ? 0.8 + 2 * acos(0.99) : 0.8), 1e-3);
         motion_end(&m);
-        scene_free(&s);
     }
 }
 
@@ -254,7 +247,7 @@ TEST(test_turn, "a turn behind a wall is missed")
 TEST(test_stiff, "a stiff contact makes energy")
 {
     for (int fine = 0; fine < 2; ++fine) {
-        struct scene s;
+        FREED(scene) s;
         struct motion m;
         UNIT_MUST(scene_create(&s, 2));
         s.contact = true;
@@ -270,6 +263,5 @@ TEST(test_stiff, "a stiff contact makes energy")
         UNIT_NEAR(energy, 0.5, fine ? 0.005 : 100);
         UNIT_TRUE(fine || energy > 2);
         motion_end(&m);
-        scene_free(&s);
     }
 }

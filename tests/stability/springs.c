@@ -109,9 +109,9 @@ TEST(test_euler, "Euler's method loses the pendulum at any step")
 {
     const double dt[] = {5e-4, 1e-3, 2e-3}, lost[] = {9.2, 4.6, 2.3};
     for (int k = 0; k < 3; ++k) {
-        struct scene s;
-        struct springs p;
-        struct stepping t;
+        FREED(scene) s;
+        FREED(springs) p;
+        FREED(stepping) t;
         make(&s, "double-pendulum", NULL, 0);
         UNIT_MUST(springs_create(&p, &s) &&
                   stepping_begin(&t, stepping_find("euler"),
@@ -121,9 +121,6 @@ TEST(test_euler, "Euler's method loses the pendulum at any step")
                stepping_run(&t, 10) == STEPPING_DONE)
             ;
         UNIT_NEAR(stepping_time(&t) / lost[k], 1, 0.15);
-        stepping_free(&t);
-        springs_free(&p);
-        scene_free(&s);
     }
 }
 
@@ -166,10 +163,10 @@ TEST(test_silent, "RK4 damps the stiff spring in silence")
 TEST(test_mechanism, "a truss without diagonals is a mechanism")
 {
     for (int diagonals = 0; diagonals < 3; ++diagonals) {
-        struct scene s;
-        struct springs p;
-        struct modes m;
-        struct stepping t;
+        FREED(scene) s;
+        FREED(springs) p;
+        FREED(modes) m;
+        FREED(stepping) t;
         int loose = 0;
         make(&s, "cantilever", "diagonals", diagonals);
         s.damping = 2;
@@ -186,9 +183,5 @@ TEST(test_mechanism, "a truss without diagonals is a mechanism")
             UNIT_TRUE(s.position[5] < 0.1 && s.position[17] < -5);
         else
             UNIT_TRUE(s.position[17] > -0.6);
-        stepping_free(&t);
-        modes_free(&m);
-        springs_free(&p);
-        scene_free(&s);
     }
 }

@@ -58,10 +58,9 @@ static struct step step_of(const struct stepping_method *m, double w)
     const struct stepping_forces f = {1, false, force, &l};
     double x[] = {1, 0}, v[] = {0, w};
     for (int k = 0; k < 2; ++k) {
-        struct stepping s;
+        FREED(stepping) s;
         UNIT_MUST(stepping_begin(&s, m, f, 1, &x[k], &v[k]));
         stepping_run(&s, 1);
-        stepping_free(&s);
     }
     return (struct step){x[0] + v[1] / w, (x[0] * v[1] - x[1] * v[0]) / w};
 }

@@ -83,6 +83,11 @@ static inline void unit_must(bool holds, const char *condition,
    `struct scene s;` and, there, `scene_free(&s);`. */
 #define FREED(type) __attribute__((cleanup(type##_free))) struct type
 
+/* A generator of this name, which has been given its seed. */
+#define SEEDED(name, seed)                                                 \
+    struct random name;                                                    \
+    random_seed(&name, seed)
+
 static inline void unit_near(const char *file, unsigned line,
                              const char *what, double got, double expected,
                              double tolerance)

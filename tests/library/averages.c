@@ -24,8 +24,7 @@ static void make(struct scene *s, const char *name, const char *key,
 /* So many rods of different masses and radii between walls. */
 static void make_rods(struct scene *s, size_t n, double first, double last)
 {
-    struct random r;
-    random_seed(&r, 5);
+    SEEDED(r, 5);
     UNIT_MUST(scene_create(s, n));
     s->contact = true;
     s->wall[0] = SCENE_HARD;
@@ -484,8 +483,7 @@ static double mean_of_run(const struct scene *start, double T, bool place)
 /* Disks of one mass or of many, or a line, thrown. */
 static void throw_scene(struct scene *s, size_t n, bool line, uint64_t seed)
 {
-    struct random r;
-    random_seed(&r, seed);
+    SEEDED(r, seed);
     UNIT_MUST(scene_create(s, n));
     s->contact = true;
     s->wall[0] = SCENE_HARD;

@@ -285,8 +285,7 @@ static void fill(struct measurement *w, size_t n, double (*value)(size_t),
 static double noise(size_t i) /* number i of those drawn by a seed */
 {
     static double drawn[1024];
-    struct random r;
-    random_seed(&r, 3);
+    SEEDED(r, 3);
     for (size_t k = 0; k < 1024 && drawn[1023] == 0; ++k)
         drawn[k] = random_between(&r, -0.5, 0.5);
     return drawn[i];

@@ -34,8 +34,7 @@ TEST(test_error, "the error is that of the series")
     enum { COUNT = 100000 };
     static double x[COUNT];
     FREED(blocks) b;
-    struct random r;
-    random_seed(&r, 3);
+    SEEDED(r, 3);
     UNIT_TRUE(blocks_create(&b, 1));
     for (size_t n = 0; n < COUNT; ++n) {
         x[n] = random_normal(&r) + (n > 0 ? 0.9 * x[n - 1] : 0);
@@ -86,8 +85,7 @@ TEST(test_steady, "a steady series drifts as the law says")
     enum { TIMES = 20000, LENGTH = 48 };
     double x[LENGTH], square = 0, fourth = 0;
     int beyond = 0, far = 0;
-    struct random r;
-    random_seed(&r, 4);
+    SEEDED(r, 4);
     for (int t = 0; t < TIMES; ++t) {
         for (int i = 0; i < LENGTH; ++i)
             x[i] = 5 + random_normal(&r);
@@ -110,8 +108,7 @@ TEST(test_steady, "a steady series drifts as the law says")
 TEST(test_step, "a step is a drift, wherever it is")
 {
     double x[480];
-    struct random r;
-    random_seed(&r, 5);
+    SEEDED(r, 5);
     for (int at = 144; at <= 400; at += 256)
         for (int up = -1; up <= 1; up += 2) {
             for (int i = 0; i < 480; ++i)
@@ -145,8 +142,7 @@ TEST(test_no_drift, "no drift where there is no error")
 TEST(test_large_mean, "noise on a large mean is noise")
 {
     double x[48], y[48];
-    struct random r;
-    random_seed(&r, 6);
+    SEEDED(r, 6);
     for (int t = 0; t < 20; ++t) {
         for (int i = 0; i < 48; ++i) {
             x[i] = 8 + random_normal(&r);

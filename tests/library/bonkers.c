@@ -32,9 +32,8 @@ static void begin(struct bonkers *b, size_t movers, double restitution,
 static void fill_random(size_t movers, uint64_t seed, bool rods)
 {
     FREED(start) s;
-    struct random r;
+    SEEDED(r, seed);
     double shift = 0;
-    random_seed(&r, seed);
     start_fill(&s, &(struct start_request){.kind = START_RANDOM,
                                            .movers = movers,
                                            .seed = seed});
@@ -115,9 +114,8 @@ enum { STOPS = 12 };
 static void choose_stops(struct stop stops[STOPS], size_t movers,
                          double collisions, uint64_t seed)
 {
-    struct random r;
+    SEEDED(r, seed);
     const double length = collisions / (0.5 * (double)movers);
-    random_seed(&r, seed);
     for (int k = 0; k < STOPS; ++k) {
         const double part = (k + random_uniform(&r)) / STOPS;
         stops[k] =
@@ -249,8 +247,7 @@ TEST(test_collision_number,
 /* Rods that touch, at rest, in the middle of a wider box. */
 static void fill_row(size_t movers, bool random_masses)
 {
-    struct random r;
-    random_seed(&r, 11);
+    SEEDED(r, 11);
     memset(body, 0, (movers + 2) * sizeof body[0]);
     memset(radius, 0, (movers + 2) * sizeof radius[0]);
     for (size_t i = 1; i <= movers; ++i) {
@@ -577,10 +574,9 @@ TEST(test_rods_are_points, "rods are points in a smaller box")
     for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e)
         for (size_t movers = 1; movers < 200; movers = 3 * movers + 1) {
             FREED(bonkers) points, rods;
-            struct random r;
+            SEEDED(r, movers);
             double shift[LARGEST / 100], sum = 0;
             size_t same = 0;
-            random_seed(&r, movers);
             fill_random(movers, movers, false);
             for (size_t i = 0; i <= movers + 1; ++i)
                 body[i].x = round(body[i].x * 0x1p20) * 0x1p-20;
@@ -1147,9 +1143,8 @@ static int by_height(const void *a, const void *b)
 TEST(test_sorted_balls, "equal beads that fall are sorted balls")
 {
     FREED(bonkers) b;
-    struct random r;
+    SEEDED(r, 1);
     double x[10], v[10], got[12], u[12], worst = 0;
-    random_seed(&r, 1);
     for (int i = 0; i < 10; ++i) {
         x[i] = 0.1 + 0.2 * i;
         v[i] = random_between(&r, -2, 2);
@@ -1173,8 +1168,7 @@ TEST(test_sorted_balls, "equal beads that fall are sorted balls")
 static void begin_fall(struct bonkers *b, enum bonkers_engine engine,
                        double restitution)
 {
-    struct random r;
-    random_seed(&r, 7);
+    SEEDED(r, 7);
     UNIT_TRUE(bonkers_create(b, 9, restitution, engine));
     b->gravity = g;
     for (int i = 1; i <= 9; ++i)
@@ -1198,8 +1192,7 @@ static void same(struct bonkers *a, struct bonkers *b)
 static void begin_column(struct bonkers *b, enum bonkers_engine engine,
                          int movers, double restitution, bool alike)
 {
-    struct random r;
-    random_seed(&r, 3);
+    SEEDED(r, 3);
     UNIT_TRUE(bonkers_create(b, (size_t)movers, restitution, engine));
     b->gravity = 8;
     for (int i = 1; i <= movers; ++i)

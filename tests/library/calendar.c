@@ -136,8 +136,7 @@ static int mix(size_t size, double width, double start,
 {
     static struct plain p;
     struct calendar c;
-    struct random r;
-    random_seed(&r, seed);
+    SEEDED(r, seed);
     begin(&c, &p, size, start, width);
     for (size_t i = 0; i < size; ++i)
         put(&c, &p, i, choose(&r, start, s), random_below(&r, size));
@@ -183,8 +182,7 @@ TEST(test_ties, "equal times come in the order of pairs")
     for (uint64_t seed = 1; seed <= 5; ++seed) {
         static struct plain p;
         FREED(calendar) c;
-        struct random r;
-        random_seed(&r, seed);
+        SEEDED(r, seed);
         begin(&c, &p, 300, 0, seed == 5 ? 100 : 0.01);
         for (int k = 0; k < 900; ++k)
             put(&c, &p, random_below(&r, 300), k % 2 ? 2.0 : 1.0,
@@ -217,9 +215,8 @@ TEST(test_bursts, "bursts at one time come out in order")
 {
     static struct plain p;
     FREED(calendar) c;
-    struct random r;
+    SEEDED(r, 9);
     int bad = 0;
-    random_seed(&r, 9);
     begin(&c, &p, 500, 0, 0.01);
     for (int burst = 1; burst <= 8; ++burst) {
         const double time = burst * burst * 1e3;
@@ -283,8 +280,7 @@ TEST(test_edges, "taken out, put again, freed twice")
 static double events_in_a_day(size_t size, double width, uint64_t turns)
 {
     struct calendar c;
-    struct random r;
-    random_seed(&r, 3);
+    SEEDED(r, 3);
     if (!calendar_create(&c, size, 0, width))
         return NAN;
     for (uint32_t i = 0; i < size; ++i)

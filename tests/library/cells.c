@@ -80,8 +80,7 @@ static double weight; /* of the scenes to come: gravity, m/s2 */
 /* Makes the same disks whenever it is called with the same numbers. */
 static void make(struct disks *d, const struct scene *s, uint64_t seed)
 {
-    struct random r;
-    random_seed(&r, seed);
+    SEEDED(r, seed);
     UNIT_MUST(disks_create(d, s->dimensions, s->count));
     d->boundary = s->boundary;
     d->restitution = s->restitution;
@@ -238,8 +237,7 @@ static uint64_t compare(const struct scene *s, uint64_t seeds)
     uint64_t h = 0;
     for (uint64_t seed = 1; seed <= seeds; ++seed) {
         struct race x;
-        struct random r;
-        random_seed(&r, seed);
+        SEEDED(r, seed);
         start(&x, s, seed);
         const char *wrong = run_on(&x, s->collisions, &r);
         if (wrong)
@@ -391,8 +389,7 @@ static void make_square(struct disks *d, size_t side,
                         enum disks_boundary boundary, double radius,
                         uint64_t seed, bool diagonal)
 {
-    struct random r;
-    random_seed(&r, seed);
+    SEEDED(r, seed);
     UNIT_MUST(disks_create(d, 2, side * side));
     d->boundary = boundary;
     d->box[0] = d->box[1] = (double)side + (radius < 0.5 ? 0 : 1);
@@ -603,9 +600,8 @@ TEST(test_units, "any unit gives the same bits")
    the ends of their skins: nearly out of reach. */
 static void make_last_moment(struct disks *d, uint64_t seed, double skin)
 {
-    struct random r;
+    SEEDED(r, seed);
     double e[DISKS_AXES] = {0};
-    random_seed(&r, seed);
     UNIT_MUST(disks_create(d, seed % 2 ? 2 : 3, 8));
     d->boundary = seed % 3 ? DISKS_PERIODIC : DISKS_WALLS;
     random_direction(&r, d->dimensions, e);
@@ -673,9 +669,8 @@ TEST(test_fit, "cells find an overlap where pairs find it")
                 true};
             FREED(disks) d;
             FREED(cells) c;
-            struct random r;
+            SEEDED(r, seed);
             size_t a = 0, b = 0, p = 0, q = 0;
-            random_seed(&r, seed);
             make(&d, &s, seed);
             if (seed > 4) {
                 const size_t i = seed % 4 ? random_below(&r, 150) : 0;

@@ -23,8 +23,7 @@ static void make(struct disks *d, size_t dimensions, size_t count,
 /* Anywhere in the box, which is far too much for overlaps to matter. */
 static void scatter(struct disks *d, uint64_t seed)
 {
-    struct random r;
-    random_seed(&r, seed);
+    SEEDED(r, seed);
     for (size_t i = 0; i < d->count; ++i)
         for (size_t k = 0; k < d->dimensions; ++k)
             d->disk[i].position[k] = random_between(&r, 0, d->box[k]);
@@ -198,9 +197,8 @@ TEST(test_neighbours, "all neighbours are listed, and no others")
         const bool crowd = n % 3 == 2;
         FREED(disks) d;
         FREED(cells) c;
-        struct random r;
+        SEEDED(r, (uint64_t)n);
         size_t wrong = 0, away = 0;
-        random_seed(&r, (uint64_t)n);
         make(&d, dimensions, 60, n / 2 % 3, sides, 0.1);
         d.gravity = d.boundary != DISKS_PERIODIC && n / 6 % 2 ? 0.7 : 0;
         for (size_t i = 0; n % 4 < 2 && i < d.count; ++i)
@@ -352,10 +350,9 @@ TEST(test_many, "many disks, for which memory is fetched early")
     for (int all = 0; all < 2; ++all) {
         FREED(disks) d;
         struct cells c;
-        struct random r;
+        SEEDED(r, 4);
         const double box[] = {80, 80};
         make(&d, 2, 5000, DISKS_PERIODIC, box, 0.4);
-        random_seed(&r, 4);
         UNIT_TRUE(disks_place_lattice(&d));
         disks_set_speed(&d, 1, &r);
         begin(&c, &d);

@@ -116,8 +116,7 @@ static void relabel(double low, double high, size_t n, const double at[],
 TEST(test_relabel,
      "equal points are those of chapter 2, and so are their meetings")
 {
-    struct random r;
-    random_seed(&r, 12);
+    SEEDED(r, 12);
     uint64_t all = 0;
     for (int round = 0; round < 400; ++round) {
         const size_t n = 1 + random_below(&r, MOST);

@@ -40,8 +40,7 @@ TEST(test_golden_values, "exact fractions in every form")
 
 TEST(test_walls_are_exact, "a wall keeps its velocity to the last bit")
 {
-    struct random r;
-    random_seed(&r, 2);
+    SEEDED(r, 2);
     for (int i = 0; i < 1000; ++i) {
         const double u = random_normal(&r), wall = random_normal(&r);
         double v1 = u, v2 = 0;
@@ -59,8 +58,7 @@ TEST(test_walls_are_exact, "a wall keeps its velocity to the last bit")
    2^-53 in [0,1). */
 TEST(test_equal_masses_swap, "equal masses exchange velocities exactly")
 {
-    struct random r;
-    random_seed(&r, 3);
+    SEEDED(r, 3);
     for (int i = 0; i < 1000; ++i) {
         const double u1 = random_uniform(&r), u2 = random_uniform(&r);
         const double im = random_between(&r, 0.1, 10);
@@ -119,8 +117,7 @@ TEST(test_extreme_units, "units may be extreme")
    complement loses up to 16 times more at mass ratios to 8. */
 TEST(test_every_form_along, "every form agrees along any normal")
 {
-    struct random r;
-    random_seed(&r, 9);
+    SEEDED(r, 9);
     for (int form = 0; form < COLLIDE_FORMS; ++form)
         for (size_t d = 1; d <= 3; ++d)
             for (int i = 0; i < 300; ++i) {
@@ -148,8 +145,7 @@ TEST(test_every_form_along, "every form agrees along any normal")
    the identity. Each entry is good to 3 roundings of a number up to 2. */
 TEST(test_matrix, "the map is a reflection")
 {
-    struct random r;
-    random_seed(&r, 4);
+    SEEDED(r, 4);
     for (int i = 0; i < 1000; ++i) {
         const double a = random_log_uniform(&r, 1e-3, 1e3), b = 1;
         double m[2][2] = {{1, 0}, {0, 1}}; /* rows: images of e1, e2 */
@@ -176,8 +172,7 @@ TEST(test_matrix, "the map is a reflection")
 /* v2 - v1 = e (u1 - u2), and the loss of energy is (1-e^2)/2 d^2/(a+b). */
 TEST(test_restitution, "restitution takes the energy it should")
 {
-    struct random r;
-    random_seed(&r, 5);
+    SEEDED(r, 5);
     for (int form = 0; form < COLLIDE_FORMS; ++form)
         for (int i = 0; i < 300; ++i) {
             const double e = random_uniform(&r);
@@ -198,8 +193,7 @@ TEST(test_restitution, "restitution takes the energy it should")
 TEST(test_rounding_of_every_form,
      "every form keeps energy and momentum in one collision")
 {
-    struct random r;
-    random_seed(&r, 6);
+    SEEDED(r, 6);
     for (int form = 0; form < COLLIDE_FORMS; ++form) {
         double energy_worst = 0, momentum_worst = 0;
         for (int i = 0; i < 20000; ++i) {
@@ -228,9 +222,8 @@ TEST(test_rounding_of_every_form,
 TEST(test_one_dimension_is_the_same,
      "one dimension along a normal is one dimension")
 {
-    struct random r;
+    SEEDED(r, 7);
     const double right[1] = {1}, space[3] = {0, 1, 0};
-    random_seed(&r, 7);
     for (int i = 0; i < 1000; ++i) {
         const double a = random_uniform(&r), b = random_uniform(&r) + 0.1;
         const double e = random_uniform(&r);
@@ -270,8 +263,7 @@ TEST(test_any_length, "a normal may have any length")
 {
     const int powers[] = {-1000, -600, -530, -520, -340, -40, -1,
                           1,     40,   340,  505,  600,  1000};
-    struct random r;
-    random_seed(&r, 8);
+    SEEDED(r, 8);
     for (size_t k = 0; k < sizeof powers / sizeof powers[0]; ++k) {
         double n[3], m[3], u[2][3], v[2][3];
         random_direction(&r, 3, n);

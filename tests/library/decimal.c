@@ -120,10 +120,9 @@ TEST(test_refused, "what is no number is refused")
 /* Numbers as programs write them, of all sizes. */
 TEST(test_random, "numbers as programs write them")
 {
-    struct random r;
+    SEEDED(r, 4);
     char text[64];
     int bad = 0;
-    random_seed(&r, 4);
     memset(ways, 0, sizeof ways);
     for (int i = 0; i < 200000; ++i) {
         const uint64_t bits = random_bits(&r);
@@ -145,10 +144,9 @@ TEST(test_random, "numbers as programs write them")
 /* The middle of two doubles, and one more or less in the 19th digit. */
 TEST(test_middles, "the middle of two doubles")
 {
-    struct random r;
+    SEEDED(r, 5);
     char text[64];
     int bad = 0;
-    random_seed(&r, 5);
     memset(ways, 0, sizeof ways);
     for (int i = 0; i < 200000; ++i) {
         /* 54 bits, the last of them 1: times 100 at most 19 digits */

@@ -14,9 +14,8 @@ static void begin(struct disks *d, size_t dimensions, size_t count,
                   double radius, double side, enum disks_boundary boundary,
                   uint64_t seed)
 {
-    struct random r;
+    SEEDED(r, seed);
     size_t a, b;
-    random_seed(&r, seed);
     UNIT_MUST(disks_create(d, dimensions, count));
     d->boundary = boundary;
     for (size_t k = 0; k < dimensions; ++k)
@@ -391,17 +390,15 @@ TEST(test_ties, "and a plan keeps to it")
     enum { SIDE = 5, COUNT = SIDE * SIDE };
     for (uint64_t seed = 1; seed <= 40; ++seed) {
         struct disks d[2];
-        struct random r;
+        SEEDED(r, seed);
         size_t at[COUNT];
-        random_seed(&r, seed);
         for (size_t i = 0; i < COUNT; ++i) { /* a shuffle */
             const size_t k = (size_t)random_below(&r, i + 1);
             at[i] = at[k];
             at[k] = i;
         }
         for (int e = 0; e < 2; ++e) {
-            struct random speeds;
-            random_seed(&speeds, seed);
+            SEEDED(speeds, seed);
             UNIT_MUST(disks_create(&d[e], 2, COUNT));
             d[e].box[0] = d[e].box[1] = SIDE;
             for (size_t i = 0; i < COUNT; ++i) {
@@ -490,9 +487,8 @@ TEST(test_guest, "a guest stands in the middle")
 TEST(test_random_start, "random starts fit or are refused")
 {
     FREED(disks) d;
-    struct random r;
+    SEEDED(r, 1);
     size_t a, b;
-    random_seed(&r, 1);
     begin(&d, 2, 40, 0.5, 9, DISKS_WALLS, 1);
     UNIT_TRUE(disks_place_random(&d, &r) && disks_fit(&d, &a, &b));
     for (size_t i = 0; i < 40; ++i)
@@ -546,9 +542,8 @@ TEST(test_temperature, "temperature and speed of a start")
 {
     enum { N = 20000 };
     FREED(disks) d;
-    struct random r;
+    SEEDED(r, 4);
     double square[2] = {0};
-    random_seed(&r, 4);
     UNIT_MUST(disks_create(&d, 2, N));
     d.box[0] = d.box[1] = 1000;
     for (size_t i = 0; i < N; ++i)
@@ -581,9 +576,8 @@ TEST(test_drift, "a drift is no heat, but across a wall")
 {
     enum { N = 50 };
     FREED(disks) d;
-    struct random r;
+    SEEDED(r, 4);
     double drift[DISKS_AXES];
-    random_seed(&r, 4);
     UNIT_MUST(disks_create(&d, 2, N));
     d.box[0] = d.box[1] = 1000;
     for (size_t i = 0; i < N; ++i)
@@ -663,8 +657,7 @@ TEST(test_common_fall, "disks that fall meet as if they did not")
     struct disks d[2];
     double place[2][3];
     for (int k = 0; k < 2; ++k) {
-        struct random r;
-        random_seed(&r, 3);
+        SEEDED(r, 3);
         UNIT_TRUE(disks_create(&d[k], 2, 30));
         d[k].gravity = k ? 2 : 0;
         d[k].box[0] = d[k].box[1] = 1000;
@@ -791,10 +784,9 @@ TEST(test_speeds, "speeds and momentum of a start")
         for (int b = 0; b < DISKS_BOUNDARIES; ++b)
             for (int warm = 0; warm < 2; ++warm) {
                 FREED(disks) d;
-                struct random r;
+                SEEDED(r, 2);
                 double total[DISKS_AXES] = {0}, mass = 0, energy = 0;
                 begin(&d, dimensions, 5, 0.25, 8, b, 1);
-                random_seed(&r, 2);
                 for (size_t i = 0; i < 5; ++i)
                     d.mass[i] = 1 + (double)i;
                 if (warm)
@@ -826,9 +818,8 @@ TEST(test_speeds, "speeds and momentum of a start")
             }
     /* There is none to take out of one disk alone. */
     FREED(disks) one;
-    struct random r;
+    SEEDED(r, 2);
     double drift[DISKS_AXES];
-    random_seed(&r, 2);
     UNIT_MUST(disks_create(&one, 2, 1));
     one.boundary = DISKS_PERIODIC;
     one.box[0] = one.box[1] = 10;

@@ -14,8 +14,7 @@ static double place[3 * MOST], mass[MOST], sum[3 * MOST], other[3 * MOST];
 
 static void scatter(size_t n, uint64_t seed)
 {
-    struct random r;
-    random_seed(&r, seed);
+    SEEDED(r, seed);
     for (size_t i = 0; i < 3 * n; ++i)
         place[i] = random_between(&r, -1, 1);
     for (size_t i = 0; i < n; ++i)
@@ -129,8 +128,7 @@ TEST(test_kernels, "all kernels sum right, whatever the number")
 TEST(test_one_term, "a single pull is right to 1e-14")
 {
     const size_t n = MOST;
-    struct random r;
-    random_seed(&r, 5);
+    SEEDED(r, 5);
     for (int kernel = 0; kernel < GRAVITY_KERNELS; ++kernel) {
         if (!gravity_can((enum gravity_kernel)kernel))
             continue;

@@ -18,8 +18,7 @@ enum cloud { CUBE, RING, BALLS, CLOUDS };
 
 static void scatter(enum cloud cloud, size_t n, uint64_t seed)
 {
-    struct random r;
-    random_seed(&r, seed);
+    SEEDED(r, seed);
     for (size_t i = 0; i < n; ++i) {
         double at[3] = {random_between(&r, -1, 1),
                         random_between(&r, -1, 1),

@@ -81,9 +81,8 @@ TEST(test_four_disks, "four disks are those of chapter 5")
 {
     FREED(scene) s;
     FREED(disks) d, e;
-    struct random r;
+    SEEDED(r, 7);
     make(&s, "four-disks", "seed", 7);
-    random_seed(&r, 7);
     UNIT_TRUE(disks_create(&d, 2, 4));
     d.box[0] = d.box[1] = 1;
     for (size_t i = 0; i < 4; ++i)

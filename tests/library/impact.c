@@ -630,8 +630,7 @@ static bool is_free(const struct scene *s, size_t i)
    space, between walls or in part not; weight, attraction, springs. */
 static void make_any(struct scene *s, uint64_t seed)
 {
-    struct random r;
-    random_seed(&r, seed);
+    SEEDED(r, seed);
     const size_t n = 1 + (size_t)random_between(&r, 0, 4);
     const size_t axes = n < 3 ? 1 + seed % 3 : 2 + seed % 2;
     make(s, n, 0.25);

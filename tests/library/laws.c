@@ -191,9 +191,8 @@ TEST(test_true_law, "a true law passes as often as it should")
 {
     enum { TIMES = 1000, SAMPLES = 400 };
     const struct law law = law_of("microcanonical:10,0.5,1");
-    struct random r;
+    SEEDED(r, 41);
     int small[2] = {0, 0}, large[2] = {0, 0};
-    random_seed(&r, 41);
     for (int t = 0; t < TIMES; ++t) {
         struct law_test test;
         for (int i = 0; i < SAMPLES; ++i)
@@ -216,9 +215,8 @@ TEST(test_true_law, "a true law passes as often as it should")
 TEST(test_false_law, "a false law fails, given enough samples")
 {
     const struct law normal = law_of("normal:0,0.316227766016838");
-    struct random r;
+    SEEDED(r, 42);
     struct law_test test;
-    random_seed(&r, 42);
     for (int i = 0; i < MOST; ++i)
         x[i] = draw_component(&r, 10);
     UNIT_TRUE(laws_test(&normal, MOST, x, 1, 0, 0, &test));
@@ -253,8 +251,7 @@ TEST(test_correlated, "correlated samples need their inefficiency")
     enum { TIMES = 400 };
     const struct law law = law_of("normal:0,1");
     const double phis[] = {0, 0.5, 0.9};
-    struct random r;
-    random_seed(&r, 43);
+    SEEDED(r, 43);
     for (int p = 0; p < 3; ++p) {
         const double g = (1 + phis[p]) / (1 - phis[p]);
         const size_t block = (size_t)ceil(16 * g), n = 64 * block;
@@ -289,9 +286,8 @@ TEST(test_naive, "taken for independent, they cry wolf")
 {
     enum { TIMES = 100, SAMPLES = 4000 };
     const struct law law = law_of("normal:0,1");
-    struct random r;
+    SEEDED(r, 46);
     int naive[2] = {0, 0};
-    random_seed(&r, 46);
     for (int t = 0; t < TIMES; ++t) {
         struct law_test test;
         draw_series(&r, 0.9, SAMPLES);
@@ -306,10 +302,9 @@ TEST(test_naive, "taken for independent, they cry wolf")
    no probability of the distance. */
 TEST(test_fitted, "fitted numbers cost degrees of freedom")
 {
-    struct random r;
+    SEEDED(r, 44);
     struct law law = {0};
     struct law_test test;
-    random_seed(&r, 44);
     for (int i = 0; i < 5000; ++i)
         x[i] = 7 + 3 * random_normal(&r);
     const struct statistics_moments m = statistics_moments(5000, x);

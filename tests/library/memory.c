@@ -231,8 +231,7 @@ TEST(test_averages, "averages")
 /* Disks in a box of side 20, dense enough for long lists and full cells. */
 static bool pack(struct disks *d, size_t dimensions, size_t count)
 {
-    struct random r;
-    random_seed(&r, 3);
+    SEEDED(r, 3);
     if (!disks_create(d, dimensions, count))
         return false;
     d->boundary = DISKS_PERIODIC;
@@ -289,9 +288,8 @@ static bool samples(void *unused)
     const double box[] = {5, 5};
     struct sampling s;
     struct means m;
-    struct random r;
+    SEEDED(r, 2);
     (void)unused;
-    random_seed(&r, 2);
     if (!sampling_create(&s, 2, DISKS_WALLS, box, 3, 0.5, 4, 0.1))
         return false;
     UNIT_TRUE(sampling_start(&s, &r));
@@ -390,8 +388,7 @@ static bool measures(void *what)
     struct statistics_blocking b;
     struct law law = {0};
     struct law_test t;
-    struct random r;
-    random_seed(&r, 1);
+    SEEDED(r, 1);
     for (size_t i = 0; i < 64; ++i) {
         x[i] = random_uniform(&r);
         y[i] = random_uniform(&r);

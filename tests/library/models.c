@@ -412,8 +412,7 @@ TEST(test_line_refuses, "line and relabel refuse what is no line")
 /* Twenty scenes of equal rods between walls, with one held as a wall. */
 TEST(test_relabel, "relabel: rods of all lengths, as line does them")
 {
-    struct random random;
-    random_seed(&random, 5);
+    SEEDED(random, 5);
     for (int round = 0; round < 20; ++round) {
         const size_t n = 2 + random_below(&random, 12);
         UNIT_TRUE(scene_create(&scene, n));

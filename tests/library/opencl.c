@@ -18,8 +18,7 @@ static char message[OPENCL_MESSAGE];
 /* A heavy body and light ones about it, in a cube of 1 m. */
 static void make_bodies(void)
 {
-    struct random r;
-    random_seed(&r, 1);
+    SEEDED(r, 1);
     for (size_t i = 0; i < BODIES; ++i)
         mass[i] = i == 3 ? 1 : 1e-6 * random_uniform(&r);
     for (size_t i = 0; i < 3 * BODIES; ++i)

@@ -22,9 +22,8 @@ static struct told run(struct sampling *s, double step, size_t samples)
 {
     struct told told = {0};
     struct means m;
-    struct random r;
+    SEEDED(r, 1);
     size_t tries = 0, accepted = 0;
-    random_seed(&r, 1);
     UNIT_TRUE(means_create(&m, QUANTITIES));
     UNIT_TRUE(step == 0 || sampling_start(s, &r));
     for (size_t n = 0; n < samples; ++n) {
@@ -161,10 +160,9 @@ TEST(test_pair_line, "a line past images has the right free part")
 {
     for (size_t dimensions = 2; dimensions <= 3; ++dimensions) {
         FREED(sampling) s;
-        struct random r;
+        SEEDED(r, 3);
         size_t seen = 0;
         box(&s, dimensions, DISKS_PERIODIC, unit, 6, 0.15);
-        random_seed(&r, 3);
         UNIT_TRUE(sampling_start(&s, &r));
         for (int n = 0; n < 20; ++n) {
             double along[DISKS_AXES], high = INFINITY, length;
@@ -197,10 +195,9 @@ TEST(test_pair_line, "a line past images has the right free part")
 TEST(test_wall_line, "a line between walls has it, too")
 {
     FREED(sampling) s;
-    struct random r;
+    SEEDED(r, 4);
     size_t both = 0, one = 0;
     UNIT_TRUE(sampling_create(&s, 2, DISKS_WALLS, unit, 2, 0.15, 5, 0.05));
-    random_seed(&r, 4);
     UNIT_TRUE(sampling_start(&s, &r));
     for (int n = 0; n < 40; ++n) {
         const double along[] = {1, 0, 0}, back[] = {-1, 0, 0};
@@ -271,11 +268,10 @@ TEST(test_depletion, "Asakura and Oosawa's law of distances")
         double law[PARTS] = {0}, total = 0, all = 0;
         FREED(means) m;
         FREED(sampling) s;
-        struct random r;
+        SEEDED(r, 5);
         UNIT_TRUE(means_create(&m, PARTS));
         UNIT_TRUE(sampling_create(&s, dimensions, DISKS_PERIODIC, sides, 2,
                                   1, small, 0.2));
-        random_seed(&r, 5);
         UNIT_TRUE(sampling_start(&s, &r));
         for (int n = 0; n < 20000; ++n) {
             double apart[DISKS_AXES];
@@ -314,10 +310,9 @@ TEST(test_depletion, "Asakura and Oosawa's law of distances")
 TEST(test_moves, "a try moves one disk or none")
 {
     FREED(sampling) s;
-    struct random r;
+    SEEDED(r, 6);
     size_t moved = 0, a, b;
     box(&s, 2, DISKS_WALLS, unit, 4, 0.2);
-    random_seed(&r, 6);
     UNIT_TRUE(sampling_start(&s, &r));
     for (int n = 0; n < 20000; ++n) {
         struct disk before[4];
@@ -343,9 +338,8 @@ TEST(test_moves, "a try moves one disk or none")
 TEST(test_starts, "starts are found, or not")
 {
     FREED(sampling) s;
-    struct random r;
+    SEEDED(r, 7);
     size_t a, b;
-    random_seed(&r, 7);
     box(&s, 2, DISKS_WALLS, unit, 4, 0.24);
     UNIT_TRUE(sampling_start(&s, &r));
     UNIT_TRUE(disks_fit(&s.disks, &a, &b));
@@ -364,8 +358,7 @@ TEST(test_guess, "hopeless throws are known beforehand")
 {
     const double sides[] = {2, 2};
     FREED(sampling) s;
-    struct random r;
-    random_seed(&r, 8);
+    SEEDED(r, 8);
     box(&s, 2, DISKS_WALLS, unit, 4, 0.15);
     UNIT_NEAR(sampling_log_acceptance(&s, 100000, &r), log(0.0365551596),
               0.1);
@@ -380,9 +373,8 @@ TEST(test_guess, "hopeless throws are known beforehand")
 TEST(test_means, "means and their errors")
 {
     FREED(means) m;
-    struct random r;
+    SEEDED(r, 9);
     double sum = 0;
-    random_seed(&r, 9);
     UNIT_TRUE(means_create(&m, 2));
     UNIT_TRUE(isnan(means_mean(&m, 0)));
     for (int n = 1; n <= 100003; ++n) {
@@ -411,8 +403,7 @@ static void run_chains(size_t dimensions, double told[3])
 {
     FREED(sampling) s;
     FREED(means) m;
-    struct random r;
-    random_seed(&r, 1);
+    SEEDED(r, 1);
     box(&s, dimensions, DISKS_PERIODIC, unit, 2, 0.15);
     UNIT_TRUE(means_create(&m, 2) && sampling_start(&s, &r));
     for (size_t n = 0; n < 200000; ++n) {
@@ -463,10 +454,9 @@ TEST(test_long_chains, "chains of many keep all disks apart")
 {
     static const double sides[] = {13, 13};
     FREED(sampling) s;
-    struct random r;
+    SEEDED(r, 1);
     double gained = 0, touches = 0;
     size_t a, b;
-    random_seed(&r, 1);
     box(&s, 2, DISKS_PERIODIC, sides, 64, 0.5);
     UNIT_TRUE(sampling_start(&s, &r));
     for (size_t n = 0; n < 20000; ++n)

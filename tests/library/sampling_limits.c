@@ -36,7 +36,7 @@ TEST(test_chain, "a chain of three, by hand")
             /* The row stands in the middle, or across the seam. */
             const double aside = seed % 2 ? 0 : 4.75;
             FREED(sampling) s;
-            struct random r;
+            SEEDED(r, seed);
             double gained = 0;
             box(&s, 3, DISKS_PERIODIC, 10, 3, 0.5, NULL);
             for (size_t i = 0; i < 3; ++i)
@@ -44,7 +44,6 @@ TEST(test_chain, "a chain of three, by hand")
                     s.disks.disk[i].position[(k + axis) % 3] =
                         k == 1 ? fmod(places[i][k] + aside, 10)
                                : places[i][k];
-            random_seed(&r, seed);
             const uint64_t lifts = sampling_chain(&s, axis, 5, &r, &gained);
             random_seed(&r, seed);
             const size_t first = random_below(&r, 3);
@@ -71,9 +70,8 @@ TEST(test_hair_behind, "what is a hair behind is not in the way")
     int tried = 0;
     for (uint64_t seed = 1; seed <= 8; ++seed) {
         struct sampling s;
-        struct random r;
+        SEEDED(r, seed);
         double gained = 0;
-        random_seed(&r, seed);
         if (random_below(&r, 2) != 0)
             continue;
         ++tried;
@@ -94,11 +92,10 @@ TEST(test_grazing, "what is grazed is not pushed")
     for (uint64_t seed = 1; seed <= 4; ++seed) {
         static const double places[][3] = {{1, 5, 0}, {3, 6, 0}};
         FREED(sampling) s;
-        struct random r;
+        SEEDED(r, seed);
         double gained = 0, before, after;
         box(&s, 2, DISKS_PERIODIC, 10, 2, 0.5, places);
         before = s.disks.disk[0].position[0] + s.disks.disk[1].position[0];
-        random_seed(&r, seed);
         UNIT_EQUAL((double)sampling_chain(&s, 0, 5, &r, &gained), 0);
         after = s.disks.disk[0].position[0] + s.disks.disk[1].position[0];
         UNIT_EQUAL(after - before, 5);
@@ -213,10 +210,9 @@ TEST(test_tries, "half of the tries are for large ones")
     enum { TRIES = 4000 };
     const double sides[] = {10, 10};
     FREED(sampling) s;
-    struct random r;
+    SEEDED(r, 3);
     int large = 0, moved = 0;
     double farthest = 0, widest = 0;
-    random_seed(&r, 3);
     UNIT_MUST(sampling_create(&s, 2, DISKS_WALLS, sides, 2, 0.5, 3, 0.01));
     UNIT_TRUE(sampling_start(&s, &r));
     for (int n = 0; n < TRIES; ++n) {
@@ -302,9 +298,8 @@ TEST(test_ideal, "small ones do not see each other")
 {
     const double sides[] = {10, 10};
     FREED(sampling) s;
-    struct random r;
+    SEEDED(r, 3);
     int moves[4] = {0};
-    random_seed(&r, 3);
     UNIT_MUST(sampling_create(&s, 2, DISKS_WALLS, sides, 1, 0.1, 3, 3));
     UNIT_TRUE(sampling_start(&s, &r));
     for (int n = 0; n < 400; ++n) {

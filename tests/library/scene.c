@@ -399,8 +399,7 @@ static void make_random(struct scene *s, struct random *r)
 
 TEST(test_written, "what is written reads with the same bits")
 {
-    struct random r;
-    random_seed(&r, 8);
+    SEEDED(r, 8);
     for (int i = 0; i < 300; ++i) {
         FREED(scene) a, b, c;
         make_random(&a, &r);

@@ -69,9 +69,8 @@ static void mix(size_t size, int levels, uint64_t seed)
 {
     FREED(schedule) s;
     struct plain p = {.size = size};
-    struct random r;
+    SEEDED(r, seed);
     int bad = 0;
-    random_seed(&r, seed);
     UNIT_TRUE(schedule_create(&s, size, size));
     for (int k = 0; k < 3000; ++k) {
         const size_t event = (size_t)random_below(&r, size);
@@ -149,8 +148,7 @@ TEST(test_edges, "dropped twice, put again, cleared")
 
 TEST(test_scan, "the scan finds the first of the smallest")
 {
-    struct random r;
-    random_seed(&r, 3);
+    SEEDED(r, 3);
     for (size_t n = 1; n < MOST; n += 1 + n / 4)
         for (uint64_t levels = 1; levels < 1000; levels *= 5) {
             double time[MOST];

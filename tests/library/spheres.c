@@ -122,8 +122,7 @@ TEST(test_not_too_far, "nobody goes back for more than a step")
 TEST(test_oblique, "oblique hits found late are made good")
 {
     const double unit = 0.5;
-    struct random r;
-    random_seed(&r, 5);
+    SEEDED(r, 5);
     for (int k = 0; k < 1000; ++k) {
         const double b = random_between(&r, -0.95, 0.95);
         const double tau = random_between(&r, 0, 0.3);
@@ -354,8 +353,7 @@ TEST(test_awkward, "awkward scenes do no harm")
 /* A crowd of unequal spheres in space, in each kind of box. */
 static void make_crowd(struct scene *s, enum scene_wall wall, uint64_t seed)
 {
-    struct random r;
-    random_seed(&r, seed);
+    SEEDED(r, seed);
     make(s, 200);
     for (size_t k = 0; k < SCENE_AXES; ++k) {
         s->wall[k] = wall;
@@ -562,11 +560,10 @@ TEST(test_overlaps, "what overlaps, and how deep")
 {
     enum { N = 30 };
     for (int round = 0; round < 18; ++round) {
-        struct random r;
+        SEEDED(r, (uint64_t)round);
         FREED(scene) s;
         FREED(spheres) p;
         size_t found = 0;
-        random_seed(&r, (uint64_t)round);
         make(&s, N);
         for (size_t k = 0; k < SCENE_AXES; ++k) {
             const double side = (int)k == round / 3 % 3 ? 7 : 3;
@@ -667,8 +664,7 @@ static size_t count_passed(const struct scene *s, const double before[],
 TEST(test_passed, "who passes through another is counted")
 {
     enum { N = 40 };
-    struct random r;
-    random_seed(&r, 7);
+    SEEDED(r, 7);
     size_t all = 0;
     for (int round = 0; round < 60; ++round) {
         FREED(scene) s;

@@ -20,8 +20,7 @@ static void text(const char *words)
 static void make(struct disks *d, size_t dimensions,
                  enum disks_boundary boundary, double gravity)
 {
-    struct random r;
-    random_seed(&r, dimensions);
+    SEEDED(r, dimensions);
     UNIT_MUST(disks_create(d, dimensions, 5));
     d->boundary = boundary;
     d->gravity = gravity;

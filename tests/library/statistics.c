@@ -78,9 +78,8 @@ TEST(test_edges, "edges and what is outside")
 TEST(test_error_bars, "error bars are the scatter of histograms")
 {
     enum { TIMES = 2000, SAMPLES = 400 };
-    struct random r;
+    SEEDED(r, 31);
     double sum = 0, square = 0, claimed = 0;
-    random_seed(&r, 31);
     for (int k = 0; k < TIMES; ++k) {
         struct statistics_histogram *h =
             statistics_histogram_create(0, 1, 8);
@@ -132,9 +131,8 @@ TEST(test_bins, "Scott's number of bins")
 static void fit_many(double low, double high, double square[2])
 {
     enum { TIMES = 500, SAMPLES = 400 };
-    struct random r;
+    SEEDED(r, 32);
     struct statistics_gaussian fit;
-    random_seed(&r, 32);
     square[0] = square[1] = 0;
     for (int k = 0; k < TIMES; ++k) {
         struct statistics_histogram *h =
@@ -165,11 +163,10 @@ TEST(test_fit, "fits scatter as they say, also in a part")
  */
 TEST(test_fit_errors, "errors of a fit with narrow bins")
 {
-    struct random r;
+    SEEDED(r, 33);
     struct statistics_gaussian fit, worse;
     struct statistics_histogram *h =
         statistics_histogram_create(-12, 18, 300);
-    random_seed(&r, 33);
     for (int i = 0; i < 100000; ++i)
         statistics_histogram_add(h, 3 + 2 * random_normal(&r));
     UNIT_TRUE(statistics_fit_gaussian(h, 1, &fit));
@@ -221,9 +218,8 @@ TEST(test_levels, "every level of blocks against the exact one")
     enum { TIMES = 200, SAMPLES = 4096, LEVELS = 9 };
     const double phi = 0.9, g = inefficiency(phi);
     double square[LEVELS] = {0}, spread[LEVELS] = {0};
-    struct random r;
+    SEEDED(r, 34);
     struct statistics_blocking b;
-    random_seed(&r, 34);
     for (int t = 0; t < TIMES; ++t) {
         correlated(&r, phi, SAMPLES, x);
         UNIT_TRUE(statistics_blocking(SAMPLES, x, &b));
@@ -253,8 +249,7 @@ TEST(test_levels, "every level of blocks against the exact one")
 TEST(test_errors, "errors of five known series")
 {
     static const double phis[] = {-0.5, 0, 0.5, 0.9, 0.99};
-    struct random r;
-    random_seed(&r, 35);
+    SEEDED(r, 35);
     for (int k = 0; k < 5; ++k) {
         const double g = inefficiency(phis[k]);
         const double exact = sqrt(g / MOST);
@@ -278,9 +273,8 @@ TEST(test_coverage, "honest errors cover, naive ones do not")
 {
     enum { TIMES = 400, SAMPLES = 1 << 15 };
     double honest = 0, naive = 0;
-    struct random r;
+    SEEDED(r, 36);
     struct statistics_description d;
-    random_seed(&r, 36);
     for (int t = 0; t < TIMES; ++t) {
         correlated(&r, 0.9, SAMPLES, x);
         UNIT_TRUE(statistics_describe(SAMPLES, x, true, &d));
@@ -298,8 +292,7 @@ TEST(test_coverage, "honest errors cover, naive ones do not")
 TEST(test_every_plateau, "all errors need a plateau")
 {
     struct statistics_description d;
-    struct random r;
-    random_seed(&r, 38);
+    SEEDED(r, 38);
     for (int i = 0; i < 4096; ++i)
         x[i] = i / 1024 % 2 ? -1 : 1;
     UNIT_TRUE(statistics_describe(4096, x, true, &d) && !d.plateau);
@@ -317,9 +310,8 @@ TEST(test_every_plateau, "all errors need a plateau")
 /* A run shorter than its correlations has no honest error, and says so. */
 TEST(test_no_plateau, "too short a run says so")
 {
-    struct random r;
+    SEEDED(r, 37);
     struct statistics_blocking b;
-    random_seed(&r, 37);
     for (int i = 0; i < 1000; ++i)
         x[i] = i;
     UNIT_TRUE(statistics_blocking(1000, x, &b) && !b.plateau);
@@ -338,9 +330,8 @@ TEST(test_no_plateau, "too short a run says so")
    sqrt((1/80 - 1/144) / n), of the kurtosis from the eighth moment. */
 TEST(test_description, "mean, spread, kurtosis and their errors")
 {
-    struct random r;
+    SEEDED(r, 38);
     struct statistics_description d;
-    random_seed(&r, 38);
     for (int i = 0; i < MOST; ++i)
         x[i] = random_uniform(&r);
     UNIT_TRUE(statistics_describe(MOST, x, false, &d));
@@ -370,9 +361,8 @@ TEST(test_block_uncertainty,
 {
     enum { TIMES = 4000 };
     struct statistics_blocking b;
-    struct random r;
+    SEEDED(r, 46);
     double square[TIMES];
-    random_seed(&r, 46);
     for (int t = 0; t < TIMES; ++t) {
         const double three[] = {random_normal(&r), random_normal(&r),
                                 random_normal(&r)};
@@ -392,10 +382,9 @@ TEST(test_block_uncertainty,
 TEST(test_correlation_uncertainty, "that of an inefficiency, too")
 {
     enum { TIMES = 1000, SAMPLES = 2000 };
-    struct random r;
+    SEEDED(r, 47);
     static double g[TIMES];
     double said = 0, expected = 0;
-    random_seed(&r, 47);
     for (int t = 0; t < TIMES; ++t) {
         correlated(&r, 0.5, SAMPLES, x);
         const struct statistics_correlation c =
@@ -417,10 +406,9 @@ TEST(test_correlation_uncertainty, "that of an inefficiency, too")
 TEST(test_skewed, "the kurtosis of a skewed law")
 {
     enum { TIMES = 500, SAMPLES = 2000 };
-    struct random r;
+    SEEDED(r, 45);
     struct statistics_description d;
     double square = 0;
-    random_seed(&r, 45);
     for (int t = 0; t < TIMES; ++t) {
         for (int i = 0; i < SAMPLES; ++i) {
             const double u = random_uniform(&r);
@@ -436,9 +424,8 @@ TEST(test_skewed, "the kurtosis of a skewed law")
 /* The squares of a series of flips +-a, a slow: the mean looks perfect. */
 TEST(test_squares_count, "the slow squares of a fast series count")
 {
-    struct random r;
+    SEEDED(r, 39);
     struct statistics_description d;
-    random_seed(&r, 39);
     correlated(&r, 0.99, MOST, y);
     for (int i = 0; i < MOST; ++i)
         x[i] = random_uniform(&r) < 0.5 ? y[i] : -y[i];
@@ -457,9 +444,8 @@ TEST(test_squares_count, "the slow squares of a fast series count")
 TEST(test_dependence, "dependence with and without correlation")
 {
     enum { SAMPLES = 100000 };
-    struct random r;
+    SEEDED(r, 40);
     struct statistics_dependence d;
-    random_seed(&r, 40);
     for (int i = 0; i < SAMPLES; ++i) {
         x[i] = random_normal(&r);
         y[i] = random_normal(&r);
@@ -536,8 +522,7 @@ struct said {
 static struct said say(int power, struct said *s)
 {
     static double u[SCALED], v[SCALED];
-    struct random r;
-    random_seed(&r, 31);
+    SEEDED(r, 31);
     correlated(&r, 0.5, SCALED, u);
     correlated(&r, 0.2, SCALED, v);
     for (size_t i = 0; i < SCALED; ++i) {

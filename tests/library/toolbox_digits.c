@@ -41,8 +41,7 @@ TEST(test_powers, "powers and their neighbours")
    numbers of 17 digits. */
 TEST(test_halves, "halves go to the even one")
 {
-    struct random r;
-    random_seed(&r, 1);
+    SEEDED(r, 1);
     for (int i = 0; i < 100000; ++i)
         UNIT_TRUE(both_signs(ldexp((double)random_below(&r, 1 << 16),
                                    (int)random_below(&r, 80) - 70)));
@@ -52,8 +51,7 @@ TEST(test_halves, "halves go to the even one")
 
 TEST(test_every_size, "numbers of every size")
 {
-    struct random r;
-    random_seed(&r, 2);
+    SEEDED(r, 2);
     for (int i = 0; i < 400000; ++i)
         UNIT_TRUE(both_signs(pow(10, random_between(&r, -6, 18))));
     for (int i = 0; i < 100000; ++i)

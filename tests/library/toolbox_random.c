@@ -48,8 +48,7 @@ TEST(test_known_bits, "xoshiro256** gives the published numbers")
 /* splitmix64.c of S. Vigna, prng.di.unimi.it, from the seed 0. */
 TEST(test_known_seed, "the seed 0 gives the published state")
 {
-    struct random r;
-    random_seed(&r, 0);
+    SEEDED(r, 0);
     UNIT_TRUE(r.state[0] == 0xe220a8397b1dcdaf);
     UNIT_TRUE(r.state[1] == 0x6e789e6aa1b965f4);
     UNIT_TRUE(r.state[2] == 0x06c45d188009454f);
@@ -60,9 +59,8 @@ TEST(test_known_seed, "the seed 0 gives the published state")
    with older versions could not be made again. */
 TEST(test_golden, "seed 1 gives the numbers it always gave")
 {
-    struct random r;
+    SEEDED(r, 1);
     double d[3];
-    random_seed(&r, 1);
     UNIT_TRUE(random_bits(&r) == 0xb3f2af6d0fc710c5);
     UNIT_TRUE(random_below(&r, 1000) == 522);
     UNIT_EQUAL(random_uniform(&r), 0x1.25f12eac10548p-1);
@@ -115,8 +113,7 @@ TEST(test_uniform, "uniform numbers are uniform")
 {
     long counts[BINS] = {0};
     double sum = 0, squares = 0, products = 0, last = 0.5;
-    struct random r;
-    random_seed(&r, 2);
+    SEEDED(r, 2);
     for (int i = 0; i < DRAWS; ++i) {
         const double u = random_uniform(&r);
         ++counts[(int)(BINS * u)];
@@ -134,8 +131,7 @@ TEST(test_uniform, "uniform numbers are uniform")
 TEST(test_between, "numbers between two ends stay there")
 {
     double least = 9, most = -9, sum = 0;
-    struct random r;
-    random_seed(&r, 3);
+    SEEDED(r, 3);
     for (int i = 0; i < DRAWS; ++i) {
         const double x = random_between(&r, -2, 4);
         least = x < least ? x : least;
@@ -154,8 +150,7 @@ TEST(test_below, "whole numbers have no bias")
 {
     long counts[6] = {0}, thirds[3] = {0};
     const uint64_t third = (uint64_t)1 << 62;
-    struct random r;
-    random_seed(&r, 4);
+    SEEDED(r, 4);
     for (int i = 0; i < DRAWS; ++i)
         ++counts[random_below(&r, 6)];
     uniform_counts(counts, 6);
@@ -180,8 +175,7 @@ static void log_uniform_counts(double low, double high, uint64_t seed)
 {
     long counts[BINS] = {0};
     bool inside = true;
-    struct random r;
-    random_seed(&r, seed);
+    SEEDED(r, seed);
     for (int i = 0; i < DRAWS; ++i) {
         const double x = random_log_uniform(&r, low, high);
         const double bin =
@@ -195,8 +189,7 @@ static void log_uniform_counts(double low, double high, uint64_t seed)
 
 TEST(test_log_uniform, "log-uniform numbers fill octaves evenly")
 {
-    struct random r;
-    random_seed(&r, 5);
+    SEEDED(r, 5);
     log_uniform_counts(1e-3, 1e5, 6);
     log_uniform_counts(3, 5, 7);             /* less than an octave */
     log_uniform_counts(1, 2, 8);             /* one octave exactly */
@@ -219,8 +212,7 @@ static double log_error(double x)
 TEST(test_log, "the logarithm is right within 4 ulp")
 {
     double worst = 0, one = 0, x;
-    struct random r;
-    random_seed(&r, 12);
+    SEEDED(r, 12);
     for (int i = 0; i < DRAWS; ++i) {
         worst =
             fmax(worst, log_error(random_log_uniform(&r, 1e-300, 1e300)));
@@ -255,8 +247,7 @@ TEST(test_normal, "normal variates are normal")
 {
     static double x[DRAWS];
     double sums[4] = {0}, distance = 0;
-    struct random r;
-    random_seed(&r, 13);
+    SEEDED(r, 13);
     for (int i = 0; i < DRAWS; ++i) {
         x[i] = random_normal(&r);
         for (int k = 0; k < 4; ++k)
@@ -283,8 +274,7 @@ static void component_moments(size_t dimensions, uint64_t seed)
 {
     const double D = (double)dimensions, fourth = 3 / (D * (D + 2));
     double d[3], sum = 0, squares = 0, fourths = 0, worst = 0;
-    struct random r;
-    random_seed(&r, seed);
+    SEEDED(r, seed);
     for (int i = 0; i < DRAWS; ++i) {
         quad length2 = 0;
         random_direction(&r, dimensions, d);
@@ -320,8 +310,7 @@ TEST(test_direction_angles, "directions fill all angles evenly")
 {
     long flat[BINS] = {0}, height[BINS] = {0}, around[BINS] = {0};
     double d[3];
-    struct random r;
-    random_seed(&r, 17);
+    SEEDED(r, 17);
     for (int i = 0; i < DRAWS; ++i) {
         random_direction(&r, 2, d);
         ++flat[(int)((atan2(d[1], d[0]) / acos(-1) + 1) / 2 * BINS) % BINS];

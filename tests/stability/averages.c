@@ -37,8 +37,7 @@ static void put(struct scene *s, size_t i, double mass, double radius,
    same speed. */
 static void make_pair(struct scene *s, double ratio, uint64_t seed)
 {
-    struct random r;
-    random_seed(&r, seed);
+    SEEDED(r, seed);
     UNIT_MUST(scene_create(s, 2));
     s->contact = true;
     s->wall[0] = SCENE_HARD;
@@ -172,8 +171,7 @@ TEST(test_equal_masses, "equal masses on a line have no mean place")
 static void make_line(struct scene *s, size_t n, double share,
                       uint64_t seed)
 {
-    struct random r;
-    random_seed(&r, seed);
+    SEEDED(r, seed);
     UNIT_MUST(scene_create(s, n));
     s->contact = true;
     s->wall[0] = SCENE_HARD;

@@ -62,8 +62,7 @@ static quad energy_of(const double im[], const double v[])
 static double drift(enum collide_form form, int set, long n)
 {
     double im[BODIES] = {0}, v[BODIES] = {0};
-    struct random r;
-    random_seed(&r, 100 + (uint64_t)set);
+    SEEDED(r, 100 + (uint64_t)set);
     for (int i = 1; i <= MOVERS; ++i) {
         im[i] = 1 / (set ? random_between(&r, 1, 9) : 10 * i + 1.23);
         v[i] = set ? random_between(&r, -1, 1) : i;

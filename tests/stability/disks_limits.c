@@ -71,8 +71,7 @@ TEST(test_four_at_once, "four at once: two pairs stay symmetric")
 static void begin(struct disks *d, size_t count, double r, double side,
                   double v, uint64_t seed)
 {
-    struct random random;
-    random_seed(&random, seed);
+    SEEDED(random, seed);
     make(d, count, side);
     for (size_t i = 0; i < count; ++i)
         d->disk[i].radius = r;

@@ -14,8 +14,7 @@
 static void make(struct disks *d, size_t dimensions, size_t count,
                  double side)
 {
-    struct random r;
-    random_seed(&r, 7);
+    SEEDED(r, 7);
     UNIT_MUST(disks_create(d, dimensions, count));
     for (size_t k = 0; k < dimensions; ++k)
         d->box[k] = side * (1 + 0.2 * (double)k);

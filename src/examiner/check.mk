@@ -107,7 +107,13 @@ kept += build/check/flags build/check/libcheck.a build/check/examine \
 # which is remote.c without comments. Nothing here is optimized: that takes the
 # compiler a third of the time, and checks last a twentieth longer. (The grader's judge
 # is optimized, and so it gets the warnings that only an optimizer can give.)
-remote_of = $(wildcard $(addprefix tests/exercises/$*/,remote.c calls.c))
+# Where an exercise has a call.h, remote.c is made from it (tests/remote.awk).
+remote_file = $(or $(wildcard $(addprefix tests/exercises/$(1)/,remote.c calls.c)),\
+	$(patsubst tests/exercises/%/call.h,build/check/remote/%/remote.c,\
+	$(wildcard tests/exercises/$(1)/call.h)))
+remote_of = $(call remote_file,$*)
+build/check/remote/%/remote.c: tests/exercises/%/call.h tests/remote.awk
+	@mkdir -p $(@D) && awk -f tests/remote.awk $< >$@.new && mv $@.new $@
 crossing = $$(sed -n '/^static/d; s/^[a-z][a-z_ *]*[ *]\([a-z0-9_]*\)(.*/\1/p' \
 	/dev/null $(remote_of) | grep -v '^remote_' | sed 's/.*/-D&=suite_&/')
 check_part = $(check_cc) $(year) -O0 -Wall -Wextra -pedantic -Isrc -c \
@@ -124,8 +130,7 @@ build/made/check/%.suite.o: tests/exercises/%/suite.c build/check/flags
 	@ld -r -o $(made).new build/check/obj/suite/$*.o $(if $(remote_of),\
 		build/check/obj/suite/$*.outside.o build/check/obj/suite/$*.inside.o)
 	$(take_compiled)
-$(foreach e,$(exercises),$(eval build/made/check/$(e).suite.o: \
-	$(wildcard $(addprefix tests/exercises/$(e)/,remote.c calls.c))))
+$(foreach e,$(exercises),$(eval build/made/check/$(e).suite.o: $(call remote_file,$(e))))
 # The functions that a project's program is linked with, right ones and wrong ones, in
 # place of the one in its header. They have no sanitizers, so that they can be linked
 # with a program that has them and with one that does not.

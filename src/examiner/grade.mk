@@ -8,7 +8,7 @@ grade_options = $${REPORT:+--report "$$REPORT"} $${JOBS:+--jobs "$$JOBS"} \
 	$${seconds:+--seconds "$$seconds"} $(if $(UNSAFE),--unsafe) \
 	$${RESULTS:+--output "$$RESULTS"}
 graded := $(foreach e,$(exercises),\
-	$(if $(wildcard tests/exercises/$(e)/remote.c),$(e)))
+	$(if $(call remote_file,$(e)),$(e)))
 GRADE_BUILT = build/grade/grade build/grade/flags \
 	$(graded:%=build/grade/%.list) $(graded:%=build/grade/%.names) \
 	$(patsubst %,build/grade/%.types.h,$(filter-out P%,$(graded)))
@@ -26,7 +26,7 @@ has-submissions:
 		>&2; exit 2; }
 grade: has-submissions grade-parts
 	$(if $(filter-out $(graded),$(exercises)),@echo 'Not graded (there is' \
-		'no remote.c in its folder):' $(filter-out $(graded),$(exercises)))
+		'no call.h or remote.c in its folder):' $(filter-out $(graded),$(exercises)))
 	@build/grade/grade $(grade_options) "$$SUBMISSIONS"
 jobs-grade: has-submissions grade-parts
 	$(call list,build/grade/grade --list $(grade_options) "$$SUBMISSIONS")
@@ -110,9 +110,8 @@ kept += build/grade/grade build/grade/flags build/grade/libjudge.a \
 # options of objcopy. The judge is compiled with -g1, which is faster than -g, and the
 # symbols are stripped from EX.inside.o, which leaves a sixth of it to be copied.
 judge_part = build/grade/obj/judge/$*
-judge_of = $(wildcard $(addprefix tests/exercises/$*/,suite.c remote.c hidden.c))
-build/made/grade/%.judge: tests/exercises/%/suite.c tests/exercises/%/remote.c \
-		build/grade/libjudge.a
+judge_of = $(wildcard $(addprefix tests/exercises/$*/,suite.c hidden.c)) $(remote_of)
+build/made/grade/%.judge: tests/exercises/%/suite.c build/grade/libjudge.a
 	$(begin)
 	@mkdir -p build/grade/obj/judge
 	$(call say,cc $(made))
@@ -126,13 +125,13 @@ build/made/grade/%.judge: tests/exercises/%/suite.c tests/exercises/%/remote.c \
 		build/grade/libjudge.a $(LDFLAGS) -lcunit -lm
 	$(take_compiled)
 $(foreach e,$(graded),$(eval build/made/grade/$(e).judge: \
-	$(wildcard tests/exercises/$(e)/hidden.c)))
-build/made/grade/%.inside.o: tests/exercises/%/remote.c $(patsubst %,\
-		build/grade/obj/examiner/%.o,sandboxed endless transport remote guards)
+	$(wildcard tests/exercises/$(e)/hidden.c) $(call remote_file,$(e))))
+$(foreach e,$(graded),$(eval build/made/grade/$(e).inside.o: $(call remote_file,$(e))))
+build/made/grade/%.inside.o: $(patsubst %,build/grade/obj/examiner/%.o,sandboxed endless transport remote guards)
 	$(begin)
 	@mkdir -p build/grade/obj/remote
 	$(Q)$(check_base) $(reads) -Wall -Wextra -pedantic -DREMOTE_SERVER -Isrc \
-		-c -o build/grade/obj/remote/$*.o $<
+		-c -o build/grade/obj/remote/$*.o $(remote_of)
 	@ld -r -S -o $(made).new build/grade/obj/remote/$*.o $(filter %.o,$^)
 	$(take_compiled)
 $(projects:%=build/made/grade/%.judge): build/made/check/year

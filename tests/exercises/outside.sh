@@ -11,7 +11,19 @@ trap 'rm -rf "$out"' EXIT
 trap 'exit 1' HUP INT TERM
 topic=outside
 
-# What a remote.c says about the outputs that it gives, a line for each,
+# Each remote.c, or what is made from call.h.
+remotes=$out/remotes
+for folder in tests/exercises/[0-9][0-9][a-z]; do
+    ex=${folder##*/}
+    mkdir -p "$remotes/$ex"
+    if [ -e "$folder/call.h" ]; then
+        awk -f tests/remote.awk "$folder/call.h"
+    else
+        cat "$folder/remote.c"
+    fi >"$remotes/$ex/remote.c"
+done
+
+# What it says about the outputs that it gives, a line for each,
 #   /* output: FUNCTION OUTPUT VALUES */      or      /* output: none */
 # with how many values the output has, and "suite" behind it where the suite
 # looks behind it (02b: and before it) by itself and knows better words.
@@ -19,7 +31,7 @@ topic=outside
 outputs_of() { # EXERCISE...
     for ex; do
         sed -n "s,^/\\* output: \\(.*\\) \\*/\$,$ex \\1,p" \
-            "tests/exercises/$ex/remote.c"
+            "$remotes/$ex/remote.c"
     done
 }
 outputs=$(outputs_of "$@")
@@ -54,8 +66,8 @@ all_named() { # HOME EXERCISE...
     done
 }
 verdict 'every exercise has its outputs named, or has none' \
-    all_named tests/exercises "$@"
-mkdir "$out/99a" && sed 's,^/\* output:.*,,' tests/exercises/02a/remote.c \
+    all_named "$remotes" "$@"
+mkdir "$out/99a" && sed 's,^/\* output:.*,,' "$remotes/02a/remote.c" \
     >"$out/99a/remote.c"
 unnamed() { ! all_named "$out" 99a; }
 verdict 'and one that names none is seen' unnamed
@@ -178,9 +190,9 @@ plain() {
     plant $ex solutions/$ex-collide.c >"$out/planted.c" &&
         $base -Isrc -Dvelocities_after=suite_velocities_after -r -nostdlib \
             -o "$out/suite.o" tests/exercises/$ex/suite.c \
-            tests/exercises/$ex/remote.c &&
+            "$remotes/$ex/remote.c" &&
         $base -w -Isrc -Isrc/examiner -DREMOTE_SERVER -o "$out/home" \
-            "$out/planted.c" "$out/suite.o" tests/exercises/$ex/remote.c \
+            "$out/planted.c" "$out/suite.o" "$remotes/$ex/remote.c" \
             src/examiner/check.c src/examiner/no_hidden.c src/examiner/no_callback.c \
             src/examiner/local.c src/examiner/guards.c src/examiner/remote.c \
             src/toolbox/random.c ${libraries#* }

@@ -49,6 +49,7 @@ strangers=$(cd "$place" && find . ! -type d ! \( -type f \( \
     -path './tests/exercises/[0-9][0-9][a-z]/hints.txt' -o \
     -path './tests/exercises/P[0-9]/hints.txt' -o \
     -path './tests/exercises/[0-9][0-9][a-z]/calls.c' -o \
+    -path './tests/exercises/[0-9][0-9][a-z]/call.h' -o \
     -path './tests/exercises/P[0-9]/calls.c' -o \
     -path './plots/*.gp' -o \
     -path './plots/*.awk' -o -path ./plots/films -o -path ./plots/show -o \
@@ -56,7 +57,8 @@ strangers=$(cd "$place" && find . ! -type d ! \( -type f \( \
     -path ./README.md -o -path ./LICENSE -o -path ./CITATION.cff -o \
     -path ./Makefile -o -path ./bonkers.pdf -o \
     -path ./chapters/press/recipes -o -path ./chapters/press/lines -o \
-    -path ./tests/lists.awk -o -path ./tests/types.awk -o \
+    -path ./tests/lists.awk -o -path ./tests/remote.awk -o \
+    -path ./tests/types.awk -o \
     -path ./plots/plots.mk -o -path ./src/compile.mk -o \
     -path ./src/studies/bench.mk -o -path ./src/examiner/check.mk -o \
     -path ./tests/equations.txt -o -path ./.ci/install -o \
@@ -75,7 +77,9 @@ equal 'no folder of another kind' "$({ printf '%s\n' .ci chapters \
     printf 'tests/exercises/%s\n' $folders; } | sort)" \
     "$(cd "$place" && find . -mindepth 1 -type d | sed 's/..//' | sort)"
 equal 'and each exercise has its four files' "$(for ex in $folders; do
-    printf "$ex/%s\n" calls.c hints.txt stub.c suite.c; done)" \
+    called=calls.c
+    [ ! -e tests/exercises/$ex/call.h ] || called=call.h
+    printf "$ex/%s\n" $called hints.txt stub.c suite.c; done)" \
     "$(cd "$place/tests/exercises" && find . -type f | sed 's/..//' | sort)"
 holds 'the book is the one just made' cmp build/bonkers.pdf \
     "$place/bonkers.pdf"
@@ -84,7 +88,7 @@ holds 'and their pages' test -s "$place/site/index.html" -a \
 for folder in src tests/exercises plots
 do
     holds "$folder is what it is here" sh -c '
-        cd "$1" && find . -type f ! -name calls.c | while read -r file; do
+        cd "$1" && find . -type f ! -name 'call*.[ch]' | while read -r file; do
             cmp "$file" "$2/$file" || echo differs
         done | grep . && exit 1; exit 0' - "$place/$folder" "$root/$folder"
 done
@@ -108,7 +112,7 @@ echo 'marks, private' >"$kit/tests/exercises/note-to-self.txt"
 # below another.
 mkdir "$kit/tests/exercises/02z" "$kit/tests/exercises/01b/suite.c.d"
 for folder in 01a 02z 01b/suite.c.d; do
-    for name in hidden.c remote.c right-x.c wrong-x.c wrong.diff plain.c notes.txt; do
+    for name in hidden.c remote.c call.h right-x.c wrong-x.c wrong.diff plain.c notes.txt; do
         echo "/* planted: $name */" >>"$kit/tests/exercises/$folder/$name"
     done
 done
@@ -133,7 +137,7 @@ equal 'under the names of the solutions' "$(cd solutions && ls ./*.c)" \
 equal 'of what was planted in their folders nothing goes out' '' \
     "$(cd "$work/all/$course" && grep -rl 'planted: ' . )"
 equal 'nor a file of such a name' '' "$(cd "$work/all/$course/tests" &&
-    find . -name 'hidden*' -o -name 'remote*' -o -name 'right*' -o \
+    find . -name 'hidden*' -o -name 'remote.c' -o -name 'right*' -o \
         -name 'wrong*' -o -name 'plain*' -o -name 'notes*')"
 equal 'a note stays at home' '' \
     "$(find "$work/all" -name 'note-to*' -o -name 'handout*')"

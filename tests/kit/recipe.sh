@@ -54,7 +54,7 @@ for mistake in all-of-it half-forgotten sum-of-velocities; do
 done
 tar tzf build/bonkers-course.tar.gz >"$work/list" 2>/dev/null
 for file in exercises/01f-stake.c tests/exercises/01f/suite.c \
-    tests/exercises/01f/stub.c tests/exercises/01f/calls.c \
+    tests/exercises/01f/stub.c tests/exercises/01f/call.h \
     tests/exercises/01f/hints.txt; do
     holds "the archive has $file" grep -q -x "bonkers-course/$file" \
         "$work/list"
@@ -77,7 +77,7 @@ holds 'help lists it' grep -q '^ *ruth3 ' "$work/out"
 holds 'its limit is said, and then holds' test "$(sed -n \
     's/ stepping_limits: every method has the limit.*//p' "$work/out" | tr '\n' ' ')" = 'not ok ok '
 cd "$root" || exit 1
-for file in tests/kit/recipe/*.c; do
+for file in tests/kit/recipe/*.[ch]; do
     holds "$file keeps .clang-format" \
         clang-format --dry-run -Werror "$file"
 done

@@ -5,9 +5,7 @@
 #include <float.h>
 #include <math.h>
 #include <stddef.h>
-
-void velocities_after(double u1, double u2, double im1, double im2,
-                      double v[2]);
+#include "call.h"
 
 static const char *input(double u1, double u2, double im1, double im2)
 {

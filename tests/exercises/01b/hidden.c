@@ -6,9 +6,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
-
-bool measure_collision(double u1, double u2, double v1, double v2,
-                       double *mass_ratio, double *restitution);
+#include "call.h"
 
 /* A collision as somebody sees it who moves with the centre of mass: the
    masses, what is common to their momenta, the restitution, and how fast

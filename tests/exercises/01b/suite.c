@@ -7,9 +7,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
-
-bool measure_collision(double u1, double u2, double v1, double v2,
-                       double *mass_ratio, double *restitution);
+#include "call.h"
 
 /* What a camera has seen. */
 struct seen {

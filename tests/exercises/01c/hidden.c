@@ -5,9 +5,7 @@
 #include <float.h>
 #include <math.h>
 #include <stddef.h>
-
-double top_velocity(size_t n, const double masses[], double speed,
-                    double restitution);
+#include "call.h"
 
 enum { MOST = 60 };
 

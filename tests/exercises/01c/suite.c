@@ -7,9 +7,7 @@
 #include <math.h>
 #include <stddef.h>
 #include <stdio.h>
-
-double top_velocity(size_t n, const double masses[], double speed,
-                    double restitution);
+#include "call.h"
 
 static const char *input(size_t n, const double masses[], double speed,
                          double restitution)

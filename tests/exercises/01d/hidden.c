@@ -6,9 +6,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
-
-double impact_parameter(double r1, double r2, double im1, double im2,
-                        double deflection);
+#include "call.h"
 
 static const char *input(double r1, double r2, double im1, double im2,
                          double deflection)

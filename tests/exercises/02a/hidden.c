@@ -5,9 +5,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
-
-double next_meeting(size_t n, double length, const double x[],
-                    const double v[], size_t *left);
+#include "call.h"
 
 enum { BEADS = 300 };
 

@@ -9,9 +9,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
-
-double next_meeting(size_t n, double length, const double x[],
-                    const double v[], size_t *left);
+#include "call.h"
 
 enum { MOST = 8 };
 

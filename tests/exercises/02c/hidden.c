@@ -7,9 +7,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
-
-void positions_at(size_t n, double length, const double x0[],
-                  const double v0[], double t, double x[], double v[]);
+#include "call.h"
 
 enum { MOST = 200 };
 

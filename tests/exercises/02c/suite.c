@@ -10,9 +10,7 @@
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
-
-void positions_at(size_t n, double length, const double x0[],
-                  const double v0[], double t, double x[], double v[]);
+#include "call.h"
 
 enum { MOST = 8 };
 

@@ -5,8 +5,7 @@
 #include "toolbox/random.h"
 #include <math.h>
 #include <stddef.h>
-
-double mean_and_error(size_t n, const double x[], double *error);
+#include "call.h"
 
 enum { N = 8000, FEW = 20 };
 

@@ -6,8 +6,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
-
-double mean_and_error(size_t n, const double x[], double *error);
+#include "call.h"
 
 /* A sum of two parts that each forget by the factor a from value to value;
    the second one has the share w of the variance. */

@@ -3,8 +3,7 @@
 
 #include "examiner/check.h"
 #include <math.h>
-
-double velocity_below(int n, double u);
+#include "call.h"
 
 /* Velocity times distribution function, over an angle whose sine is the
    velocity: there the function has no corner at its ends. */

@@ -6,8 +6,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
-
-double velocity_below(int n, double u);
+#include "call.h"
 
 /* limit: 1e-13 */
 static const double tolerance = 1e-13;

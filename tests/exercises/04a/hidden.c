@@ -4,10 +4,7 @@
 #include "examiner/check.h"
 #include <float.h>
 #include <math.h>
-
-void piston_slopes(int f, double length, double mass, double gas,
-                   const double energy[2], const double state[2],
-                   double slope[2]);
+#include "call.h"
 
 struct box {
     int f;

@@ -7,10 +7,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
-
-void piston_slopes(int f, double length, double mass, double gas,
-                   const double energy[2], const double state[2],
-                   double slope[2]);
+#include "call.h"
 
 struct box {
     int f;

@@ -5,13 +5,7 @@
 #include <float.h>
 #include <math.h>
 #include <stddef.h>
-
-struct sort {
-    double m, v, left, right;
-};
-
-double rain_force(size_t n, const struct sort rain[], double im, double V,
-                  double *friction);
+#include "call.h"
 
 static void draw_sort(struct sort *s)
 {

@@ -7,13 +7,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
-
-struct sort {
-    double m, v, left, right;
-};
-
-double rain_force(size_t n, const struct sort rain[], double im, double V,
-                  double *friction);
+#include "call.h"
 
 enum { MOST = 400 };
 

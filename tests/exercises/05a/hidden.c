@@ -4,9 +4,7 @@
 #include "examiner/check.h"
 #include <float.h>
 #include <math.h>
-
-double round_wall_time(double box, double radius, const double r[2],
-                       const double v[2]);
+#include "call.h"
 
 struct flight {
     double box, radius, r[2], v[2];

@@ -7,9 +7,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
-
-double round_wall_time(double box, double radius, const double r[2],
-                       const double v[2]);
+#include "call.h"
 
 struct flight {
     double box, radius;

@@ -4,13 +4,7 @@
 #include "examiner/check.h"
 #include <float.h>
 #include <math.h>
-
-struct thrown {
-    double x, y, vx, vy, radius;
-};
-
-double falling_pair_time(double g, const struct thrown *a,
-                         const struct thrown *b, double *height);
+#include "call.h"
 
 struct pair {
     double g;

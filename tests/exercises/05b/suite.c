@@ -8,13 +8,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
-
-struct thrown {
-    double x, y, vx, vy, radius;
-};
-
-double falling_pair_time(double g, const struct thrown *a,
-                         const struct thrown *b, double *height);
+#include "call.h"
 
 struct pair {
     double g;

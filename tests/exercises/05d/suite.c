@@ -8,18 +8,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
-
-enum wall { LEFT, RIGHT, BOTTOM, TOP };
-
-struct wall_hit {
-    double t;
-    enum wall wall;
-    double mass, v;
-};
-
-void wall_z(size_t n, const struct wall_hit hits[], const double size[2],
-            size_t disks, double energy, double from, double until,
-            double z[2]);
+#include "call.h"
 
 enum { MOST = 256 };
 

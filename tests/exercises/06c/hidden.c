@@ -5,9 +5,7 @@
 #include <float.h>
 #include <math.h>
 #include <stddef.h>
-
-double depletion(int dimensions, double R1, double R2, double small,
-                 double density, double r, double *overlap);
+#include "call.h"
 
 static const double pi = 3.14159265358979323846;
 

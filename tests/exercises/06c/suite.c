@@ -7,9 +7,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
-
-double depletion(int dimensions, double R1, double R2, double small,
-                 double density, double r, double *overlap);
+#include "call.h"
 
 struct pair {
     int dimensions;

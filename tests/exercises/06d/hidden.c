@@ -5,10 +5,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
-
-size_t push_chain(size_t n, double sigma, double width, double height,
-                  double x[], const double y[], size_t first,
-                  double length);
+#include "call.h"
 
 static bool check(double got, double expected, const char *what,
                   const char *question)

@@ -7,10 +7,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <string.h>
-
-size_t push_chain(size_t n, double sigma, double width, double height,
-                  double x[], const double y[], size_t first,
-                  double length);
+#include "call.h"
 
 enum { MOST = 16 };
 

@@ -5,8 +5,7 @@
 #include "examiner/check.h"
 #include <math.h>
 #include <stddef.h>
-
-double speed_below(int n, double mean_square, double v, double *fourth);
+#include "call.h"
 
 static double below(int n, double mean, double v)
 {

@@ -6,8 +6,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
-
-double speed_below(int n, double mean_square, double v, double *fourth);
+#include "call.h"
 
 /* limit: 1e-12 */
 static const double tolerance = 1e-12;

@@ -6,18 +6,7 @@
 #include <float.h>
 #include <math.h>
 #include <stddef.h>
-
-struct collision {
-    double mass[2];
-    double apart[3];
-    double first[3];
-    double second[3];
-};
-
-double compressibility(int dimensions, const double box[3], size_t n,
-                       double energy, double time, size_t count,
-                       const struct collision collisions[],
-                       double *pressure);
+#include "call.h"
 
 enum { MOST = 200 };
 

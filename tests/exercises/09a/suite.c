@@ -7,9 +7,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
-
-double potential_energy(size_t n, const double mass[], const double x[],
-                        double k2, double softening, double potential[]);
+#include "call.h"
 
 enum { MOST = 64 };
 

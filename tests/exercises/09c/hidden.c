@@ -5,8 +5,7 @@
 #include <float.h>
 #include <math.h>
 #include <stddef.h>
-
-double eccentric_anomaly(double e, double mean);
+#include "call.h"
 
 /* In the suite. */
 bool check_anomaly(double e, double mean, double solution,

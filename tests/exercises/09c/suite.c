@@ -7,8 +7,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
-
-double eccentric_anomaly(double e, double mean);
+#include "call.h"
 
 static const double pi = 3.141592653589793;
 

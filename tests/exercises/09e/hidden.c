@@ -5,8 +5,7 @@
 #include <float.h>
 #include <math.h>
 #include <stddef.h>
-
-double sum_up(size_t n, const double part[]);
+#include "call.h"
 
 enum { N = 101 };
 

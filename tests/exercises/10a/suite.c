@@ -6,14 +6,7 @@
 #include <float.h>
 #include <math.h>
 #include <stdbool.h>
-
-struct body {
-    double x[3];
-    double v[3];
-};
-
-double dashpot(double c, const struct body *a, const struct body *b,
-               double on_a[3], double on_b[3]);
+#include "call.h"
 
 /* Two bodies, and what is expected of the dashpot between them. */
 struct pair {

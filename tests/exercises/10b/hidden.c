@@ -4,16 +4,7 @@
 #include "examiner/check.h"
 #include <math.h>
 #include <stdbool.h>
-
-struct oscillator {
-    double mass;
-    double damping;
-    double stiffness;
-    double x;
-    double v;
-};
-
-double oscillate(const struct oscillator *o, double t, double *velocity);
+#include "call.h"
 
 static bool check(const struct oscillator *o, double t, double got,
                   double expected, double tolerance, const char *quantity)

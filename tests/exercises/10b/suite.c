@@ -6,16 +6,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
-
-struct oscillator {
-    double mass;
-    double damping;
-    double stiffness;
-    double x;
-    double v;
-};
-
-double oscillate(const struct oscillator *o, double t, double *velocity);
+#include "call.h"
 
 /* What is expected at the time t. */
 struct known {

@@ -7,16 +7,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
-
-struct grid {
-    int nx, ny;
-    double mass;
-    double stiffness;
-    double dx, dy;
-    double restx, resty;
-};
-
-double membrane_modes(const struct grid *g, double omega[]);
+#include "call.h"
 
 static const double pi = 3.14159265358979323846;
 

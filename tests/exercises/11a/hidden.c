@@ -5,14 +5,7 @@
 #include <float.h>
 #include <math.h>
 #include <stdbool.h>
-
-struct sphere {
-    double mass;
-    double radius;
-    double x[3];
-};
-
-double part_spheres(struct sphere *a, struct sphere *b);
+#include "call.h"
 
 static bool check(const struct sphere s[2], double got, double expected,
                   double tolerance, const char *quantity)

@@ -6,14 +6,7 @@
 #include <float.h>
 #include <math.h>
 #include <stdbool.h>
-
-struct sphere {
-    double mass;
-    double radius;
-    double x[3];
-};
-
-double part_spheres(struct sphere *a, struct sphere *b);
+#include "call.h"
 
 /* Two spheres before, and where they belong. */
 struct pair {

@@ -5,8 +5,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
-
-size_t cradle(size_t n, const double mass[], double v[]);
+#include "call.h"
 
 enum { LONG = 100 };
 

@@ -5,12 +5,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
-
-struct sphere {
-    double im, r, x[3], v[3];
-};
-
-double go_back(struct sphere *a, struct sphere *b, double dt);
+#include "call.h"
 
 static void draw(struct sphere *a, struct sphere *b)
 {

@@ -7,12 +7,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <string.h>
-
-struct sphere {
-    double im, r, x[3], v[3];
-};
-
-double go_back(struct sphere *a, struct sphere *b, double dt);
+#include "call.h"
 
 struct pair {
     struct sphere a, b;

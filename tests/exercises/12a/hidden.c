@@ -5,13 +5,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
-
-struct choice {
-    double cost;
-    double error;
-};
-
-size_t pareto_front(size_t n, const struct choice choice[], size_t front[]);
+#include "call.h"
 
 enum { MOST = 400 };
 

@@ -7,13 +7,7 @@
 #include <stddef.h>
 #include <stdio.h>
 #include <string.h>
-
-struct choice {
-    double cost;
-    double error;
-};
-
-size_t pareto_front(size_t n, const struct choice choice[], size_t front[]);
+#include "call.h"
 
 enum { MOST = 40 };
 

@@ -4,9 +4,7 @@
 #include "examiner/check.h"
 #include <math.h>
 #include <stdbool.h>
-
-bool leave_out(double push, double stretch, double time, double *budget,
-               double *bound);
+#include "call.h"
 
 static const char *text_of(double push, double stretch, double time)
 {

@@ -6,9 +6,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
-
-bool leave_out(double push, double stretch, double time, double *budget,
-               double *bound);
+#include "call.h"
 
 /* A force, and what may be spent. */
 struct force {

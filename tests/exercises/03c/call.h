@@ -1,0 +1,4 @@
+/* How the function of exercise 03c is called: see tests/remote.awk. */
+/* output: none */
+
+double velocity_below(int n, double u);

@@ -116,10 +116,9 @@ static bool check_beside_wall(int body, double u1, double u2, double im1,
         .unit = "m/s", .input = input(u1, u2, im1, im2),
         .expected = expected, .tolerance = tolerance(u1, u2),
         .because = because, .equation = "eq:reverse",
-        .question =
-            "Sit on the wall: the body comes in, and goes out as fast. "
-            "What does that look like from the ground, when the wall "
-            "moves?",
+        .question = "Sit on the wall: the body comes in, and goes out as "
+                    "fast. What does that look like from the ground, when "
+                    "the wall moves?",
         .mistakes = {
             {"wall-at-rest", is_wall ? 0.0 : -own,
              "This is right for a wall at rest. Here the wall moves, and "
@@ -184,9 +183,9 @@ static void test_momentum(void)
         .tolerance = 8.0 * DBL_EPSILON * (fabs(u1) / im1 + fabs(u2) / im2),
         .because = "8 epsilons of the sum of m |u|",
         .equation = "eq:momentum",
-        .question = "No force acts from outside, so what one body "
-                    "gains the other loses. Do your two changes of "
-                    "momentum cancel?");
+        .question =
+            "No force acts from outside, so what one body gains the other "
+            "loses. Do your two changes of momentum cancel?");
 }
 
 static void test_energy(void)

@@ -26,10 +26,9 @@ static bool check_meeting(struct meeting m, const char *question)
         fabs(m.c) + fmax(1.0, fabs(m.e)) * fabs(m.p) * fmax(m.m1, m.m2);
     const double small = (1.0 + m.e) * fabs(m.p) * fmin(m.m1, m.m2);
     const double slack = 8.0 * DBL_EPSILON * (1.0 + fast / small);
-    const char *input = check_text(
-        "u1 = %.17g m/s, u2 = %.17g m/s before, v1 = %.17g m/s, v2 = %.17g "
-        "m/s after",
-        u1, u2, v1, v2);
+    const char *input = check_text("u1 = %.17g m/s, u2 = %.17g m/s before, "
+                                   "v1 = %.17g m/s, v2 = %.17g m/s after",
+                                   u1, u2, v1, v2);
     double ratio = NAN, restitution = NAN;
     const bool told =
         measure_collision(u1, u2, v1, v2, &ratio, &restitution);

@@ -30,10 +30,9 @@ static struct answer answer(struct seen s)
 
 static const char *input(struct seen s)
 {
-    return check_text(
-        "u1 = %.10g m/s, u2 = %.10g m/s before, v1 = %.10g m/s, "
-        "v2 = %.10g m/s after",
-        s.u1, s.u2, s.v1, s.v2);
+    return check_text("u1 = %.10g m/s, u2 = %.10g m/s before, v1 = %.10g "
+                      "m/s, v2 = %.10g m/s after",
+                      s.u1, s.u2, s.v1, s.v2);
 }
 
 static double fastest(struct seen s)
@@ -45,8 +44,8 @@ static bool check_told(struct seen s, bool expected, const char *question)
 {
     return CHECK_NEAR(
         answer(s).told ? 1.0 : 0.0,
-        .quantity = "what is returned: can the velocities tell? (1 true, "
-                    "0 false)",
+        .quantity =
+            "what is returned: can the velocities tell? (1 true, 0 false)",
         .unit = "", .input = input(s), .expected = expected ? 1.0 : 0.0,
         .tolerance = 0.0, .because = "yes or no", .equation = "eq:momentum",
         .question = question);
@@ -183,15 +182,15 @@ static void test_momentum(void)
     const double m1 = answer(s).ratio, m2 = 1.0;
     CHECK_NEAR(
         m1 * s.v1 + m2 * s.v2,
-        .quantity = "momentum after, with your mass ratio for m1 and "
-                    "1 kg for m2",
+        .quantity =
+            "momentum after, with your mass ratio for m1 and 1 kg for m2",
         .unit = "kg m/s", .input = input(s),
         .expected = m1 * s.u1 + m2 * s.u2,
         .tolerance = 16.0 * DBL_EPSILON * (1.0 + fabs(m1)) * fastest(s),
         .because = "16 epsilons of the sum of m |v|",
         .equation = "eq:momentum",
-        .question = "Put your masses into the momentum before and "
-                    "after. Where does the difference come from?");
+        .question = "Put your masses into the momentum before and after. "
+                    "Where does the difference come from?");
 }
 
 static void test_energy(void)
@@ -202,17 +201,17 @@ static void test_energy(void)
     const struct answer a = answer(s);
     const double m1 = a.ratio, e = a.restitution, d = s.u1 - s.u2;
     const double before = 0.5 * (m1 * s.u1 * s.u1 + s.u2 * s.u2);
-    CHECK_NEAR(0.5 * (1.0 - e * e) * m1 / (1.0 + m1) * d * d,
-               .quantity =
-                   "energy lost according to your restitution, with "
-                   "m2 = 1 kg",
-               .unit = "J", .input = input(s),
-               .expected = before - 0.5 * (m1 * s.v1 * s.v1 + s.v2 * s.v2),
-               .tolerance = 64.0 * DBL_EPSILON * fabs(before),
-               .because = "64 epsilons of the energy before",
-               .equation = "eq:energy-loss",
-               .question = "The loss is the share 1 - e e of the energy of "
-                           "approach. Is your e a ratio of speeds?");
+    CHECK_NEAR(
+        0.5 * (1.0 - e * e) * m1 / (1.0 + m1) * d * d,
+        .quantity =
+            "energy lost according to your restitution, with m2 = 1 kg",
+        .unit = "J", .input = input(s),
+        .expected = before - 0.5 * (m1 * s.v1 * s.v1 + s.v2 * s.v2),
+        .tolerance = 64.0 * DBL_EPSILON * fabs(before),
+        .because = "64 epsilons of the energy before",
+        .equation = "eq:energy-loss",
+        .question = "The loss is the share 1 - e e of the energy of "
+                    "approach. Is your e a ratio of speeds?");
 }
 
 static bool check_wall(struct seen s, double ratio, double restitution)
@@ -220,10 +219,9 @@ static bool check_wall(struct seen s, double ratio, double restitution)
     static const char question[] =
         "One velocity did not change at all. A ratio with that change in "
         "it is 0 or infinite: which of the two, and with which sign?";
-    return check_told(
-               s, true,
-               "One body is a wall here, and that can be told. Which "
-               "of your tests turns it away?") &&
+    return check_told(s, true,
+                      "One body is a wall here, and that can be told. "
+                      "Which of your tests turns it away?") &&
            check_ratio(s, ratio, question) &&
            check_restitution(s, restitution, question);
 }
@@ -268,8 +266,8 @@ static bool check_refused(struct seen s, const char *slip, const char *why)
 {
     return CHECK_NEAR(
         answer(s).told ? 1.0 : 0.0,
-        .quantity = "what is returned: can the velocities tell? (1 true, "
-                    "0 false)",
+        .quantity =
+            "what is returned: can the velocities tell? (1 true, 0 false)",
         .unit = "", .input = input(s), .expected = 0.0, .tolerance = 0.0,
         .because = "yes or no", .equation = "eq:momentum",
         .question = "Can these four velocities belong to a collision?",
@@ -287,23 +285,21 @@ static bool check_slow(void)
                            4.625 * unit};
     static const char question[] =
         "These two approach at 4.5e-12 m/s: slowly, but they do. From "
-        "which "
-        "speed on do you take it that two move alike?";
+        "which speed on do you take it that two move alike?";
     return CHECK_NEAR(
                answer(s).told ? 1.0 : 0.0,
-               .quantity = "what is returned: can the velocities "
-                           "tell? (1 true, 0 false)",
+               .quantity = "what is returned: can the velocities tell? (1 "
+                           "true, 0 false)",
                .unit = "", .input = input(s), .expected = 1.0,
                .tolerance = 0.0, .because = "yes or no",
                .equation = "eq:momentum", .question = question,
                .mistakes = {{"slow-taken-for-alike", 0.0, question}}) &&
            check_ratio(s, 3.0, question) &&
            check_restitution(s, 0.5, question) &&
-           check_refused((struct seen){unit, unit, 2.0 * unit, 0.0},
-                         "never-refuses",
-                         "The two moved alike before, slowly. With what "
-                         "speed of approach is the restitution to be "
-                         "taken?");
+           check_refused(
+               (struct seen){unit, unit, 2.0 * unit, 0.0}, "never-refuses",
+               "The two moved alike before, slowly. With what speed of "
+               "approach is the restitution to be taken?");
 }
 
 static void test_no_collision(void)
@@ -311,8 +307,8 @@ static void test_no_collision(void)
     (void)(check_slow() &&
            check_refused(
                (struct seen){1.0, 1.0, 1.0, 1.0}, "never-refuses",
-               "Here 0/0 was taken for a measurement. The two "
-               "moved alike and never met: what can they tell?") &&
+               "Here 0/0 was taken for a measurement. The two moved alike "
+               "and never met: what can they tell?") &&
            check_refused((struct seen){2.0, 0.0, 2.0, 0.0}, "never-refuses",
                          "Neither velocity has changed, so the two have "
                          "missed each other. What is 0/0 worth?") &&
@@ -344,13 +340,13 @@ static void test_drawn(void)
         const double c = check_draw_whole(-40, 40) / 4.0;
         const double p =
             (i % 2 ? -1.0 : 1.0) * check_draw_whole(1, 8) / 4.0;
-        if (!check_both((struct seen){c + p * m2, c - p * m1,
-                                      c - e * p * m2, c + e * p * m1},
-                        m1 / m2, e,
-                        check_text("The centre of mass of these two moves "
-                                   "at %g m/s. What does somebody see who "
-                                   "moves with it?",
-                                   c)))
+        if (!check_both(
+                (struct seen){c + p * m2, c - p * m1, c - e * p * m2,
+                              c + e * p * m1},
+                m1 / m2, e,
+                check_text("The centre of mass of these two moves at %g "
+                           "m/s. What does somebody see who moves with it?",
+                           c)))
             return;
     }
 }
@@ -371,11 +367,10 @@ static void test_drawn_refused(void)
             !check_refused((struct seen){u, w, u, w}, "never-refuses",
                            "Nothing has changed here. What can be learned "
                            "of bodies that nothing has happened to?") ||
-            !check_refused((struct seen){u, w, u - a, w - b},
-                           "negative-mass",
-                           "Both velocities have changed in the same "
-                           "direction. Who lost the momentum, and who "
-                           "gained it?"))
+            !check_refused(
+                (struct seen){u, w, u - a, w - b}, "negative-mass",
+                "Both velocities have changed in the same direction. Who "
+                "lost the momentum, and who gained it?"))
             return;
     }
 }

@@ -34,8 +34,8 @@ static void test_on_its_head(void)
         const double down = top_velocity(n, turned, speed, e) + speed;
         if (!CHECK_NEAR(
                 masses[n - 1] * up,
-                .quantity = "momentum of the top ball, seen from the "
-                            "falling stack",
+                .quantity =
+                    "momentum of the top ball, seen from the falling stack",
                 .unit = "kg m/s", .input = input(n, masses, speed, e),
                 .expected = turned[n - 1] * down,
                 .tolerance = 16.0 * (double)n * DBL_EPSILON *
@@ -43,10 +43,9 @@ static void test_on_its_head(void)
                               turned[n - 1] * (fabs(down) + speed)),
                 .because = "16 epsilons for each ball, of both momenta",
                 .equation = "eq:restitution",
-                .question =
-                    "The stack was put on its head, and the momentum "
-                    "of the ball on top has changed. Which ball "
-                    "counts twice?"))
+                .question = "The stack was put on its head, and the "
+                            "momentum of the ball on top has changed. "
+                            "Which ball counts twice?"))
             return;
     }
 }
@@ -79,9 +78,8 @@ static void test_towers(void)
                 .because = "4 epsilons for each ball, of the speed",
                 .equation = "eq:restitution",
                 .question =
-                    "Most of these many balls are equal and only "
-                    "pass the bounce on. Which of them does not, in "
-                    "your function?"))
+                    "Most of these many balls are equal and only pass the "
+                    "bounce on. Which of them does not, in your function?"))
             return;
     }
 }

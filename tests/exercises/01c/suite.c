@@ -77,9 +77,8 @@ static bool check_top(size_t n, const double masses[], double speed,
         .input = input(n, masses, speed, e), .expected = expected,
         .tolerance =
             4.0 * (double)n * DBL_EPSILON * (fabs(expected) + speed),
-        .because =
-            "4 epsilons for each ball, of the velocity seen from the "
-            "falling stack",
+        .because = "4 epsilons for each ball, of the velocity seen from "
+                   "the falling stack",
         .equation = "eq:restitution", .question = question,
         .mistakes = {
             {"floor-forgotten", -speed,
@@ -136,8 +135,7 @@ static void test_two_balls(void)
 {
     static const char question[] =
         "Two balls only: one comes up from the floor, the other comes "
-        "down. How fast do they approach, and what does the upper one "
-        "get?";
+        "down. How fast do they approach, and what does the upper one get?";
     const double heavy_below[] = {7.0, 1.0}, heavy_above[] = {1.0, 3.0};
     (void)(check_top(2, heavy_below, 1.0, 1.0, 2.5, question) &&
            check_top(2, heavy_above, 1.0, 1.0, 0.0, question));
@@ -148,8 +146,8 @@ static void test_limit_of_two(void)
     const double x = 0x1p-20, masses[] = {1.0, x};
     check_top(
         2, masses, 2.0, 1.0, 2.0 * (3.0 - x) / (1.0 + x),
-        "With hardly any mass on top the lower ball is as good as a "
-        "wall that comes up. How fast does a ball leave such a wall?");
+        "With hardly any mass on top the lower ball is as good as a wall "
+        "that comes up. How fast does a ball leave such a wall?");
 }
 
 static void test_limit_of_five(void)
@@ -159,8 +157,8 @@ static void test_limit_of_five(void)
     const double share = 1.0 / (1.0 + x);
     check_top(
         5, masses, 1.0, 1.0, 32.0 * share * share * share * share - 1.0,
-        "In the limit each ball makes twice the speed plus one out of "
-        "the speed of the one below. Where does your chain break?");
+        "In the limit each ball makes twice the speed plus one out of the "
+        "speed of the one below. Where does your chain break?");
 }
 
 static void test_energy(void)
@@ -178,8 +176,8 @@ static void test_energy(void)
         .expected = 0.5 * 48.0 * speed * speed,
         .tolerance = 64.0 * DBL_EPSILON * 54.0,
         .because = "64 epsilons of the energy", .equation = "eq:energy",
-        .question = "All the others have stopped and nothing was "
-                    "lost. Who has the energy of the whole stack?");
+        .question = "All the others have stopped and nothing was lost. Who "
+                    "has the energy of the whole stack?");
 }
 
 static void test_loss(void)
@@ -222,10 +220,10 @@ static void test_drawn(void)
             masses[k] = masses[k - 1] * (w - (up - e * w)) / up;
             w = up;
         }
-        if (!check_top(n, masses, speed, e, w - speed,
-                       "Follow the blow from ball to ball. With which "
-                       "velocity does each one part from the falling "
-                       "stack?"))
+        if (!check_top(
+                n, masses, speed, e, w - speed,
+                "Follow the blow from ball to ball. With which velocity "
+                "does each one part from the falling stack?"))
             return;
     }
 }
@@ -245,11 +243,12 @@ static void test_drawn_powers(void)
             masses[k] = pow(q, (double)k);
         const double times =
             pow((1.0 + e) / (1.0 + q), (double)n) * (1.0 + q);
-        if (!check_top(n, masses, speed, e, (times - 1.0) * speed,
-                       check_text("Each ball has %g times the mass of the "
-                                  "one below it. Which share of its "
-                                  "velocity does a ball give on?",
-                                  q)))
+        if (!check_top(
+                n, masses, speed, e, (times - 1.0) * speed,
+                check_text(
+                    "Each ball has %g times the mass of the one below it. "
+                    "Which share of its velocity does a ball give on?",
+                    q)))
             return;
     }
 }
@@ -268,8 +267,7 @@ const struct check_suite check_suite = {
           test_limit_of_five, 1, 0},
          {"a stack can hand all its energy to the top ball", test_energy, 1,
           0},
-         {"every impact loses its share when the restitution is "
-          "below 1",
+         {"every impact loses its share when the restitution is below 1",
           test_loss, 2, 0},
          {"a ball too heavy to be thrown up goes on falling",
           test_too_heavy, 1, 0},

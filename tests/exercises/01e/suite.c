@@ -265,12 +265,12 @@ static bool check_inexact(double first, double second)
 {
     epsilons[0] = first;
     epsilons[1] = second;
-    return check_right(inexact, "both velocities are off by nine epsilons",
-                       "rounding-refused",
-                       "This one is right: its velocities are off by nine "
-                       "epsilons of the fastest, and ten are allowed. How "
-                       "far off are then a momentum, and a difference of "
-                       "velocities?");
+    return check_right(
+        inexact, "both velocities are off by nine epsilons",
+        "rounding-refused",
+        "This one is right: its velocities are off by nine epsilons of the "
+        "fastest, and ten are allowed. How far off are then a momentum, "
+        "and a difference of velocities?");
 }
 
 static bool check_rights(void)
@@ -278,13 +278,12 @@ static bool check_rights(void)
     static const char digits[] =
         "This one is right, and you have taken another right one. They "
         "differ by a rounding or two. How do you compare two numbers?";
-    return check_right(
-               by_difference,
-               "each body changes by its share of the difference",
-               "right-one-refused",
-               "This one is right, and until you take it nothing else "
-               "counts. Which of your demands does it not fulfil? Print "
-               "both sides of the comparison.") &&
+    return check_right(by_difference,
+                       "each body changes by its share of the difference",
+                       "right-one-refused",
+                       "This one is right, and until you take it nothing "
+                       "else counts. Which of your demands does it not "
+                       "fulfil? Print both sides of the comparison.") &&
            check_right(by_centre, "reversed about the centre of mass",
                        "rounding-refused", digits) &&
            check_right(by_masses, "the two formulas of the textbooks",
@@ -337,10 +336,9 @@ static void test_nothing(void)
 {
     for (begin(); again();)
         (void)(check_rights() &&
-               check_wrong(
-                   nothing, "nothing changes", "nothing-happens",
-                   "This collide conserves energy and momentum. What else "
-                   "does a collision do?"));
+               check_wrong(nothing, "nothing changes", "nothing-happens",
+                           "This collide conserves energy and momentum. "
+                           "What else does a collision do?"));
 }
 
 static void test_unequal(void)
@@ -385,27 +383,27 @@ static void test_moving(void)
 {
     for (begin(); again();)
         (void)(check_rights() &&
-               check_wrong(
-                   second_at_rest, "the second body is taken to be at rest",
-                   "second-at-rest",
-                   "This one is right when the second body is at rest. "
-                   "Have both of yours moved, ever?"));
+               check_wrong(second_at_rest,
+                           "the second body is taken to be at rest",
+                           "second-at-rest",
+                           "This one is right when the second body is at "
+                           "rest. Have both of yours moved, ever?"));
 }
 
 static void test_special(void)
 {
     for (begin(); again();)
         (void)(check_rights() &&
-               check_wrong(
-                   twins_pass, "bodies of equal mass do not collide",
-                   "no-twins",
-                   "This one is right for all masses but equal ones. "
-                   "It is a special case: did you try it?") &&
-               check_wrong(
-                   whole_masses, "masses are rounded up to kilograms",
-                   "whole-masses",
-                   "This one is right for whole kilograms. Which masses "
-                   "did you try?") &&
+               check_wrong(twins_pass,
+                           "bodies of equal mass do not collide",
+                           "no-twins",
+                           "This one is right for all masses but equal "
+                           "ones. It is a special case: did you try it?") &&
+               check_wrong(whole_masses,
+                           "masses are rounded up to kilograms",
+                           "whole-masses",
+                           "This one is right for whole kilograms. Which "
+                           "masses did you try?") &&
                check_wrong(
                    not_light, "masses below 2 g are taken for 2 g",
                    "not-all-masses",
@@ -414,8 +412,8 @@ static void test_special(void)
                check_wrong(
                    not_heavy, "masses above 500 kg are taken for 500 kg",
                    "not-all-masses",
-                   "This one is wrong for a ton alone. From which mass "
-                   "on, and up to which, was it to be right?"));
+                   "This one is wrong for a ton alone. From which mass on, "
+                   "and up to which, was it to be right?"));
 }
 
 static void test_digits(void)
@@ -443,11 +441,11 @@ static void test_nan(void)
 {
     for (begin(); again();)
         (void)(check_rights() &&
-               check_wrong(
-                   no_number, "the second velocity is NaN", "nan-passes",
-                   "This one answers NaN. Is NaN larger than your "
-                   "tolerance, or smaller? Which way round must the "
-                   "question be asked?"));
+               check_wrong(no_number, "the second velocity is NaN",
+                           "nan-passes",
+                           "This one answers NaN. Is NaN larger than your "
+                           "tolerance, or smaller? Which way round must "
+                           "the question be asked?"));
 }
 
 /* The factors of a function that is wrong, where 2 belongs. */
@@ -470,11 +468,11 @@ static void test_drawn(void)
         for (int i = 0; i < 30 && fine; ++i) {
             factor[0] = drawn[i][0];
             factor[1] = drawn[i][1];
-            fine = check_wrong(off,
-                               check_text("factors %.10g and %.10g where "
-                                          "2 belongs",
-                                          factor[0], factor[1]),
-                               NULL, question);
+            fine = check_wrong(
+                off,
+                check_text("factors %.10g and %.10g where 2 belongs",
+                           factor[0], factor[1]),
+                NULL, question);
         }
     }
 }
@@ -483,25 +481,25 @@ const struct check_suite check_suite = {
     .file = "01e-check.c",
     .title = "CHECKcollide",
     .minutes = 30,
-    .tests =
-        {{"three right functions are right", test_right, 1, 0},
-         {"one that loses energy is refused", test_energy, 1, 0},
-         {"one that loses momentum is refused", test_momentum, 1, 0},
-         {"one that does nothing is refused", test_nothing, 2, 0},
-         {"those that are right for equal masses are refused", test_unequal,
-          1, 0},
-         {"those that know only one side are refused", test_sides, 1, 0},
-         {"those that change one body are refused", test_both, 1, 0},
-         {"one that forgets the second velocity is refused", test_moving, 1,
-          0},
-         {"those that fail in special cases are refused", test_special, 1,
-          0},
-         {"those that are wrong in the fifth digit, or the eighth, are "
-          "refused",
-          test_digits, 1, 0},
-         {"one that answers NaN is refused", test_nan, 1, 0},
-         {"thirty that are wrong by a factor are refused", test_drawn, 1,
-          2},
-         {0}},
+    .tests = {{"three right functions are right", test_right, 1, 0},
+              {"one that loses energy is refused", test_energy, 1, 0},
+              {"one that loses momentum is refused", test_momentum, 1, 0},
+              {"one that does nothing is refused", test_nothing, 2, 0},
+              {"those that are right for equal masses are refused",
+               test_unequal, 1, 0},
+              {"those that know only one side are refused", test_sides, 1,
+               0},
+              {"those that change one body are refused", test_both, 1, 0},
+              {"one that forgets the second velocity is refused",
+               test_moving, 1, 0},
+              {"those that fail in special cases are refused", test_special,
+               1, 0},
+              {"those that are wrong in the fifth digit, or the eighth, "
+               "are refused",
+               test_digits, 1, 0},
+              {"one that answers NaN is refused", test_nan, 1, 0},
+              {"thirty that are wrong by a factor are refused", test_drawn,
+               1, 2},
+              {0}},
     .idle = {test_right},
 };

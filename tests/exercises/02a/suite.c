@@ -19,6 +19,8 @@ struct ring {
     double x[MOST], v[MOST];
 };
 
+#define RING(...) ((struct ring){__VA_ARGS__})
+
 /* What the student's function answers; an untouched place reads as NaN. */
 struct answer {
     double time, left;
@@ -198,13 +200,12 @@ static bool check_left(const struct ring *r, size_t expected,
         .unit = "", .input = input(r), .expected = (double)expected,
         .tolerance = 0.0, .because = "a number of a bead is exact",
         .equation = "eq:gap-time", .question = question,
-        .mistakes = {
-            {"last-of-a-tie", (double)last,
-             "Several pairs meet at this time. Which of them was wanted, "
-             "and which one does your comparison keep?"},
-            {"right-partner", (double)((expected + 1) % r->n),
-             "This is the right one of the two that meet. Which one runs "
-             "into its right neighbour?"}});
+        .mistakes = {{"last-of-a-tie", (double)last,
+                      "Several pairs meet at this time. Which of them was "
+                      "wanted, and which one does your comparison keep?"},
+                     {"right-partner", (double)((expected + 1) % r->n),
+                      "This is the right one of the two that meet. Which "
+                      "one runs into its right neighbour?"}});
 }
 
 static bool check_both(struct ring r, double time, size_t left,
@@ -220,22 +221,19 @@ static bool check_never(struct ring r, const char *question)
 
 static void test_two(void)
 {
-    check_both((struct ring){2, 10.0, {3.0, 7.0}, {1.0, -1.0}}, 2.0, 0,
+    check_both(RING(2, 10.0, {3.0, 7.0}, {1.0, -1.0}), 2.0, 0,
                "The beads are 4 m apart and approach at 2 m/s. What do you "
                "do with these two numbers?");
 }
 
 static void test_three(void)
 {
-    static const char question[] =
-        "Every pair has its own time. Which is the smallest, and whose is "
-        "it?";
-    (void)(check_both(
-               (struct ring){3, 20.0, {1.0, 7.0, 11.0}, {1.0, 0.0, -2.0}},
-               2.0, 1, question) &&
-           check_both(
-               (struct ring){3, 20.0, {1.0, 5.0, 11.0}, {3.0, 1.0, -1.0}},
-               2.0, 0, question));
+    static const char question[] = "Every pair has its own time. Which is "
+                                   "the smallest, and whose is it?";
+    (void)(check_both(RING(3, 20.0, {1.0, 7.0, 11.0}, {1.0, 0.0, -2.0}),
+                      2.0, 1, question) &&
+           check_both(RING(3, 20.0, {1.0, 5.0, 11.0}, {3.0, 1.0, -1.0}),
+                      2.0, 0, question));
 }
 
 static void test_never(void)
@@ -243,12 +241,11 @@ static void test_never(void)
     static const char question[] =
         "All beads move alike, so no gap ever changes. What was to be "
         "returned then, and what came of your division?";
-    (void)(check_never((struct ring){3, 6.0, {0.0, 2.0, 3.0}, {0}},
-                       question) &&
-           check_never((struct ring){3, 6.0, {0.5, 2.0, 2.0}, {-3, -3, -3}},
+    (void)(check_never(RING(3, 6.0, {0.0, 2.0, 3.0}, {0}), question) &&
+           check_never(RING(3, 6.0, {0.5, 2.0, 2.0}, {-3, -3, -3}),
                        question) &&
            check_never(
-               (struct ring){1, 6.0, {4.0}, {2.5}},
+               RING(1, 6.0, {4.0}, {2.5}),
                "A bead alone on the ring: can it run into itself?"));
 }
 
@@ -257,11 +254,10 @@ static void test_seam(void)
     static const char question[] =
         "The last bead runs towards the seam, and bead 0 comes up to it "
         "from the other side. How far apart are the two?";
-    (void)(check_both(
-               (struct ring){3, 10.0, {1.0, 4.0, 8.0}, {-1.0, -1.5, 2.0}},
-               1.0, 2, question) &&
-           check_both((struct ring){3, 10.0, {0.0, 1.0, 9.5}, {0, 0, 2.0}},
-                      0.25, 2, question));
+    (void)(check_both(RING(3, 10.0, {1.0, 4.0, 8.0}, {-1.0, -1.5, 2.0}),
+                      1.0, 2, question) &&
+           check_both(RING(3, 10.0, {0.0, 1.0, 9.5}, {0, 0, 2.0}), 0.25, 2,
+                      question));
 }
 
 /* limit: 1 (bead, and two, each of which is the other's right neighbour) */
@@ -282,19 +278,17 @@ static bool check_two(const char *question)
                .equation = "eq:gap-time", .question = question,
                .mistakes = {{"one-pair-of-two", INFINITY, behind}}) &&
            check_both(back, 5.0, 1, question) &&
-           check_both((struct ring){2, 10.0, {3.0, 3.0}, {1.0, -1.0}}, 0.0,
-                      0, question) &&
-           check_both(
-               (struct ring){2, 10.0, {3.0 + hair, 3.0}, {-1.0, 1.0}}, 5.0,
-               1, question) &&
-           check_both(
-               (struct ring){2, 10.0, {3.0 + hair, 3.0}, {2.0, -1.0}}, 0.0,
-               0, question) &&
-           check_both((struct ring){2, 10.0, {0.0, 9.5}, {-1.0, 1.0}}, 0.25,
-                      1, question) &&
-           check_never((struct ring){2, 10.0, {3.0, 3.0}, {2.0, 2.0}},
-                       "The two touch and move alike. Does that make them "
-                       "meet?");
+           check_both(RING(2, 10.0, {3.0, 3.0}, {1.0, -1.0}), 0.0, 0,
+                      question) &&
+           check_both(RING(2, 10.0, {3.0 + hair, 3.0}, {-1.0, 1.0}), 5.0, 1,
+                      question) &&
+           check_both(RING(2, 10.0, {3.0 + hair, 3.0}, {2.0, -1.0}), 0.0, 0,
+                      question) &&
+           check_both(RING(2, 10.0, {0.0, 9.5}, {-1.0, 1.0}), 0.25, 1,
+                      question) &&
+           check_never(
+               RING(2, 10.0, {3.0, 3.0}, {2.0, 2.0}),
+               "The two touch and move alike. Does that make them meet?");
 }
 
 static void test_both_ways(void)
@@ -302,12 +296,12 @@ static void test_both_ways(void)
     static const char question[] =
         "Two beads on a ring meet between them or behind their backs. Who "
         "is whose right neighbour here?";
-    (void)(check_both((struct ring){2, 10.0, {2.0, 6.0}, {-1.0, 1.0}}, 3.0,
-                      1, question) &&
-           check_both((struct ring){2, 10.0, {2.0, 6.0}, {3.0, 1.0}}, 2.0,
-                      0, question) &&
-           check_both((struct ring){2, 10.0, {2.0, 6.0}, {1.0, 3.0}}, 3.0,
-                      1, question) &&
+    (void)(check_both(RING(2, 10.0, {2.0, 6.0}, {-1.0, 1.0}), 3.0, 1,
+                      question) &&
+           check_both(RING(2, 10.0, {2.0, 6.0}, {3.0, 1.0}), 2.0, 0,
+                      question) &&
+           check_both(RING(2, 10.0, {2.0, 6.0}, {1.0, 3.0}), 3.0, 1,
+                      question) &&
            check_two(question));
 }
 
@@ -316,20 +310,17 @@ static void test_catch_up(void)
     static const char question[] =
         "All run the same way, and only the difference of the velocities "
         "closes a gap. Who catches up with whom?";
-    (void)(check_both(
-               (struct ring){3, 12.0, {1.0, 3.0, 8.0}, {4.0, 3.0, 1.0}},
-               2.0, 0, question) &&
-           check_both(
-               (struct ring){3, 12.0, {1.0, 3.0, 8.0}, {-1.0, -2.0, -5.0}},
-               5.0 / 3.0, 1, question));
+    (void)(check_both(RING(3, 12.0, {1.0, 3.0, 8.0}, {4.0, 3.0, 1.0}), 2.0,
+                      0, question) &&
+           check_both(RING(3, 12.0, {1.0, 3.0, 8.0}, {-1.0, -2.0, -5.0}),
+                      5.0 / 3.0, 1, question));
 }
 
 static void test_parting(void)
 {
-    check_both(
-        (struct ring){3, 10.0, {1.0, 2.0, 6.0}, {-1.0, 2.0, 1.0}}, 2.5, 2,
-        "Beads 0 and 1 are near, but they go away from each other. Which "
-        "pairs can meet at all?");
+    check_both(RING(3, 10.0, {1.0, 2.0, 6.0}, {-1.0, 2.0, 1.0}), 2.5, 2,
+               "Beads 0 and 1 are near, but they go away from each other. "
+               "Which pairs can meet at all?");
 }
 
 static void test_touching(void)
@@ -337,15 +328,12 @@ static void test_touching(void)
     static const char question[] =
         "Two beads stand at the same place. Whether they meet now is a "
         "matter of their velocities. What do these say?";
-    (void)(check_both(
-               (struct ring){3, 10.0, {3.0, 3.0, 7.0}, {-1.0, 1.0, 0.5}},
-               4.0, 2, question) &&
-           check_both(
-               (struct ring){3, 10.0, {3.0, 3.0, 7.0}, {1.0, 1.0, -1.0}},
-               2.0, 1, question) &&
-           check_both(
-               (struct ring){3, 10.0, {3.0, 3.0, 7.0}, {1.0, -1.0, -9.0}},
-               0.0, 0, question));
+    (void)(check_both(RING(3, 10.0, {3.0, 3.0, 7.0}, {-1.0, 1.0, 0.5}), 4.0,
+                      2, question) &&
+           check_both(RING(3, 10.0, {3.0, 3.0, 7.0}, {1.0, 1.0, -1.0}), 2.0,
+                      1, question) &&
+           check_both(RING(3, 10.0, {3.0, 3.0, 7.0}, {1.0, -1.0, -9.0}),
+                      0.0, 0, question));
 }
 
 static void test_wrong_order(void)
@@ -355,17 +343,14 @@ static void test_wrong_order(void)
         "the two meet if they approach, and when if they do not?";
     const double hair = 4.0 * DBL_EPSILON;
     (void)(check_both(
-               (struct ring){
-                   3, 10.0, {2.0 + hair, 2.0, 7.0}, {1.0, -1.0, -2.0}},
+               RING(3, 10.0, {2.0 + hair, 2.0, 7.0}, {1.0, -1.0, -2.0}),
                0.0, 0, question) &&
            check_both(
-               (struct ring){
-                   3, 10.0, {1.0, 2.0 + hair, 2.0}, {1.5, 3.0, -1.0}},
-               0.0, 1, question) &&
+               RING(3, 10.0, {1.0, 2.0 + hair, 2.0}, {1.5, 3.0, -1.0}), 0.0,
+               1, question) &&
            check_both(
-               (struct ring){
-                   3, 10.0, {3.0 + hair, 3.0, 7.0}, {-1.0, 1.0, 0.5}},
-               4.0, 2, question));
+               RING(3, 10.0, {3.0 + hair, 3.0, 7.0}, {-1.0, 1.0, 0.5}), 4.0,
+               2, question));
 }
 
 static void test_ties(void)
@@ -373,12 +358,10 @@ static void test_ties(void)
     static const char question[] =
         "Several pairs meet at the same time. Which one was to be named?";
     (void)(check_both(
-               (struct ring){
-                   4, 8.0, {0.0, 2.0, 4.0, 6.0}, {1.0, -1.0, 1.0, -1.0}},
+               RING(4, 8.0, {0.0, 2.0, 4.0, 6.0}, {1.0, -1.0, 1.0, -1.0}),
                1.0, 0, question) &&
            check_both(
-               (struct ring){
-                   4, 8.0, {1.0, 3.0, 5.0, 7.0}, {-1.0, 1.0, -1.0, 1.0}},
+               RING(4, 8.0, {1.0, 3.0, 5.0, 7.0}, {-1.0, 1.0, -1.0, 1.0}),
                1.0, 1, question));
 }
 
@@ -386,10 +369,8 @@ static void test_ties(void)
    numbers; and at the time found the two must be at one place. */
 static void test_turning(void)
 {
-    const struct ring still = {5,
-                               7.3,
-                               {0.41, 1.13, 2.71, 5.09, 6.67},
-                               {0.37, -0.53, 0.19, -0.71, 0.83}};
+    const struct ring still = RING(5, 7.3, {0.41, 1.13, 2.71, 5.09, 6.67},
+                                   {0.37, -0.53, 0.19, -0.71, 0.83});
     for (int turn = -3; turn <= 3; ++turn) {
         struct ring r = still;
         for (size_t i = 0; i < r.n; ++i)

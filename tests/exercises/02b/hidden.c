@@ -50,17 +50,16 @@ static void test_backwards(void)
                     .quantity = check_text("x[%zu] of the path backwards",
                                            SAMPLES - k - 1),
                     .unit = "m",
-                    .input =
-                        check_text("tick %g s, %d events in %g s from "
-                                   "%g m to %g m",
-                                   tick, EVENTS, end, place, path[0].x),
+                    .input = check_text(
+                        "tick %g s, %d events in %g s from %g m to %g m",
+                        tick, EVENTS, end, place, path[0].x),
                     .expected = x[k], .tolerance = 1e-10,
-                    .because = "a tenth of a nanometre: both clocks are "
-                               "rounded",
+                    .because =
+                        "a tenth of a nanometre: both clocks are rounded",
                     .equation = "eq:clock",
                     .question =
-                        "The same path, run backwards. Which of its "
-                        "events were seen on the one way only?"))
+                        "The same path, run backwards. Which of its events "
+                        "were seen on the one way only?"))
                 return;
     }
 }
@@ -90,17 +89,16 @@ static void test_crowd(void)
             if (!CHECK_NEAR(
                     x[k], .quantity = check_text("x[%zu]", k - 1),
                     .unit = "m",
-                    .input = check_text("tick %g s, flights of %g s over "
-                                        "%g m",
-                                        tick * second, flight * second,
-                                        flight * metre),
+                    .input = check_text(
+                        "tick %g s, flights of %g s over %g m",
+                        tick * second, flight * second, flight * metre),
                     .expected = place * metre,
                     .tolerance = 8.0 * DBL_EPSILON * CROWD * flight * metre,
                     .because = "8 epsilons of the whole way",
                     .equation = "eq:clock",
-                    .question = "Many collisions take place between two "
-                                "ticks. Which of them has your ball not "
-                                "come to?"))
+                    .question =
+                        "Many collisions take place between two ticks. "
+                        "Which of them has your ball not come to?"))
                 return;
         }
     }

@@ -247,10 +247,10 @@ static void test_on_a_collision(void)
 
 static void test_after_the_last(void)
 {
-    check_all((struct job){2, walls, 1.25, 8},
-              "The last event is over and the clock goes on. Does the ball "
-              "stop, or does your program read an event that is not "
-              "there?");
+    check_all(
+        (struct job){2, walls, 1.25, 8},
+        "The last event is over and the clock goes on. Does the ball stop, "
+        "or does your program read an event that is not there?");
 }
 
 static bool check_empty(const struct job *j, double place,
@@ -279,9 +279,9 @@ static void test_how_many(void)
            check_empty(&three, x[-1],
                        "Something was written before the first sample. "
                        "Where does your loop begin?") &&
-           check_empty(&none, answer(&none)[0],
-                       "No sample was wanted here. What did your program "
-                       "write?"));
+           check_empty(
+               &none, answer(&none)[0],
+               "No sample was wanted here. What did your program write?"));
 }
 
 /* A slow ball is caught between the wall at 10 m and a heavy neighbour at
@@ -320,11 +320,10 @@ static void test_average(void)
         .equation = "eq:clock",
         .question = "The average over time is the area under the path. "
                     "Which part of the path have you looked at too often?",
-        .mistakes = {
-            {"at-the-events", at_collisions,
-             "This is the average over the collisions, and most of them "
-             "take place in one corner. How much of its time does the ball "
-             "spend there?"}});
+        .mistakes = {{"at-the-events", at_collisions,
+                      "This is the average over the collisions, and most "
+                      "of them take place in one corner. How much of its "
+                      "time does the ball spend there?"}});
 }
 
 /* Two walls 30 m apart; the ball has a speed of its own for each way. The
@@ -354,9 +353,8 @@ static void test_long_run(void)
                                    : back * (right + left - phase));
         if (!CHECK_NEAR(
                 x[k - 1] - true_place,
-                .quantity = check_text("how far x[%zu] is from the true "
-                                       "place",
-                                       k - 1),
+                .quantity = check_text(
+                    "how far x[%zu] is from the true place", k - 1),
                 .unit = "m", .input = input(&j), .expected = 0.0,
                 .tolerance = tolerance(&j, k), .because = because,
                 .equation = "eq:clock",
@@ -410,10 +408,10 @@ static void test_drawn(void)
                               (w.steps - 1) / steps};
         const double *x = answer(&j);
         for (size_t k = 1; k <= j.samples; ++k)
-            if (!check_sample(&j, x, k, w.place[k * steps],
-                              "This path was walked in small steps. At "
-                              "which of its events does your ball lose the "
-                              "way?"))
+            if (!check_sample(
+                    &j, x, k, w.place[k * steps],
+                    "This path was walked in small steps. At which of its "
+                    "events does your ball lose the way?"))
                 return;
     }
 }

@@ -132,8 +132,8 @@ static bool check_place(const struct gas *g, double t, size_t k, double got,
              "many walls does it meet in this time?"},
             {"period-of-one-length", sorted_place(g, k, t, PERIOD_HALVED),
              "Here a body that leaves by the one wall comes in by the "
-             "other. After which distance does one that is reflected "
-             "begin anew?"},
+             "other. After which distance does one that is reflected begin "
+             "anew?"},
             {"negative-remainder", sorted_place(g, k, t, NEGATIVE),
              "fmod() keeps the sign: fmod(-3, 8) is -3. To which place in "
              "the period from 0 to twice the length does a body belong "
@@ -158,8 +158,8 @@ static bool check_velocity(const struct gas *g, double t, size_t k,
     return CHECK_NEAR(
         got, .quantity = check_text("v[%zu]", k), .unit = "m/s",
         .input = input(g, t), .expected = expected, .tolerance = 0.0,
-        .because = "a velocity is handed on and turned round, never "
-                   "computed",
+        .because =
+            "a velocity is handed on and turned round, never computed",
         .equation = "eq:flight", .question = question,
         .mistakes = {
             {"velocity-not-reflected", g->v[ghost],
@@ -231,11 +231,10 @@ static void test_by_hand(void)
 {
     const struct gas g = {
         5, 4.0, {0.5, 1.0, 1.5, 2.25, 3.0}, {3.0, 1.0, -0.5, 0.0, 1.25}};
-    check_gas(
-        &g, 2.0, (const double[]){0.5, 1.5, 2.25, 2.5, 3.0},
-        (const double[]){-0.5, -3.0, 0.0, -1.25, 1.0},
-        "Work this one out on paper: five ghosts, each with its walls "
-        "only. In which order do they stand at last?");
+    check_gas(&g, 2.0, (const double[]){0.5, 1.5, 2.25, 2.5, 3.0},
+              (const double[]){-0.5, -3.0, 0.0, -1.25, 1.0},
+              "Work this one out on paper: five ghosts, each with its "
+              "walls only. In which order do they stand at last?");
 }
 
 static const struct gas odd = {
@@ -263,8 +262,8 @@ static void test_energy(void)
         .tolerance = 8.0 * DBL_EPSILON * energy(odd.v, odd.n),
         .because = "8 epsilons of the energy: a sum in another order",
         .equation = "eq:flight",
-        .question = "Velocities are handed on and turned round. "
-                    "Which one have you lost, or given twice?");
+        .question = "Velocities are handed on and turned round. Which one "
+                    "have you lost, or given twice?");
 }
 
 /* In 6 s each of these goes through a whole number of periods of 6 m. */
@@ -277,8 +276,7 @@ static void test_return(void)
                      "become of the bodies?") &&
            check_gas(&g, 6e5, g.x, g.v,
                      "All is as it was after 6 s, and so it is after "
-                     "600000 s. What remembers the time in your "
-                     "program?"));
+                     "600000 s. What remembers the time in your program?"));
 }
 
 /* The same in whole nanometres and nm/s: no rounding at all. Fills in where
@@ -342,26 +340,24 @@ static void test_million(void)
     for (size_t k = 0; k < g.n; ++k) {
         if (!CHECK_NEAR(
                 a.x[k] - x[k],
-                .quantity = check_text("how far x[%zu] is from the true "
-                                       "place",
-                                       k),
+                .quantity =
+                    check_text("how far x[%zu] is from the true place", k),
                 .unit = "m", .input = input(&g, t), .expected = 0.0,
                 .tolerance = tolerance(&g, t), .because = because,
                 .equation = "eq:flight",
-                .question = "Which of your operations is done again and "
-                            "again in a million seconds, and adds its "
-                            "rounding each time?",
-                .mistakes =
-                    {{"periods-one-by-one", singly(&g, k, t) - x[k],
-                      "Each subtraction of a period is rounded, and there "
-                      "are hundreds of thousands, nearly all alike. Which "
-                      "single operation gives the remainder of a "
-                      "division?"}}) ||
+                .question =
+                    "Which of your operations is done again and again in a "
+                    "million seconds, and adds its rounding each time?",
+                .mistakes = {{"periods-one-by-one", singly(&g, k, t) - x[k],
+                              "Each subtraction of a period is rounded, "
+                              "and there are hundreds of thousands, nearly "
+                              "all alike. Which single operation gives the "
+                              "remainder of a division?"}}) ||
             !check_velocity(
                 &g, t, k, a.v[k],
                 ghost_velocity(&g, ghost_at(&g, k, t, FOLDED), t),
-                "The place is right. Which velocity has the "
-                "ghost that is there?"))
+                "The place is right. Which velocity has the ghost that is "
+                "there?"))
             return;
     }
 }

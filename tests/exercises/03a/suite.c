@@ -242,9 +242,8 @@ static const char miscounted[] =
 static bool check_end(const struct law *l, size_t bins, bool last,
                       double got)
 {
-    static const char searched[] =
-        "So near, and not the end itself. Its place was given: why search "
-        "for it?";
+    static const char searched[] = "So near, and not the end itself. Its "
+                                   "place was given: why search for it?";
     const double end = last ? l->high : l->low, off = got - end;
     const char *quantity =
         last ? "the last edge, edge[bins]" : "the first edge, edge[0]";
@@ -285,11 +284,11 @@ static bool check_edge(const struct law *l, size_t bins, size_t k,
         8.0 * DBL_EPSILON *
         (near_zero ? expected + p / l->density(expected)
                    : larger + 1.0 / l->density(expected));
-    const char *because =
-        near_zero ? "8 epsilons of the edge, and of the probability "
-                    "divided by the density"
-                  : "8 epsilons of the larger end, and of the "
-                    "probability divided by the density";
+    const char *because = near_zero
+                              ? "8 epsilons of the edge, and of the "
+                                "probability divided by the density"
+                              : "8 epsilons of the larger end, and of the "
+                                "probability divided by the density";
     const char *quantity = check_text("edge[%zu]", k);
     const double off = got - expected;
     if (fabs(off) > tolerance && fabs(off) < 1e-4 * (l->high - l->low))
@@ -298,11 +297,10 @@ static bool check_edge(const struct law *l, size_t bins, size_t k,
             .input = input(l, bins), .expected = 0.0,
             .tolerance = tolerance, .because = because,
             .equation = "eq:equal-bins", .question = question,
-            .mistakes = {
-                {"stops-early", off,
-                 "Your search is on the right way and stops too early. "
-                 "What makes it stop? Can it go on until no number is left "
-                 "between the two ends?"}});
+            .mistakes = {{"stops-early", off,
+                          "Your search is on the right way and stops too "
+                          "early. What makes it stop? Can it go on until "
+                          "no number is left between the two ends?"}});
     return CHECK_NEAR(
         got, .quantity = quantity, .input = input(l, bins),
         .expected = expected, .tolerance = tolerance, .because = because,
@@ -456,9 +454,8 @@ static void test_steep(void)
 {
     static const char near_zero[] =
         "Here an edge lies near 0, where a double has more digits behind "
-        "the "
-        "point than anywhere else. How does your search know when none is "
-        "left?";
+        "the point than anywhere else. How does your search know when none "
+        "is left?";
     (void)(check_law(&steep, 8,
                      "Here all edges lie within a few thousand-millionths. "
                      "How does your search know when it is near enough?") &&
@@ -470,8 +467,8 @@ static bool check_inside(const struct law *l, size_t bins)
 {
     return CHECK_NEAR(
         (double)asked_outside,
-        .quantity = "how often distribution() was asked outside low to "
-                    "high",
+        .quantity =
+            "how often distribution() was asked outside low to high",
         .input = input(l, bins), .expected = 0.0, .tolerance = 0.0,
         .because = "it is given from low to high",
         .equation = "eq:equal-bins",

@@ -57,9 +57,9 @@ static bool check_digits(int n, double u, double off, const char *question)
 {
     static const char lost[] =
         "The first digits are right, the last are not. Is a constant, such "
-        "as pi, given to a few digits only? Or does the answer "
-        "come from many small steps, or from large terms of alternating "
-        "signs? Is there a way with a few terms of the same sign?";
+        "as pi, given to a few digits only? Or does the answer come from "
+        "many small steps, or from large terms of alternating signs? Is "
+        "there a way with a few terms of the same sign?";
     return CHECK_NEAR(
         off, .quantity = "probability below u, minus the exact one",
         .input = input(n, u), .expected = 0.0, .tolerance = tolerance,
@@ -184,8 +184,8 @@ static void test_table(void)
                                          {10, -0.25, 0.22922182694989377}};
     for (size_t i = 0; i < sizeof table / sizeof table[0]; ++i)
         if (!check_later(table[i].n, table[i].u, table[i].below,
-                         "How does the term for n follow from that for "
-                         "n - 2? Try n = 6 from n = 4 on paper."))
+                         "How does the term for n follow from that for n - "
+                         "2? Try n = 6 from n = 4 on paper."))
             return;
 }
 
@@ -200,8 +200,8 @@ static void test_slope(void)
         if (!CHECK_NEAR(
                 (velocity_below(n, u + h) - velocity_below(n, u - h)) /
                     (2.0 * h),
-                .quantity = "slope of your function, from u - 0.0001 to "
-                            "u + 0.0001",
+                .quantity =
+                    "slope of your function, from u - 0.0001 to u + 0.0001",
                 .input = input(n, u), .expected = density(n, u),
                 .tolerance = 1.25 * h * h + 1e-13 / h,
                 .because = "that of a difference quotient",
@@ -221,8 +221,8 @@ static void test_mirror(void)
                 .tolerance = 2.0 * tolerance, .because = because,
                 .equation = "eq:velocity-law",
                 .question = "Left and right are alike, so what lies below "
-                            "-u lies above u too. Which of your terms "
-                            "does not change its sign with u?"))
+                            "-u lies above u too. Which of your terms does "
+                            "not change its sign with u?"))
             return;
 }
 
@@ -296,9 +296,8 @@ static void test_drawn(void)
 
 static bool check_outside(int n, double u, double expected)
 {
-    static const char why[] =
-        "No velocity is larger than the largest. How much of them lies "
-        "below this u?";
+    static const char why[] = "No velocity is larger than the largest. How "
+                              "much of them lies below this u?";
     const double straight = 0.5 + 0.5 * u;
     const double parabola = straight + 0.25 * u * (1.0 - u * u);
     return CHECK_NEAR(

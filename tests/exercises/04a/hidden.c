@@ -23,11 +23,10 @@ static struct box draw_box(void)
 
 static const char *input(const struct box *b)
 {
-    return check_text("f = %d, length = %g m, mass = %g kg, gas = %g kg, "
-                      "energy = {%g, %g} J in the middle; state = {%g m, "
-                      "%g m/s}",
-                      b->f, b->length, b->mass, b->gas, b->left, b->right,
-                      b->x, b->v);
+    return check_text(
+        "f = %d, length = %g m, mass = %g kg, gas = %g kg, energy = {%g, "
+        "%g} J in the middle; state = {%g m, %g m/s}",
+        b->f, b->length, b->mass, b->gas, b->left, b->right, b->x, b->v);
 }
 
 struct slopes {
@@ -59,9 +58,9 @@ static bool check_same(const char *quantity, const struct box *b,
         .because = "16 epsilons of what the gases push at most, times how "
                    "much shorter a gas is than the box, and 4 of the slope",
         .equation = "eq:piston-force",
-        .question = "The same box, described in two ways, moves in two "
-                    "ways. Which of your lines takes left for right, or "
-                    "one unit for another?");
+        .question =
+            "The same box, described in two ways, moves in two ways. Which "
+            "of your lines takes left for right, or one unit for another?");
 }
 
 /* In the middle the energies are those given, and no power is needed. */
@@ -88,12 +87,12 @@ static void test_mirror(void)
                             s = answer(&small);
         if (!(check_same("slope[1] of the box in a mirror", &b, m.v,
                          -a.v) &&
-              check_same("slope[1] in m/s^2, when all is given in mm, mg "
-                         "and s",
-                         &b, s.v * 1e-3, a.v) &&
-              check_same("slope[0] in m/s, when all is given in mm, mg "
-                         "and s",
-                         &b, s.x * 1e-3, b.v)))
+              check_same(
+                  "slope[1] in m/s^2, when all is given in mm, mg and s",
+                  &b, s.v * 1e-3, a.v) &&
+              check_same(
+                  "slope[0] in m/s, when all is given in mm, mg and s", &b,
+                  s.x * 1e-3, b.v)))
             return;
     }
 }
@@ -144,8 +143,8 @@ static void test_swing(void)
                 .because = "the method alone errs by less than 5e-6",
                 .equation = "eq:piston-energy",
                 .question = "What the gases give, the piston and the gas "
-                            "that rides along get. Does your force fit "
-                            "the energy, and your mass the motion?"))
+                            "that rides along get. Does your force fit the "
+                            "energy, and your mass the motion?"))
             return;
     }
 }

@@ -70,9 +70,8 @@ static double tolerance(const struct box *b, double x)
     return 16.0 * DBL_EPSILON * pushes * b->length / shorter / inertia(b);
 }
 
-static const char because[] =
-    "16 epsilons of the pushes, times how much shorter a gas is than the "
-    "box";
+static const char because[] = "16 epsilons of the pushes, times how much "
+                              "shorter a gas is than the box";
 
 static const char dv_dt[] = "slope[1], dv/dt";
 
@@ -82,9 +81,8 @@ static const char empty[] =
 /* The first slope is the velocity itself, copied. */
 static bool check_velocity(const struct box *b, struct state s)
 {
-    static const char question[] =
-        "How fast does the position change of something with the velocity "
-        "v?";
+    static const char question[] = "How fast does the position change of "
+                                   "something with the velocity v?";
     return CHECK_NEAR(
         answer(b, s).x, .quantity = "slope[0], dx/dt", .unit = "m/s",
         .input = input(b, s), .expected = s.v, .tolerance = 0.0,
@@ -110,9 +108,9 @@ static void test_velocity(void)
    No gas on either side, and a piston at rest. */
 static bool check_empty(void)
 {
-    static const char question[] = "There is no gas at all, or none that "
-                                   "moves. What pushes the piston, "
-                                   "and what would 0/0 be?";
+    static const char question[] =
+        "There is no gas at all, or none that moves. What pushes the "
+        "piston, and what would 0/0 be?";
     for (int f = 1; f <= 3; ++f)
         for (int i = 0; i < 3; ++i) {
             const struct box b = {f, 12.0, 40.0, i == 2 ? 6.0 : 0.0, {0}};
@@ -132,9 +130,8 @@ static bool check_empty(void)
 
 static void test_middle(void)
 {
-    static const char both[] =
-        "Both gases push to the right here. On which side of the piston is "
-        "the right one?";
+    static const char both[] = "Both gases push to the right here. On "
+                               "which side of the piston is the right one?";
     const struct box b = {1, 12.0, 40.0, 0.0, {3.0, 3.0}};
     const struct state s = {6.0, 0.5};
     const double one = push(&b, 0, 6.0);
@@ -154,8 +151,7 @@ static void test_middle(void)
 
 static const char for_pressure[] =
     "This exponent belongs to the pressure. The force divides by the "
-    "length "
-    "once more: which exponent is left for the energy?";
+    "length once more: which exponent is left for the energy?";
 
 /* The left gas alone, on a line. */
 static bool check_line(const struct box *b, double x, double expected)
@@ -168,9 +164,9 @@ static bool check_line(const struct box *b, double x, double expected)
         .input = input(b, s), .expected = expected,
         .tolerance = tolerance(b, x), .because = because,
         .equation = "eq:adiabat",
-        .question = "There is gas on the left only, on a line. How long "
-                    "was it, how long is it, and what does that make of "
-                    "its energy?",
+        .question =
+            "There is gas on the left only, on a line. How long was it, "
+            "how long is it, and what does that make of its energy?",
         .mistakes = {
             {"energy-kept", 2.0 * b->energy[0] / x / b->mass,
              "This takes the energy as it was given, as if a bath kept the "
@@ -261,13 +257,13 @@ static bool check_two(const struct box *b, double x, const char *question)
         .input = input(b, s), .expected = acceleration(b, x),
         .tolerance = tolerance(b, x), .because = because,
         .equation = "eq:piston-force", .question = question,
-        .mistakes = {
-            {"left-length-for-both", (left - push(b, 1, x)) / inertia(b),
-             "The right gas has the length of the left one here. How long "
-             "is it when the piston is at x?"},
-            {"both-push-right", (left + right) / inertia(b),
-             "Both gases push to the right here. On which side of the "
-             "piston is the right one?"}});
+        .mistakes = {{"left-length-for-both",
+                      (left - push(b, 1, x)) / inertia(b),
+                      "The right gas has the length of the left one here. "
+                      "How long is it when the piston is at x?"},
+                     {"both-push-right", (left + right) / inertia(b),
+                      "Both gases push to the right here. On which side of "
+                      "the piston is the right one?"}});
 }
 
 static void test_right(void)
@@ -304,9 +300,9 @@ static bool check_stored(const struct box *b, double x)
             4.0 * h * h * u / (l * l * l) + 16.0 * DBL_EPSILON * u / h,
         .because = "that of a difference quotient",
         .equation = "eq:piston-energy",
-        .question = "The work done on the piston comes from the energy of "
-                    "the gas. Is your force the slope of that energy, "
-                    "downhill?");
+        .question =
+            "The work done on the piston comes from the energy of the gas. "
+            "Is your force the slope of that energy, downhill?");
 }
 
 static void test_stored(void)
@@ -327,17 +323,17 @@ static bool check_swing(int f, double twelve)
     const double h = 6.0, k = 10.0 / 3.0, away = 1e-6 * h;
     const struct box b = {f, 2.0 * h, 40.0, 0.0, {k, k}};
     const struct state s = {h + away, 0.0};
-    return CHECK_NEAR(
-        -answer(&b, s).v / away,
-        .quantity = "minus slope[1] divided by x - 6 m: the square of the "
-                    "frequency",
-        .unit = "/s^2", .input = input(&b, s),
-        .expected = twelve * k / (b.mass * h * h),
-        .tolerance = 2.0 * tolerance(&b, h) / away,
-        .because = "that of slope[1], divided by the distance",
-        .equation = "eq:piston-small",
-        .question = "Near the middle the two gases act as one spring. How "
-                    "hard is it?");
+    return CHECK_NEAR(-answer(&b, s).v / away,
+                      .quantity = "minus slope[1] divided by x - 6 m: the "
+                                  "square of the frequency",
+                      .unit = "/s^2", .input = input(&b, s),
+                      .expected = twelve * k / (b.mass * h * h),
+                      .tolerance = 2.0 * tolerance(&b, h) / away,
+                      .because =
+                          "that of slope[1], divided by the distance",
+                      .equation = "eq:piston-small",
+                      .question = "Near the middle the two gases act as "
+                                  "one spring. How hard is it?");
 }
 
 /* Twelve on a line; with more directions 2 (2/f) (2/f + 1). */
@@ -386,9 +382,9 @@ static void test_large_swing(void)
                .expected = total(&b, start), .tolerance = 1e-8,
                .because = "the method alone errs by 4e-10 J",
                .equation = "eq:piston-energy",
-               .question = "Whatever the gas gives, the piston gets. Where "
-                           "does energy come from, or go, in your "
-                           "equations?");
+               .question =
+                   "Whatever the gas gives, the piston gets. Where does "
+                   "energy come from, or go, in your equations?");
 }
 
 static void test_gas_rides(void)
@@ -396,24 +392,23 @@ static void test_gas_rides(void)
     const struct box b = {1, 12.0, 40.0, 13.5, {4.0, 3.0}};
     const struct state s = {4.0, 0.25};
     const double force = inertia(&b) * acceleration(&b, s.x);
-    CHECK_NEAR(
-        answer(&b, s).v, .quantity = dv_dt, .unit = "m/s^2",
-        .input = input(&b, s), .expected = acceleration(&b, s.x),
-        .tolerance = tolerance(&b, s.x), .because = because,
-        .equation = "eq:added-mass",
-        .question = "The gas near the piston moves with it, that at the "
-                    "walls does not. How much of it counts?",
-        .mistakes = {
-            {"gas-left-behind", force / b.mass,
-             "The piston moves as if the gas had no mass. What must the "
-             "gas beside it do when it moves?"},
-            {"whole-gas-rides", force / (b.mass + b.gas),
-             "All the gas moves with the piston here. Does the gas at the "
-             "wall?"},
-            {"half-the-gas-rides", force / (b.mass + 0.5 * b.gas),
-             "On average the gas moves half as fast as the piston. But "
-             "what counts is its energy: what is the mean of the SQUARE of "
-             "a velocity that grows from 0 to 1?"}});
+    CHECK_NEAR(answer(&b, s).v, .quantity = dv_dt, .unit = "m/s^2",
+               .input = input(&b, s), .expected = acceleration(&b, s.x),
+               .tolerance = tolerance(&b, s.x), .because = because,
+               .equation = "eq:added-mass",
+               .question = "The gas near the piston moves with it, that at "
+                           "the walls does not. How much of it counts?",
+               .mistakes = {
+                   {"gas-left-behind", force / b.mass,
+                    "The piston moves as if the gas had no mass. What must "
+                    "the gas beside it do when it moves?"},
+                   {"whole-gas-rides", force / (b.mass + b.gas),
+                    "All the gas moves with the piston here. Does the gas "
+                    "at the wall?"},
+                   {"half-the-gas-rides", force / (b.mass + 0.5 * b.gas),
+                    "On average the gas moves half as fast as the piston. "
+                    "But what counts is its energy: what is the mean of "
+                    "the SQUARE of a velocity that grows from 0 to 1?"}});
 }
 
 /* By how much the particles of a gas get faster when its length shrinks to
@@ -464,19 +459,19 @@ static bool check_drawn(const struct box *b, struct state s)
         .equation = "eq:piston-force",
         .question = "Work out the two forces on paper. Which of them is "
                     "not yours, and what does the piston carry along?",
-        .mistakes = {
-            {"both-push-right", (left + right) / moved,
-             "Both gases push to the right here. On which side of the "
-             "piston is the right one?"},
-            {"left-length-for-both", (left - force(b, 1, s.x)) / moved,
-             "The right gas has the length of the left one here. How long "
-             "is it when the piston is at x?"},
-            {"gas-left-behind", (left - right) / b->mass,
-             "The piston moves as if the gas had no mass. What must the "
-             "gas beside it do when it moves?"},
-            {"mass-forgotten", left - right,
-             "This is the force. What is asked for is the rate at which "
-             "the velocity changes. Which unit has that?"}});
+        .mistakes = {{"both-push-right", (left + right) / moved,
+                      "Both gases push to the right here. On which side of "
+                      "the piston is the right one?"},
+                     {"left-length-for-both",
+                      (left - force(b, 1, s.x)) / moved,
+                      "The right gas has the length of the left one here. "
+                      "How long is it when the piston is at x?"},
+                     {"gas-left-behind", (left - right) / b->mass,
+                      "The piston moves as if the gas had no mass. What "
+                      "must the gas beside it do when it moves?"},
+                     {"mass-forgotten", left - right,
+                      "This is the force. What is asked for is the rate at "
+                      "which the velocity changes. Which unit has that?"}});
 }
 
 static void test_drawn(void)

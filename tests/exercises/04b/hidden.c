@@ -28,9 +28,8 @@ static bool check_same(double got, double expected, const char *quantity,
 /* In grams and kilometres: factors of 2, which round nothing. */
 static void test_units(void)
 {
-    static const char question[] =
-        "Only other units. Which number in your function has a unit of its "
-        "own?";
+    static const char question[] = "Only other units. Which number in your "
+                                   "function has a unit of its own?";
     for (int i = 0; i < 30; ++i) {
         struct sort s, t;
         double a = NAN, b = NAN;

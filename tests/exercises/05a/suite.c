@@ -21,8 +21,8 @@ static double answer(const struct flight *f)
 
 static const char *input(const struct flight *f)
 {
-    return check_text("box = %g m, radius = %g m, r = {%.17g, %.17g} m, "
-                      "v = {%.17g, %.17g} m/s",
+    return check_text("box = %g m, radius = %g m, r = {%.17g, %.17g} m, v "
+                      "= {%.17g, %.17g} m/s",
                       f->box, f->radius, f->r[0], f->r[1], f->v[0],
                       f->v[1]);
 }
@@ -134,8 +134,8 @@ static bool check_inside(struct flight f, double expected,
              "This is the length of the way. Which unit does a time have, "
              "and by what do you divide?"},
             {"not-divided", expected * dot(f.v, f.v),
-             "This is the numerator. By what is it divided in the "
-             "solution of a quadratic, and what is that here?"}});
+             "This is the numerator. By what is it divided in the solution "
+             "of a quadratic, and what is that here?"}});
 }
 
 /* A disk that moves comes to the wall, sooner or later. */
@@ -185,23 +185,22 @@ static bool check_across(struct flight f, double expected,
                .unit = "s", .input = input(&f), .expected = expected,
                .tolerance = tolerance(&f, got), .because = because,
                .equation = "eq:pair-quadratic", .question = question,
-               .mistakes = {
-                   {"stuck-at-the-wall", 0.0,
-                    "The disk has just bounced and moves inwards. With "
-                    "this time it would bounce again at once, and for "
-                    "ever. Where does it go?"}});
+               .mistakes = {{"stuck-at-the-wall", 0.0,
+                             "The disk has just bounced and moves inwards. "
+                             "With this time it would bounce again at "
+                             "once, and for ever. Where does it go?"}});
 }
 
 static void test_centre(void)
 {
-    (void)(check_inside(
-               (struct flight){4.0, 1.0, {0.0, 0.0}, {0.4, 0.0}}, 7.5,
-               "The disk starts at the centre of the box. How far can its "
-               "centre go, and how fast does it?") &&
-           check_inside(
-               (struct flight){3.0, 1.0, {0.0, 0.0}, {-3.0, -4.0}}, 0.4,
-               "From the centre every direction is alike. What is the "
-               "speed?"));
+    (void)(check_inside((struct flight){4.0, 1.0, {0.0, 0.0}, {0.4, 0.0}},
+                        7.5,
+                        "The disk starts at the centre of the box. How far "
+                        "can its centre go, and how fast does it?") &&
+           check_inside((struct flight){3.0, 1.0, {0.0, 0.0}, {-3.0, -4.0}},
+                        0.4,
+                        "From the centre every direction is alike. What is "
+                        "the speed?"));
 }
 
 /* Chords of circles of 5 m and 13 m. */
@@ -278,10 +277,10 @@ static void test_drawn(void)
 {
     for (int i = 0; i < 40; ++i) {
         const struct drawn d = draw_flight(0.02, 0.98);
-        if (!check_inside(d.f, d.time,
-                          "This flight was drawn backwards from the wall. "
-                          "Where does yours end, and how far is that from "
-                          "the centre?"))
+        if (!check_inside(
+                d.f, d.time,
+                "This flight was drawn backwards from the wall. Where does "
+                "yours end, and how far is that from the centre?"))
             return;
     }
 }
@@ -302,9 +301,8 @@ static void test_on_the_wall_inwards(void)
 
 static void test_on_the_wall_outwards(void)
 {
-    static const char question[] =
-        "The disk touches the wall and moves outwards. When is it at the "
-        "wall?";
+    static const char question[] = "The disk touches the wall and moves "
+                                   "outwards. When is it at the wall?";
     (void)(check_now((struct flight){6.0, 1.0, {5.0, 0.0}, {2.0, 0.0}},
                      question) &&
            check_now((struct flight){6.0, 1.0, {3.0, 4.0}, {0.0, 0.5}},
@@ -324,8 +322,8 @@ static void test_drawn_at_the_wall(void)
         if (!(check_now(d.f, "The disk has come to the wall and moves on. "
                              "When does it bounce?") &&
               check_across(back, d.chord,
-                           "The disk leaves the wall and crosses the "
-                           "box. How long is the chord before it?")))
+                           "The disk leaves the wall and crosses the box. "
+                           "How long is the chord before it?")))
             return;
     }
 }
@@ -364,10 +362,10 @@ static bool check_along(struct flight f)
                .because = "4 square roots of an epsilon, times the time to "
                           "fly the radius s",
                .equation = "eq:pair-quadratic",
-               .question = "The disk touches the wall and moves just along "
-                           "it, so the next moment it would be outside. "
-                           "What is your numerator, and what do you divide "
-                           "by?");
+               .question =
+                   "The disk touches the wall and moves just along it, so "
+                   "the next moment it would be outside. What is your "
+                   "numerator, and what do you divide by?");
 }
 
 /* A hair too far out and nearly along the wall, the path just misses the
@@ -391,11 +389,10 @@ static void test_along_the_wall(void)
                .equation = "eq:pair-quadratic",
                .question = "This path all but touches the circle. Which "
                            "number under the root is as good as none?",
-               .mistakes = {
-                   {"root-of-a-negative", CHECK_NAN,
-                    "Not a number: what stands under the square root, by a "
-                    "hair less than zero, when the path only just misses "
-                    "the circle?"}}));
+               .mistakes = {{"root-of-a-negative", CHECK_NAN,
+                             "Not a number: what stands under the square "
+                             "root, by a hair less than zero, when the "
+                             "path only just misses the circle?"}}));
 }
 
 static bool check_at_rest(double x, double y, const char *question)

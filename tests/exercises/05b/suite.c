@@ -218,20 +218,19 @@ static bool check_now(struct pair p, const char *question)
         "collide: the gap or the approach?";
     const double got = answer(&p).time;
     return check_meets(&p, got, question, "contact-lost", lost) &&
-           CHECK_NEAR(
-               got, .quantity = quantity, .unit = "s", .input = input(&p),
-               .expected = 0.0, .tolerance = 0.0,
-               .because = "two that touch and approach meet now",
-               .equation = "eq:pair-time", .question = question,
-               .mistakes = {
-                   {"time-in-the-past", root(&p, touching(&p), -1.0),
-                    "A rounding has let them overlap, and the time would "
-                    "be in the past. Can your program go back? When can "
-                    "they still collide?"},
-                   {"second-root", root(&p, touching(&p), 1.0),
-                    "At this time they would have passed through each "
-                    "other. What should become of two that touch and "
-                    "approach?"}});
+           CHECK_NEAR(got, .quantity = quantity, .unit = "s",
+                      .input = input(&p), .expected = 0.0, .tolerance = 0.0,
+                      .because = "two that touch and approach meet now",
+                      .equation = "eq:pair-time", .question = question,
+                      .mistakes = {
+                          {"time-in-the-past", root(&p, touching(&p), -1.0),
+                           "A rounding has let them overlap, and the time "
+                           "would be in the past. Can your program go "
+                           "back? When can they still collide?"},
+                          {"second-root", root(&p, touching(&p), 1.0),
+                           "At this time they would have passed through "
+                           "each other. What should become of two that "
+                           "touch and approach?"}});
 }
 
 static bool check_height(struct pair p, double expected,
@@ -314,9 +313,8 @@ static void test_in_the_plane(void)
    straight below and from the side. */
 static void test_with_gravity(void)
 {
-    static const char question[] =
-        "Both fall alike. What does gravity do to the way from the one to "
-        "the other?";
+    static const char question[] = "Both fall alike. What does gravity do "
+                                   "to the way from the one to the other?";
     static const struct pair p[] = {
         {10.0, {2.0, 0.0, 0.0, 20.0, 0.25}, {2.0, 11.0, 0.0, 0.0, 0.75}},
         {10.0, {0.0, 0.0, 3.0, 4.0, 0.25}, {6.0, 8.0, 0.0, 0.0, 0.75}},
@@ -409,12 +407,11 @@ static void test_height_now(void)
         .unit = "m", .input = input(&p), .expected = 3.6,
         .tolerance = 16.0 * DBL_EPSILON * 8.0,
         .because = "16 epsilons of the heights", .equation = "eq:pair-time",
-        .question = "They touch now. How far is the contact from "
-                    "either centre?",
-        .mistakes = {
-            {"left-empty", CHECK_EMPTY,
-             "Not a number: was something put into *height in this "
-             "case as well?"}});
+        .question =
+            "They touch now. How far is the contact from either centre?",
+        .mistakes = {{"left-empty", CHECK_EMPTY,
+                      "Not a number: was something put into *height in "
+                      "this case as well?"}});
 }
 
 /* The same two, seen by somebody who moves, on planets of all sizes; no
@@ -437,9 +434,9 @@ static void test_falling_along(void)
                         .because = "the roundings of velocities 16 times "
                                    "as large as their difference",
                         .equation = "eq:pair-quadratic",
-                        .question = "Somebody who falls along sees the "
-                                    "same meeting. Which of your numbers "
-                                    "minds?"))
+                        .question =
+                            "Somebody who falls along sees the same "
+                            "meeting. Which of your numbers minds?"))
             return;
     }
 }
@@ -471,9 +468,8 @@ static void test_small_gaps(void)
                 answer(&p).time, .quantity = quantity, .unit = "s",
                 .input = input(&p), .expected = expected,
                 .tolerance = 1e-13 * expected,
-                .because =
-                    "13 digits: the gap, the radii and their squares are "
-                    "exact here",
+                .because = "13 digits: the gap, the radii and their "
+                           "squares are exact here",
                 .equation = "eq:pair-time",
                 .question = "The gap is small. How many digits does your "
                             "formula keep?",

@@ -255,56 +255,48 @@ static void run(struct box *b, enum slip slip, double tick, size_t samples)
 static const struct {
     const char *name, *hint;
 } slips[SLIPS] = {
-    [TWO_BACK] = {"two-ticks-back",
-                  "On its way to the collision the disk flies back here, "
-                  "for the time "
-                  "event - t - tick. Which time belongs to the disks when "
-                  "that line is "
-                  "reached, and how far is it from there to the event?"},
+    [TWO_BACK] =
+        {"two-ticks-back",
+         "On its way to the collision the disk flies back here, for the "
+         "time event - t - tick. Which time belongs to the disks when that "
+         "line is reached, and how far is it from there to the event?"},
     [ONE_BACK] =
         {"one-tick-back",
          "The clock t is a tick ahead of the disks when they are moved to "
-         "the "
-         "event, so that they go back. From which time do they start?"},
-    [ASKED_EARLY] = {"asked-before-the-collision",
-                     "What comes next was asked before this collision had "
-                     "changed the velocities. Which of the two belongs "
-                     "first?"},
-    [LATE] = {"collides-at-the-tick", "The collision takes place at the "
-                                      "tick after its time, when the disks "
-                                      "are in each other or in the wall. "
-                                      "What must come first, the tick or "
-                                      "the collision?"},
-    [ONE_A_TICK] = {"one-collision-a-tick",
-                    "Two collisions fall into one tick here, and only one "
-                    "takes place in "
-                    "time. Which statement of C lets any number go by?"},
+         "the event, so that they go back. From which time do they start?"},
+    [ASKED_EARLY] =
+        {"asked-before-the-collision",
+         "What comes next was asked before this collision had changed the "
+         "velocities. Which of the two belongs first?"},
+    [LATE] = {"collides-at-the-tick",
+              "The collision takes place at the tick after its time, when "
+              "the disks are in each other or in the wall. What must come "
+              "first, the tick or the collision?"},
+    [ONE_A_TICK] =
+        {"one-collision-a-tick",
+         "Two collisions fall into one tick here, and only one takes place "
+         "in time. Which statement of C lets any number go by?"},
     [AT_EVENTS] = {"events-as-samples",
                    "The state is recorded at a collision, too. Who asked "
-                   "for that? At "
-                   "which times were the samples wanted?"},
-    [RESTARTS] =
-        {"clock-restarts",
-         "After a collision the clock starts anew, and the next sample is "
-         "a "
-         "whole tick later. When is the next tick of a clock that takes no "
-         "notice of collisions?"},
-    [REST_LOST] = {"rest-of-the-tick-lost",
-                   "After a collision the disks stay where they are until "
-                   "the tick. How "
-                   "much of the tick is left, and what do they do in it?"},
-    [FROM_TICK] = {"next-event-from-the-tick",
-                   "box_next counts from the time of the disks when it is "
-                   "asked. Which "
-                   "time was that: the tick, or the collision before it?"},
+                   "for that? At which times were the samples wanted?"},
+    [RESTARTS] = {"clock-restarts",
+                  "After a collision the clock starts anew, and the next "
+                  "sample is a whole tick later. When is the next tick of "
+                  "a clock that takes no notice of collisions?"},
+    [REST_LOST] =
+        {"rest-of-the-tick-lost",
+         "After a collision the disks stay where they are until the tick. "
+         "How much of the tick is left, and what do they do in it?"},
+    [FROM_TICK] =
+        {"next-event-from-the-tick",
+         "box_next counts from the time of the disks when it is asked. "
+         "Which time was that: the tick, or the collision before it?"},
     [FROM_ZERO] = {"starts-at-zero",
                    "The first sample is that of the start, which was not "
-                   "wanted. After "
-                   "how many ticks is the first one due?"},
-    [TOO_MANY] = {
-        "one-too-many",
-        "One sample more than was wanted. From which number does your loop "
-        "count, and to which?"}};
+                   "wanted. After how many ticks is the first one due?"},
+    [TOO_MANY] = {"one-too-many",
+                  "One sample more than was wanted. From which number does "
+                  "your loop count, and to which?"}};
 
 /* The first ones, or, where those two have been found out already, the
    last ones. */
@@ -463,8 +455,8 @@ static bool check_hit(double tick, size_t samples, size_t which,
     const struct job j = {&lonely, lonely_disk, tick, samples};
     return check(&j, hit, which, FIRST,
                  (struct check){.quantity = check_text(
-                                    "time that the disk has flown "
-                                    "when collision %zu takes place",
+                                    "time that the disk has flown when "
+                                    "collision %zu takes place",
                                     which + 1),
                                 .unit = "s",
                                 .expected = expected,
@@ -492,10 +484,9 @@ static bool check_places(double tick, size_t samples, const char *question)
 
 static void test_first(void)
 {
-    check_hit(
-        0.5, 4, 0, 0.8,
-        "The wall is 0.8 m ahead. How long has the disk flown when it "
-        "collides?");
+    check_hit(0.5, 4, 0, 0.8,
+              "The wall is 0.8 m ahead. How long has the disk flown when "
+              "it collides?");
 }
 
 static void test_second(void)
@@ -509,13 +500,12 @@ static void test_second(void)
 
 static void test_places(void)
 {
-    (void)(check_places(
-               0.5, 20,
-               "Where is the disk at that tick? Draw its path over "
-               "time.") &&
+    (void)(check_places(0.5, 20,
+                        "Where is the disk at that tick? Draw its path "
+                        "over time.") &&
            check_places(0.3, 30,
-                        "Some ticks fall into a flight, some just "
-                        "behind a collision. Where is the disk?"));
+                        "Some ticks fall into a flight, some just behind a "
+                        "collision. Where is the disk?"));
 }
 
 static void test_several(void)
@@ -578,8 +568,8 @@ static void test_how_many(void)
                  (struct check){.quantity = "samples recorded",
                                 .expected = (double)j.samples,
                                 .because = "a number of samples is exact",
-                                .question = "How often is box_record "
-                                            "called?"}) &&
+                                .question =
+                                    "How often is box_record called?"}) &&
            check(&j, flown, 0, LAST,
                  (struct check){.quantity = "time flown in the whole run",
                                 .unit = "s",
@@ -635,11 +625,10 @@ static struct box alone_box(const struct alone *a)
 
 static const char *alone_text(const struct alone *a)
 {
-    return check_text(
-        "one disk of radius %g m at (%g, %g) m with (%g, %g) m/s, box %g m "
-        "by %g m",
-        a->radius, a->x[0], a->x[1], a->v[0], a->v[1], a->length[0],
-        a->length[1]);
+    return check_text("one disk of radius %g m at (%g, %g) m with (%g, %g) "
+                      "m/s, box %g m by %g m",
+                      a->radius, a->x[0], a->x[1], a->v[0], a->v[1],
+                      a->length[0], a->length[1]);
 }
 
 /* Where it is in sample `which`, along axis k. */
@@ -651,17 +640,18 @@ static bool alone_place(const struct alone *a, const struct box *b,
     const struct box start = alone_box(a);
     if (fabs(b->at[which][k] - expected) <= tolerance)
         return true;
-    return check(&(struct job){&start, alone_text(a), a->tick, a->samples},
-                 k ? up : across, which, LAST,
-                 (struct check){
-                     .quantity = check_text("%s of the disk in sample %zu",
-                                            k ? "y" : "x", which + 1),
-                     .unit = "m",
-                     .expected = expected,
-                     .tolerance = tolerance,
-                     .because = "2 epsilons of the size and of the way, "
-                                "for each flight",
-                     .question = question});
+    return check(
+        &(struct job){&start, alone_text(a), a->tick, a->samples},
+        k ? up : across, which, LAST,
+        (struct check){
+            .quantity = check_text("%s of the disk in sample %zu",
+                                   k ? "y" : "x", which + 1),
+            .unit = "m",
+            .expected = expected,
+            .tolerance = tolerance,
+            .because =
+                "2 epsilons of the size and of the way, for each flight",
+            .question = question});
 }
 
 /* All samples of one disk, KEPT at most, and how long it has flown. */
@@ -705,9 +695,9 @@ static void test_alone(void)
 {
     for (int i = 0; i < 20; ++i) {
         const struct alone a = draw_alone();
-        if (!clock_check_alone(&a, "Fold the plane at the walls, and the "
-                                   "disk flies straight on. Where is it at "
-                                   "this tick?"))
+        if (!clock_check_alone(
+                &a, "Fold the plane at the walls, and the disk flies "
+                    "straight on. Where is it at this tick?"))
             return;
     }
 }
@@ -734,9 +724,8 @@ static struct box four(void)
     return b;
 }
 
-static const char four_disks[] =
-    "four disks of 1 kg and radius 0.15 m in a box of 1 m by 1 m, energy "
-    "1 J";
+static const char four_disks[] = "four disks of 1 kg and radius 0.15 m in "
+                                 "a box of 1 m by 1 m, energy 1 J";
 
 /* Each collision rounds the energy by a few epsilons, some up, some down;
    there are 16 in a second. */
@@ -744,15 +733,16 @@ static void test_energy(void)
 {
     const struct box start = four();
     const struct box b = after(start, STUDENT, 0.01, 10000, NO_END);
-    CHECK_NEAR(energy(&b), .quantity = "energy after 100 s", .unit = "J",
-               .input = check_text("%s; tick 0.01 s", four_disks),
-               .expected = energy(&start), .tolerance = 1e-12,
-               .because = "4 epsilons for each of 1600 collisions, with "
-                          "room to spare",
-               .equation = "eq:energy",
-               .question = "This test passes with the wrong clock, and "
-                           "should pass with yours. What have you done to "
-                           "the velocities?");
+    CHECK_NEAR(
+        energy(&b), .quantity = "energy after 100 s", .unit = "J",
+        .input = check_text("%s; tick 0.01 s", four_disks),
+        .expected = energy(&start), .tolerance = 1e-12,
+        .because =
+            "4 epsilons for each of 1600 collisions, with room to spare",
+        .equation = "eq:energy",
+        .question =
+            "This test passes with the wrong clock, and should pass with "
+            "yours. What have you done to the velocities?");
 }
 
 static bool check_contact(const struct box *start, const char *disks,
@@ -798,18 +788,17 @@ static void test_any_four(void)
         if (!check_contact(&start, text, 200,
                            "a hundred flights, each with a rounding of the "
                            "2 s, and room to spare") ||
-            !check(&j, clock_error, 0, LAST,
-                   (struct check){
-                       .quantity = "how far a sample is from its tick, at "
-                                   "most",
-                       .unit = "s",
-                       .tolerance = 1000.0 * DBL_EPSILON * 2.0,
-                       .because = "1000 flights, each with a rounding of "
-                                  "2 s",
-                       .question = "Whatever happens in the box, sample "
-                                   "number k is that of k ticks. What has "
-                                   "your clock to do with the "
-                                   "collisions?"}))
+            !check(
+                &j, clock_error, 0, LAST,
+                (struct check){
+                    .quantity =
+                        "how far a sample is from its tick, at most",
+                    .unit = "s",
+                    .tolerance = 1000.0 * DBL_EPSILON * 2.0,
+                    .because = "1000 flights, each with a rounding of 2 s",
+                    .question = "Whatever happens in the box, sample "
+                                "number k is that of k ticks. What has "
+                                "your clock to do with the collisions?"}))
             return;
     }
 }
@@ -823,16 +812,17 @@ static void test_long_clock(void)
 {
     const struct box start = four();
     const struct job j = {&start, four_disks, tick, TICKS};
-    check(&j, clock_error, 0, LAST,
-          (struct check){
-              .quantity = "how far a sample is from its tick, by the time "
-                          "given or by what the disks have flown, at most",
-              .unit = "s",
-              .tolerance = 40000.0 * DBL_EPSILON * 500.0,
-              .because = "40000 flights, each with a rounding of 500 s",
-              .question = "Whatever happens in the box, sample number k is "
-                          "that of k ticks. What has your clock to do with "
-                          "the collisions?"});
+    check(
+        &j, clock_error, 0, LAST,
+        (struct check){
+            .quantity = "how far a sample is from its tick, by the time "
+                        "given or by what the disks have flown, at most",
+            .unit = "s",
+            .tolerance = 40000.0 * DBL_EPSILON * 500.0,
+            .because = "40000 flights, each with a rounding of 500 s",
+            .question =
+                "Whatever happens in the box, sample number k is that of k "
+                "ticks. What has your clock to do with the collisions?"});
 }
 
 /* The value is that of placing four disks at random 5e9 times and keeping
@@ -852,9 +842,9 @@ static void test_pressure(void)
               .tolerance = 0.09,
               .because = "5 standard deviations of runs of this length",
               .equation = "eq:wall-pressure",
-              .question = "Do the disks come to the walls as often as they "
-                          "should, and do they touch them when they "
-                          "collide?"});
+              .question =
+                  "Do the disks come to the walls as often as they should, "
+                  "and do they touch them when they collide?"});
 }
 
 const struct check_suite check_suite = {

@@ -96,8 +96,8 @@ static void test_units(void)
                        exact(&l, l.from, l.until, k),
                        k ? "z[1] in other units" : "z[0] in other units",
                        &l,
-                       "Z is a pure number. Is there a number with a "
-                       "unit in your program?"))
+                       "Z is a pure number. Is there a number with a unit "
+                       "in your program?"))
                 return;
     }
 }
@@ -118,8 +118,8 @@ static void test_on_its_side(void)
                        k ? "z[1] with the box on its side"
                          : "z[0] with the box on its side",
                        &l,
-                       "The box lies on its side. What has changed "
-                       "but the names of the walls?"))
+                       "The box lies on its side. What has changed but the "
+                       "names of the walls?"))
                 return;
     }
 }
@@ -138,11 +138,10 @@ static void test_cut(void)
                     answer(&l, cut, until, k) * (until - cut)) /
                        (until - from),
                    exact(&l, from, until, k),
-                   "Z of two times that follow each other, cut at a "
-                   "hit",
+                   "Z of two times that follow each other, cut at a hit",
                    &l,
-                   "A time is cut in two at the moment of a hit. Is "
-                   "the hit in just one of the two?"))
+                   "A time is cut in two at the moment of a hit. Is the "
+                   "hit in just one of the two?"))
             return;
     }
 }
@@ -161,10 +160,10 @@ static void test_quiet(void)
             if (!check(z[k], 0.0, "Z from a list without hits", &l,
                        "There is nothing in the list. What is the "
                        "pressure, and was it filled in?") ||
-                !check(answer(&l, from, until, k), 0.0,
-                       "Z of a time between two hits", &l,
-                       "Nothing was hit in this time. What is the "
-                       "pressure?"))
+                !check(
+                    answer(&l, from, until, k), 0.0,
+                    "Z of a time between two hits", &l,
+                    "Nothing was hit in this time. What is the pressure?"))
                 return;
     }
 }

@@ -408,9 +408,8 @@ static void test_ends(void)
     struct record r = along(0);
     r.n = 0;
     to_and_fro(&r, 0, 6.0, 4.0, 1.0, 1.0, 19.0);
-    static const char question[] =
-        "A hit falls on the beginning or on the end of the time. Does it "
-        "count?";
+    static const char question[] = "A hit falls on the beginning or on the "
+                                   "end of the time. Does it count?";
     (void)(check_time(r, 5.0, 18.0, question) &&
            check_time(r, 2.0, 17.0, question) &&
            check_time(r, 1.0, 13.0, question));
@@ -427,15 +426,14 @@ static void test_parts(void)
         part.until = whole.until * (i + 1) / 8.0;
         total += answer(&part, 0) * (part.until - part.from);
     }
-    CHECK_NEAR(total / whole.until,
-               .quantity = "mean of z[0] over eight times that follow each "
-                           "other",
-               .input = input(&whole), .expected = right(&whole, 0),
-               .tolerance = 8.0 * tolerance(&whole, right(&whole, 0)),
-               .because = because, .equation = "eq:wall-pressure",
-               .question =
-                   "The pressure in a long time is the mean of that "
-                   "in its parts. Is every hit in one of them?");
+    CHECK_NEAR(
+        total / whole.until,
+        .quantity = "mean of z[0] over eight times that follow each other",
+        .input = input(&whole), .expected = right(&whole, 0),
+        .tolerance = 8.0 * tolerance(&whole, right(&whole, 0)),
+        .because = because, .equation = "eq:wall-pressure",
+        .question = "The pressure in a long time is the mean of that in "
+                    "its parts. Is every hit in one of them?");
 }
 
 /* Disks that fly through each other, with drawn masses, radii and journeys:
@@ -504,17 +502,18 @@ static void test_no_hits(void)
                 .input = input(&none), .expected = 0.0, .tolerance = 0.0,
                 .because = "nothing was hit",
                 .equation = "eq:wall-pressure",
-                .question = "Nothing was hit in this time. What is "
-                            "the pressure, and was it filled in?",
+                .question = "Nothing was hit in this time. What is the "
+                            "pressure, and was it filled in?",
                 .mistakes = {{"nothing-over-nothing", CHECK_NAN,
                               "Not a number, and nothing was hit in this "
                               "time. By what do you divide?"}}))
             return;
-    CHECK_NEAR(answer(&quiet, 0), .quantity = name_of(0),
-               .input = input(&quiet), .expected = 0.0, .tolerance = 0.0,
-               .because = "nothing was hit", .equation = "eq:wall-pressure",
-               .question = "No hit falls into this time. What is the "
-                           "pressure in it?");
+    CHECK_NEAR(
+        answer(&quiet, 0), .quantity = name_of(0), .input = input(&quiet),
+        .expected = 0.0, .tolerance = 0.0, .because = "nothing was hit",
+        .equation = "eq:wall-pressure",
+        .question =
+            "No hit falls into this time. What is the pressure in it?");
 }
 
 const struct check_suite check_suite = {

@@ -326,12 +326,12 @@ static bool check_rights(void)
                        "This one is right, and rounds at each bounce and "
                        "each tick. How near is near?") &&
            (off_way = 0.9e-10, off_box = 0.0,
-            check_right(
-                inexact, "a right program, off by 0.9e-10 of the way",
-                "rounding-refused",
-                "This one is right: it is off by less than 1e-10 of "
-                "the way. How long is the way in your runs, and how "
-                "far off may the disk be at its end?"));
+            check_right(inexact,
+                        "a right program, off by 0.9e-10 of the way",
+                        "rounding-refused",
+                        "This one is right: it is off by less than 1e-10 "
+                        "of the way. How long is the way in your runs, and "
+                        "how far off may the disk be at its end?"));
 }
 
 static bool check_wrong(program *run, const char *how, const char *mistake,
@@ -378,28 +378,26 @@ static void test_mended(void)
 {
     for (begin(); again();)
         (void)(check_rights() &&
-               check_wrong(
-                   mended, "the article's, with its sign mended",
-                   "place-not-compared",
-                   "This disk is always inside, always on its way, and "
-                   "turns round at the walls. Is it there at the right "
-                   "time?") &&
-               check_wrong(
-                   recording, "each bounce is recorded like a tick",
-                   "place-not-compared",
-                   "Some of these samples belong to bounces. To which "
-                   "time does number k belong?"));
+               check_wrong(mended, "the article's, with its sign mended",
+                           "place-not-compared",
+                           "This disk is always inside, always on its way, "
+                           "and turns round at the walls. Is it there at "
+                           "the right time?") &&
+               check_wrong(recording, "each bounce is recorded like a tick",
+                           "place-not-compared",
+                           "Some of these samples belong to bounces. To "
+                           "which time does number k belong?"));
 }
 
 static void test_restarting(void)
 {
     for (begin(); again();)
         (void)(check_rights() &&
-               check_wrong(
-                   restarting, "the tick begins anew after a bounce",
-                   "place-not-compared",
-                   "Between two samples with a bounce more than a tick "
-                   "goes by. Do you look at those?"));
+               check_wrong(restarting,
+                           "the tick begins anew after a bounce",
+                           "place-not-compared",
+                           "Between two samples with a bounce more than a "
+                           "tick goes by. Do you look at those?"));
 }
 
 static void test_once(void)
@@ -429,15 +427,13 @@ static void test_losing(void)
         }
         off_way = 0.0;
         off_box = 1.2e-5;
-        (void)(fine &&
-               check_wrong(
-                   inexact,
-                   "from the hundredth tick on all is off by 1.2e-5 of the "
-                   "box",
-                   "small-error-passes",
-                   "This program is off by more than 1e-5 of the box, "
-                   "later on. How much do you let pass, and how long do "
-                   "you look?"));
+        (void)(fine && check_wrong(inexact,
+                                   "from the hundredth tick on all is off "
+                                   "by 1.2e-5 of the box",
+                                   "small-error-passes",
+                                   "This program is off by more than 1e-5 "
+                                   "of the box, later on. How much do you "
+                                   "let pass, and how long do you look?"));
     }
 }
 
@@ -445,16 +441,14 @@ static void test_axes(void)
 {
     for (begin(); again();)
         (void)(check_rights() &&
-               check_wrong(
-                   late_above, "along y all is 0.01 ticks late",
-                   "one-axis-only",
-                   "Along x this program is right. Which coordinates "
-                   "do you look at?") &&
-               check_wrong(
-                   late_across, "along x all is 0.01 ticks late",
-                   "one-axis-only",
-                   "Along y this program is right. Which coordinates "
-                   "do you look at?"));
+               check_wrong(late_above, "along y all is 0.01 ticks late",
+                           "one-axis-only",
+                           "Along x this program is right. Which "
+                           "coordinates do you look at?") &&
+               check_wrong(late_across, "along x all is 0.01 ticks late",
+                           "one-axis-only",
+                           "Along y this program is right. Which "
+                           "coordinates do you look at?"));
 }
 
 /* limit: 1e-9 m */
@@ -485,17 +479,15 @@ static void test_drawn(void)
             const char *box =
                 check_text("a box of %g m by %g m", w[i / 4], h[i / 4]);
             if (!check_called(box) ||
-                !CHECK_NEAR(judged[at++].said,
-                            .quantity = k < 2 ? "what you say of a right "
-                                                "program"
-                                              : "what you say of a wrong "
-                                                "program",
-                            .input = box, .expected = k < 2 ? 1.0 : 0.0,
-                            .tolerance = 0.0, .because = "yes or no",
-                            .equation = "eq:disk-clock",
-                            .question = question,
-                            .mistakes = {{"only-this-box",
-                                          k < 2 ? 0.0 : 1.0, question}}))
+                !CHECK_NEAR(
+                    judged[at++].said,
+                    .quantity = k < 2 ? "what you say of a right program"
+                                      : "what you say of a wrong program",
+                    .input = box, .expected = k < 2 ? 1.0 : 0.0,
+                    .tolerance = 0.0, .because = "yes or no",
+                    .equation = "eq:disk-clock", .question = question,
+                    .mistakes = {
+                        {"only-this-box", k < 2 ? 0.0 : 1.0, question}}))
                 return;
         }
 }

@@ -26,14 +26,13 @@ struct job {
 static bool check(const struct job *j, size_t got, size_t expected,
                   const char *quantity, const char *question)
 {
-    return CHECK_NEAR((double)got, .quantity = quantity,
-                      .input = check_text("%zu events between %d bodies, "
-                                          "from %g s on",
-                                          j->n, BODIES,
-                                          j->n ? j->heap[0].time : 0.0),
-                      .expected = (double)expected, .tolerance = 0.0,
-                      .because = "a number of events is exact",
-                      .equation = "eq:heap", .question = question);
+    return CHECK_NEAR(
+        (double)got, .quantity = quantity,
+        .input = check_text("%zu events between %d bodies, from %g s on",
+                            j->n, BODIES, j->n ? j->heap[0].time : 0.0),
+        .expected = (double)expected, .tolerance = 0.0,
+        .because = "a number of events is exact", .equation = "eq:heap",
+        .question = question);
 }
 
 /* An event that agrees with the counters of its two bodies, or is behind.
@@ -117,10 +116,10 @@ static void test_other_clock(void)
         }
         size_t told = j.n + 1;
         const size_t got = next_valid(j.n, j.heap, j.counts, &told);
-        if (!check(&j, got, next, "number of the next event",
-                   "Counters and clock have been set otherwise. Which of "
-                   "your comparisons asks for more than equal or "
-                   "earlier?") ||
+        if (!check(
+                &j, got, next, "number of the next event",
+                "Counters and clock have been set otherwise. Which of your "
+                "comparisons asks for more than equal or earlier?") ||
             !check(&j, told, stale, "*stale",
                    "Counters and clock have been set otherwise. What did "
                    "you count?"))

@@ -322,10 +322,9 @@ static void test_large(void)
 {
     for (unsigned seed = 1; seed <= 60; ++seed) {
         const struct job j = large(seed * 5, 3 + seed, seed);
-        if (!check_both(&j,
-                        "In this larger heap your answer is not that of "
-                        "somebody who looked at every event. Which part of "
-                        "the heap have you left out, and why?"))
+        if (!check_both(&j, "In this larger heap your answer is not that "
+                            "of somebody who looked at every event. Which "
+                            "part of the heap have you left out, and why?"))
             return;
     }
 }
@@ -396,11 +395,11 @@ static void test_drawn(void)
                 &j, time,
                 k == stale || (k > stale && check_draw_whole(0, 1)));
         }
-        if (!check_known(&j, stale < j.n ? order[stale] : j.n, stale,
-                         check_text("This heap was filled with %zu stale "
-                                    "events first. Which of them has led "
-                                    "you astray?",
-                                    stale)))
+        if (!check_known(
+                &j, stale < j.n ? order[stale] : j.n, stale,
+                check_text("This heap was filled with %zu stale events "
+                           "first. Which of them has led you astray?",
+                           stale)))
             return;
     }
 }

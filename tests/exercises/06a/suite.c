@@ -30,6 +30,8 @@ struct job {
     double script[SCRIPT];
 };
 
+#define JOB(...) ((struct job){__VA_ARGS__})
+
 /* The source of random numbers that the student's function draws from. */
 static struct {
     const double *script;
@@ -299,10 +301,8 @@ static const struct slip {
      last_again},
     {{"first-kept", 0.0,
       "Disk 0 kept its place when two disks overlapped, and the others "
-      "were "
-      "thrown again. By what right does one disk stay, and how is its "
-      "place "
-      "spread over the box?"},
+      "were thrown again. By what right does one disk stay, and how is its "
+      "place spread over the box?"},
      first_kept},
     {{"two-thrown-again", 0.0,
       "Only the two disks that overlap were thrown again. The others stay "
@@ -390,13 +390,12 @@ static const char *input(const struct job *j)
 static bool check_ended(const struct job *j, const struct answer *a,
                         const char *question)
 {
-    return CHECK_NEAR(
-        a->ended ? 1.0 : 0.0,
-        .quantity = "does it end before it has asked for 100000 random "
-                    "numbers? (1 yes, 0 no)",
-        .input = input(j), .expected = 1.0, .tolerance = 0.0,
-        .because = "yes or no", .equation = "eq:throw",
-        .question = question);
+    return CHECK_NEAR(a->ended ? 1.0 : 0.0,
+                      .quantity = "does it end before it has asked for "
+                                  "100000 random numbers? (1 yes, 0 no)",
+                      .input = input(j), .expected = 1.0, .tolerance = 0.0,
+                      .because = "yes or no", .equation = "eq:throw",
+                      .question = question);
 }
 
 /* A coordinate is a product and two sums of numbers up to the box's size,
@@ -458,13 +457,12 @@ static bool check_throws(const struct job *j, const struct answer *a,
         .unit = "", .input = input(j), .expected = expected,
         .tolerance = 0.0, .because = "a number of throws is exact",
         .equation = "eq:throw", .question = question,
-        .mistakes = {
-            {"counts-failures", expected - 1.0,
-             "These are the throws that failed. Was the last one, which "
-             "fitted, not a throw?"},
-            {"counts-disks", disks_thrown(j),
-             "This is how many single disks were thrown. How often were "
-             "all of them thrown, or begun to be?"}});
+        .mistakes = {{"counts-failures", expected - 1.0,
+                      "These are the throws that failed. Was the last one, "
+                      "which fitted, not a throw?"},
+                     {"counts-disks", disks_thrown(j),
+                      "This is how many single disks were thrown. How "
+                      "often were all of them thrown, or begun to be?"}});
 }
 
 /* A script of which every throw fails at its last disk, if it fails: those
@@ -492,14 +490,10 @@ static void test_at_once(void)
     static const char question[] =
         "Nothing overlaps here. Where may the centre of a disk be, and "
         "which numbers say where it is?";
-    (void)(check_script((struct job){1, {0.25}, 1.0, 2.0, 2, {0.5, 0.25}},
-                        1.0, question) &&
-           check_script((struct job){3,
-                                     {0.125, 0.125, 0.125},
-                                     1.0,
-                                     1.0,
-                                     6,
-                                     {0.0, 0.0, 0.9, 0.1, 0.3, 0.8}},
+    (void)(check_script(JOB(1, {0.25}, 1.0, 2.0, 2, {0.5, 0.25}), 1.0,
+                        question) &&
+           check_script(JOB(3, {0.125, 0.125, 0.125}, 1.0, 1.0, 6,
+                            {0.0, 0.0, 0.9, 0.1, 0.3, 0.8}),
                         1.0, question));
 }
 
@@ -507,59 +501,39 @@ static void test_at_once(void)
    any of them puts the three elsewhere than any other does. */
 static void test_three(void)
 {
-    static const char question[] =
-        "The third disk fell on another. Which of the three may keep its "
-        "place?";
-    (void)(check_script((struct job){3,
-                                     {0.15, 0.15, 0.15},
-                                     1.0,
-                                     1.0,
-                                     12,
-                                     {0.1, 0.1, 0.9, 0.9, 0.2, 0.2, 0.3,
-                                      0.1, 0.9, 0.5, 0.35, 0.95}},
+    static const char question[] = "The third disk fell on another. Which "
+                                   "of the three may keep its place?";
+    (void)(check_script(JOB(3, {0.15, 0.15, 0.15}, 1.0, 1.0, 12,
+                            {0.1, 0.1, 0.9, 0.9, 0.2, 0.2, 0.3, 0.1, 0.9,
+                             0.5, 0.35, 0.95}),
                         2.0, question) &&
-           check_script((struct job){3,
-                                     {0.15, 0.15, 0.15},
-                                     1.0,
-                                     1.0,
-                                     12,
-                                     {0.1, 0.1, 0.9, 0.9, 0.8, 0.7, 0.2,
-                                      0.9, 0.5, 0.3, 0.95, 0.85}},
+           check_script(JOB(3, {0.15, 0.15, 0.15}, 1.0, 1.0, 12,
+                            {0.1, 0.1, 0.9, 0.9, 0.8, 0.7, 0.2, 0.9, 0.5,
+                             0.3, 0.95, 0.85}),
                         2.0, question));
 }
 
 static void test_two(void)
 {
-    static const char question[] =
-        "The second disk fell on the first. Which of the two must be "
-        "thrown again?";
+    static const char question[] = "The second disk fell on the first. "
+                                   "Which of the two must be thrown again?";
     static const char near[] =
         "The two disks are near in x and near in y. Do they overlap?";
-    (void)(check_script(
-               (struct job){2,
-                            {0.2, 0.2},
-                            1.0,
-                            1.0,
-                            8,
-                            {0.5, 0.5, 0.6, 0.7, 0.1, 0.2, 0.8, 0.9}},
-               2.0, question) &&
+    (void)(check_script(JOB(2, {0.2, 0.2}, 1.0, 1.0, 8,
+                            {0.5, 0.5, 0.6, 0.7, 0.1, 0.2, 0.8, 0.9}),
+                        2.0, question) &&
            check_script(
-               (struct job){
-                   2, {0.2, 0.2}, 1.0, 1.0, 4, {0.2, 0.1, 0.75, 0.65}},
-               1.0, near));
+               JOB(2, {0.2, 0.2}, 1.0, 1.0, 4, {0.2, 0.1, 0.75, 0.65}), 1.0,
+               near));
 }
 
 static void test_again(void)
 {
-    check_script((struct job){3,
-                              {0.1, 0.1, 0.1},
-                              1.0,
-                              1.0,
-                              24,
-                              {0.0, 0.0, 1.0, 0.5, 0.9, 0.5,  //
-                               0.2, 0.2, 0.8, 0.2, 0.2, 0.3,  //
-                               0.5, 0.5, 0.1, 0.9, 0.0, 0.95, //
-                               0.6, 0.1, 0.3, 0.8, 0.7, 0.7}},
+    check_script(JOB(3, {0.1, 0.1, 0.1}, 1.0, 1.0, 24,
+                     {0.0, 0.0, 1.0, 0.5, 0.9, 0.5,  //
+                      0.2, 0.2, 0.8, 0.2, 0.2, 0.3,  //
+                      0.5, 0.5, 0.1, 0.9, 0.0, 0.95, //
+                      0.6, 0.1, 0.3, 0.8, 0.7, 0.7}),
                  4.0,
                  "Three throws failed, one after the other. What does your "
                  "program do when a new throw overlaps too?");
@@ -570,39 +544,27 @@ static void test_radii(void)
     static const char question[] =
         "A large disk and a small one. Do they overlap, and where may each "
         "of them be?";
-    (void)(check_script(
-               (struct job){2,
-                            {0.3, 0.05},
-                            1.0,
-                            1.0,
-                            8,
-                            {0.0, 0.0, 0.5, 0.2, 1.0, 0.5, 0.1, 0.3}},
-               2.0, question) &&
+    (void)(check_script(JOB(2, {0.3, 0.05}, 1.0, 1.0, 8,
+                            {0.0, 0.0, 0.5, 0.2, 1.0, 0.5, 0.1, 0.3}),
+                        2.0, question) &&
            check_script(
-               (struct job){
-                   2, {0.05, 0.3}, 1.0, 1.0, 4, {0.1, 0.1, 0.8, 0.3}},
-               1.0, question) &&
+               JOB(2, {0.05, 0.3}, 1.0, 1.0, 4, {0.1, 0.1, 0.8, 0.3}), 1.0,
+               question) &&
            check_script(
-               (struct job){
-                   2, {0.25, 0.125}, 1.25, 1.25, 4, {0.0, 0.0, 0.5, 0.125}},
+               JOB(2, {0.25, 0.125}, 1.25, 1.25, 4, {0.0, 0.0, 0.5, 0.125}),
                1.0,
-               "The two disks touch, and no more. Is that an "
-               "overlap?"));
+               "The two disks touch, and no more. Is that an overlap?"));
 }
 
 /* The first disk in the middle: no corner is far enough away. */
 static void test_no_room(void)
 {
-    check_script((struct job){2,
-                              {0.28, 0.28},
-                              1.0,
-                              1.0,
-                              8,
-                              {0.5, 0.5, 0.0, 0.0, 0.0, 0.0, 1.0, 1.0}},
-                 2.0,
-                 "The first disk fell into the middle of a small box, and "
-                 "no other can ever fit beside it. Whose place must be "
-                 "given up?");
+    check_script(
+        JOB(2, {0.28, 0.28}, 1.0, 1.0, 8,
+            {0.5, 0.5, 0.0, 0.0, 0.0, 0.0, 1.0, 1.0}),
+        2.0,
+        "The first disk fell into the middle of a small box, and no other "
+        "can ever fit beside it. Whose place must be given up?");
 }
 
 /* Where a side of the box is left to a disk in one half of it, as a number
@@ -674,9 +636,9 @@ static double *throw_diagonally(struct job *j)
    of thirty or more. */
 static struct job draw_job(void)
 {
-    struct job j = {.n = (size_t)check_draw_whole(2, MOST),
-                    .width = check_draw(1.0, 2.0),
-                    .height = check_draw(1.0, 2.0)};
+    struct job j =
+        JOB(.n = (size_t)check_draw_whole(2, MOST),
+            .width = check_draw(1.0, 2.0), .height = check_draw(1.0, 2.0));
     for (size_t i = 0; i < j.n; ++i)
         j.radius[i] = check_draw(0.05, 0.15);
     return j;
@@ -720,16 +682,15 @@ static bool check_many(const struct job *j)
         for (size_t i = 0; i < j->n; ++i)
             if (!CHECK_NEAR(
                     (double)hit(j, i, touch, a.x, a.y),
-                    .quantity =
-                        check_text("the first disk that disk %zu overlaps "
-                                   "(%zu: none)",
-                                   i, i),
+                    .quantity = check_text(
+                        "the first disk that disk %zu overlaps (%zu: none)",
+                        i, i),
                     .input = input(j), .expected = (double)i,
                     .tolerance = 0.0,
                     .because = "a number of a disk is exact",
                     .equation = "eq:throw",
-                    .question = "Two of the disks overlap. Who looks, and "
-                                "when?",
+                    .question =
+                        "Two of the disks overlap. Who looks, and when?",
                     .mistakes = {
                         behind(j, &a, before,
                                (double)hit(j, i, touch, a.x, a.y))}))
@@ -762,11 +723,10 @@ static bool check_hundred(void)
         throw_scripted(N, radius, size, script, 4 * N, x, y, &throws);
     static const char question[] =
         "There may be up to 100 disks, and here there are. Is there room "
-        "for "
-        "all of them in your program, and is each compared with each?";
-    static const char text[] = "100 disks of 0.04 m in ten rows, in a box "
-                               "of 1 m by 1 m; in a first "
-                               "throw the last one falls on another";
+        "for all of them in your program, and is each compared with each?";
+    static const char text[] =
+        "100 disks of 0.04 m in ten rows, in a box of 1 m by 1 m; in a "
+        "first throw the last one falls on another";
     if (!CHECK_NEAR(ended ? (double)throws : NAN, .quantity = "throws",
                     .input = text, .expected = 2.0, .tolerance = 0.0,
                     .because = "a number of throws is exact",
@@ -811,8 +771,8 @@ static double acceptance(double a, double d)
 static void test_acceptance(void)
 {
     enum { PLACINGS = 5000 };
-    const struct job two = {
-        .n = 2, .radius = {0.15, 0.15}, .width = 1, .height = 1};
+    const struct job two =
+        JOB(.n = 2, .radius = {0.15, 0.15}, .width = 1, .height = 1);
     const double p = acceptance(0.7, 0.3);
     double throws = 0.0;
     source_begin(&two, 602);
@@ -828,9 +788,9 @@ static void test_acceptance(void)
         .expected = p, .tolerance = 4.0 * p * sqrt((1.0 - p) / PLACINGS),
         .because = "4 standard errors of 5000 placings",
         .equation = "eq:two-disks",
-        .question = "If the first disk had been placed rightly, the "
-                    "share would be that of the formula. What do "
-                    "you count as a throw?");
+        .question =
+            "If the first disk had been placed rightly, the share would be "
+            "that of the formula. What do you count as a throw?");
 }
 
 /* Four disks, many times. */

@@ -28,6 +28,8 @@ struct job {
     uint64_t seed; /* not 0: no script */
 };
 
+#define JOB(...) ((struct job){__VA_ARGS__})
+
 /* The source of random numbers that the student's function draws from. */
 static struct {
     size_t used, limit, scripted;
@@ -230,8 +232,7 @@ static const struct slip {
 } slips[] = {
     {{"rejections-forgotten", 0.0,
       "Only the placings after an accepted move were counted. A try that "
-      "is "
-      "rejected takes its time too: where is the chain meanwhile?"},
+      "is rejected takes its time too: where is the chain meanwhile?"},
      FORGOTTEN},
     {{"divided-by-accepted", 0.0,
       "Every try is in the sum, but you divided by the number of accepted "
@@ -251,8 +252,7 @@ static const struct slip {
      ANYWAY},
     {{"half-put-back", 0.0,
       "After a rejected move one coordinate is the old one and the other "
-      "is "
-      "new. Is that a placing that was looked at?"},
+      "is new. Is that a placing that was looked at?"},
      HALF},
     {{"tried-until-accepted", 0.0,
       "Each try was repeated until a move was accepted. How long did the "
@@ -269,8 +269,7 @@ static const struct slip {
      MOVER},
     {{"compared-with-itself", 0.0,
       "No move at all was accepted. Which disk does every disk overlap, "
-      "and "
-      "need that be looked at?"},
+      "and need that be looked at?"},
      ITSELF},
     {{"one-sided", 0.0,
       "Your moves only go to the right and up. How would a disk come back, "
@@ -278,8 +277,7 @@ static const struct slip {
      ONE_SIDED},
     {{"tries-for-accepted", 0.0,
       "*accepted is the number of tries, and the average is right. How "
-      "many "
-      "of the moves took place?"},
+      "many of the moves took place?"},
      ALL_ACCEPTED},
     {{"to-the-wall", 0.0,
       "The centre of a disk came closer to the wall of the dish than the "
@@ -373,15 +371,14 @@ static bool check_places(const struct job *j, const struct answer *a,
 
 static bool check_ended(const struct job *j, const struct answer *a)
 {
-    return CHECK_NEAR(
-        a->ended ? 1.0 : 0.0,
-        .quantity =
-            "does it end before it has asked for 60 random numbers a "
-            "try? (1 yes, 0 no)",
-        .input = input(j), .expected = 1.0, .tolerance = 0.0,
-        .because = "yes or no", .equation = "eq:metropolis",
-        .question = "Does a loop of yours wait for a move that is allowed? "
-                    "What does it do where there is none?");
+    return CHECK_NEAR(a->ended ? 1.0 : 0.0,
+                      .quantity = "does it end before it has asked for 60 "
+                                  "random numbers a try? (1 yes, 0 no)",
+                      .input = input(j), .expected = 1.0, .tolerance = 0.0,
+                      .because = "yes or no", .equation = "eq:metropolis",
+                      .question =
+                          "Does a loop of yours wait for a move that is "
+                          "allowed? What does it do where there is none?");
 }
 
 static bool check_given(const struct job *j, const struct answer *expected,
@@ -396,14 +393,13 @@ static bool check_given(const struct job *j, const struct answer *expected,
                       .equation = "eq:metropolis", .question = question,
                       .mistakes = {behind(j, &a, a.accepted)}) &&
            check_places(j, &a, expected, question) &&
-           CHECK_NEAR(a.mean, .quantity = "average of x^2 + y^2",
-                      .unit = "m^2", .input = input(j),
-                      .expected = expected->mean,
-                      .tolerance = 4.0 * j->dish * rounding(j),
-                      .because = "16 epsilons of the dish squared for each "
-                                 "try",
-                      .equation = "eq:balance", .question = question,
-                      .mistakes = {behind(j, &a, a.mean)}) &&
+           CHECK_NEAR(
+               a.mean, .quantity = "average of x^2 + y^2", .unit = "m^2",
+               .input = input(j), .expected = expected->mean,
+               .tolerance = 4.0 * j->dish * rounding(j),
+               .because = "16 epsilons of the dish squared for each try",
+               .equation = "eq:balance", .question = question,
+               .mistakes = {behind(j, &a, a.mean)}) &&
            CHECK_NEAR(
                a.numbers, .quantity = "random numbers that were asked for",
                .unit = "", .input = input(j),
@@ -425,21 +421,13 @@ static void test_accepted(void)
     static const char question[] =
         "All of these moves are allowed. Which placings does the chain go "
         "through, and which of them count?";
-    (void)(check((struct job){.n = 1,
-                              .radius = 0.25,
-                              .dish = 1.0,
-                              .step = 0.5,
-                              .tries = 1,
-                              .script = {0.5, 0.75, 0.25}},
+    (void)(check(JOB(.n = 1, .radius = 0.25, .dish = 1.0, .step = 0.5,
+                     .tries = 1, .script = {0.5, 0.75, 0.25}),
                  question) &&
-           check((struct job){.n = 1,
-                              .radius = 0.25,
-                              .dish = 1.0,
-                              .step = 0.5,
-                              .tries = 3,
-                              .x = {-0.25},
-                              .script = {0.5, 0.75, 0.125, 0.25, 0.625, 0.5,
-                                         0.0, 0.125, 0.75}},
+           check(JOB(.n = 1, .radius = 0.25, .dish = 1.0, .step = 0.5,
+                     .tries = 3, .x = {-0.25},
+                     .script = {0.5, 0.75, 0.125, 0.25, 0.625, 0.5, 0.0,
+                                0.125, 0.75}),
                  question));
 }
 
@@ -448,37 +436,24 @@ static void test_wall(void)
     static const char question[] =
         "One of these moves leads into the wall. Where is the disk after "
         "that try, and what does the try add to the average?";
-    (void)(check((struct job){.n = 1,
-                              .radius = 0.25,
-                              .dish = 1.0,
-                              .step = 0.5,
-                              .tries = 3,
-                              .x = {0.5},
-                              .script = {0.5, 0.25, 0.75, 0.5, 0.25, 0.875,
-                                         0.5, 0.75, 0.375}},
+    (void)(check(JOB(.n = 1, .radius = 0.25, .dish = 1.0, .step = 0.5,
+                     .tries = 3, .x = {0.5},
+                     .script = {0.5, 0.25, 0.75, 0.5, 0.25, 0.875, 0.5,
+                                0.75, 0.375}),
                  question) &&
-           check((struct job){.n = 1,
-                              .radius = 0.25,
-                              .dish = 1.0,
-                              .step = 0.5,
-                              .tries = 4,
-                              .x = {0.5},
-                              .y = {0.25},
-                              .script = {0.5, 0.875, 0.5, 0.5, 0.875, 0.75,
-                                         0.5, 0.25, 0.375, 0.5, 0.0, 0.5}},
+           check(JOB(.n = 1, .radius = 0.25, .dish = 1.0, .step = 0.5,
+                     .tries = 4, .x = {0.5}, .y = {0.25},
+                     .script = {0.5, 0.875, 0.5, 0.5, 0.875, 0.75, 0.5,
+                                0.25, 0.375, 0.5, 0.0, 0.5}),
                  question));
 }
 
 static void test_disk(void)
 {
-    check((struct job){.n = 2,
-                       .radius = 0.25,
-                       .dish = 1.0,
-                       .step = 0.5,
-                       .tries = 4,
-                       .x = {-0.5, 0.25},
-                       .script = {0.25, 0.875, 0.5, 0.75, 0.75, 0.625, 0.25,
-                                  0.75, 0.25, 0.5, 0.25, 0.25}},
+    check(JOB(.n = 2, .radius = 0.25, .dish = 1.0, .step = 0.5, .tries = 4,
+              .x = {-0.5, 0.25},
+              .script = {0.25, 0.875, 0.5, 0.75, 0.75, 0.625, 0.25, 0.75,
+                         0.25, 0.5, 0.25, 0.25}),
           "Some of these moves lead into the other disk. Which placing "
           "counts after such a try?");
 }
@@ -489,35 +464,23 @@ static void test_just_fits(void)
     static const char question[] =
         "The disk just touches what it has come to. Does it reach out of "
         "the dish, or overlap?";
-    (void)(check((struct job){.n = 1,
-                              .radius = 0.25,
-                              .dish = 1.0,
-                              .step = 1.0,
-                              .tries = 1,
-                              .script = {0.0, 0.875, 0.5}},
+    (void)(check(JOB(.n = 1, .radius = 0.25, .dish = 1.0, .step = 1.0,
+                     .tries = 1, .script = {0.0, 0.875, 0.5}),
                  question) &&
-           check((struct job){.n = 2,
-                              .radius = 0.25,
-                              .dish = 1.0,
-                              .step = 1.0,
-                              .tries = 1,
-                              .x = {-0.5, 0.5},
-                              .script = {0.0, 0.75, 0.5}},
+           check(JOB(.n = 2, .radius = 0.25, .dish = 1.0, .step = 1.0,
+                     .tries = 1, .x = {-0.5, 0.5},
+                     .script = {0.0, 0.75, 0.5}),
                  question));
 }
 
 static void test_caught(void)
 {
-    check((struct job){.n = 1,
-                       .radius = 0.5,
-                       .dish = 1.0,
-                       .step = 0.25,
-                       .tries = 3,
-                       .x = {0.5},
-                       .script = {0.0, 0.75, 0.5, 0.5, 0.625, 0.75, 0.5,
-                                  0.75, 0.25}},
-          "No move takes place here at all. Where is the disk at each of "
-          "the tries? What do you divide by?");
+    check(
+        JOB(.n = 1, .radius = 0.5, .dish = 1.0, .step = 0.25, .tries = 3,
+            .x = {0.5},
+            .script = {0.0, 0.75, 0.5, 0.5, 0.625, 0.75, 0.5, 0.75, 0.25}),
+        "No move takes place here at all. Where is the disk at each of the "
+        "tries? What do you divide by?");
 }
 
 static const struct job many = {.n = 4,
@@ -554,8 +517,7 @@ static bool check_hundred(void)
                                       &accepted, &mean);
     static const char question[] =
         "There may be up to 100 disks, and here there are. Is there room "
-        "for "
-        "all of them in your program, and does each have its turn?";
+        "for all of them in your program, and does each have its turn?";
     static const char text[] =
         "100 disks of 0.03 m in ten rows, in a dish of 1 m; each moves by "
         "0.01 m along x and y, one after the other";
@@ -567,8 +529,8 @@ static bool check_hundred(void)
            CHECK_NEAR(mean, .quantity = "average of x^2 + y^2",
                       .unit = "m^2", .input = text, .expected = expected,
                       .tolerance = 16.0 * DBL_EPSILON * N,
-                      .because = "16 epsilons of the dish squared for each "
-                                 "try",
+                      .because =
+                          "16 epsilons of the dish squared for each try",
                       .equation = "eq:balance", .question = question);
 }
 
@@ -616,11 +578,10 @@ static bool draw_try(const struct job *j, size_t i, double u[3],
 static struct job draw_start(void)
 {
     static const double way[MOST][2] = {{-1, 0}, {1, 0}, {0, -1}, {0, 1}};
-    struct job j = {.n = (size_t)check_draw_whole(1, MOST),
-                    .radius = check_draw(0.1, 0.25),
-                    .dish = check_draw(1.0, 2.0),
-                    .step = check_draw(0.2, 0.9),
-                    .tries = SCRIPT / 3};
+    struct job j =
+        JOB(.n = (size_t)check_draw_whole(1, MOST),
+            .radius = check_draw(0.1, 0.25), .dish = check_draw(1.0, 2.0),
+            .step = check_draw(0.2, 0.9), .tries = SCRIPT / 3);
     for (size_t i = 0; i < j.n; ++i) {
         j.x[i] = 0.5 * way[i][0];
         j.y[i] = 0.5 * way[i][1];
@@ -661,10 +622,10 @@ static void test_drawn(void)
     for (int i = 0; i < 30; ++i) {
         struct answer expected = {.ended = true};
         const struct job j = draw_chain(&expected);
-        if (!check_given(&j, &expected,
-                         "For each disk, write down from which try to "
-                         "which it is at each of its places. What is the "
-                         "average then?"))
+        if (!check_given(
+                &j, &expected,
+                "For each disk, write down from which try to which it is "
+                "at each of its places. What is the average then?"))
             return;
     }
 }
@@ -716,33 +677,24 @@ static bool check_mean(const struct job *j, double expected, double scatter,
    0.033 too small. */
 static void test_one(void)
 {
-    const struct job j = {.n = 1,
-                          .radius = 0.25,
-                          .dish = 1.0,
-                          .step = 0.75,
-                          .tries = 20000,
-                          .seed = 63};
-    check_mean(
-        &j, 0.28125, 0.0021,
-        "One disk alone is as often at one place as at any other. Is "
-        "yours at the wall as often as in the middle?");
+    const struct job j = JOB(.n = 1, .radius = 0.25, .dish = 1.0,
+                             .step = 0.75, .tries = 20000, .seed = 63);
+    check_mean(&j, 0.28125, 0.0021,
+               "One disk alone is as often at one place as at any other. "
+               "Is yours at the wall as often as in the middle?");
 }
 
 /* The averages of 200 seeds scatter by 0.0028; without the rejections they
    are 0.0148 too small. */
 static void test_two(void)
 {
-    const struct job j = {.n = 2,
-                          .radius = 0.2,
-                          .dish = 1.0,
-                          .step = 0.4,
-                          .tries = 20000,
-                          .x = {-0.4, 0.4},
-                          .seed = 64};
+    const struct job j =
+        JOB(.n = 2, .radius = 0.2, .dish = 1.0, .step = 0.4, .tries = 20000,
+            .x = {-0.4, 0.4}, .seed = 64);
     check_mean(
         &j, exact_two(0.8, 0.4), 0.0028,
-        "Two disks crowd each other towards the wall, and there most "
-        "moves are rejected. How often do those placings count?");
+        "Two disks crowd each other towards the wall, and there most moves "
+        "are rejected. How often do those placings count?");
 }
 
 const struct check_suite check_suite = {

@@ -164,8 +164,8 @@ static bool check_overlap(struct pair p, double expected,
              "were asked for?"},
             {"chord-in-the-middle", in_the_middle(p),
              "The chord lies half way between the centres when the zones "
-             "are "
-             "equal. Towards which one does it move when they are not?"},
+             "are equal. Towards which one does it move when they are "
+             "not?"},
             {"mean-radius", mean_radius(p),
              "This would be right for two equal bodies of the mean radius. "
              "Is the lens of a large and a small circle the same?"},
@@ -238,17 +238,16 @@ static bool check_apart(struct pair p, double tolerance,
                       .equation = "eq:depletion", .question = question,
                       .mistakes = {{"not-cut-off", -p.density * goes_on(p),
                                     cut}}) &&
-           CHECK_NEAR(answer(p).overlap,
-                      .quantity = "what the two zones share, *overlap",
-                      .unit = p.dimensions == 2 ? "m^2" : "m^3",
-                      .input = input(p), .expected = 0.0,
-                      .tolerance = tolerance,
-                      .because = "zones that do not meet share nothing",
-                      .equation = "eq:depletion", .question = question,
-                      .mistakes = {
-                          {"left-empty", CHECK_EMPTY,
-                           "Not a number: was something put into *overlap "
-                           "where the zones do not meet?"}});
+           CHECK_NEAR(
+               answer(p).overlap,
+               .quantity = "what the two zones share, *overlap",
+               .unit = p.dimensions == 2 ? "m^2" : "m^3", .input = input(p),
+               .expected = 0.0, .tolerance = tolerance,
+               .because = "zones that do not meet share nothing",
+               .equation = "eq:depletion", .question = question,
+               .mistakes = {{"left-empty", CHECK_EMPTY,
+                             "Not a number: was something put into "
+                             "*overlap where the zones do not meet?"}});
 }
 
 static void test_disks(void)
@@ -288,9 +287,8 @@ static bool check_twice(struct pair p, const char *question)
 
 static void test_unequal(void)
 {
-    static const char question[] =
-        "The two zones are not equal. How far is the chord from either "
-        "centre?";
+    static const char question[] = "The two zones are not equal. How far "
+                                   "is the chord from either centre?";
     (void)(check_twice((struct pair){2, 1.0, 0.5, 0.5, 1.25, 1.75},
                        question) &&
            check_twice((struct pair){3, 1.0, 0.5, 0.5, 1.25, 1.75},
@@ -332,12 +330,10 @@ static void test_apart(void)
 
 static bool check_touching(struct pair p)
 {
-    static const char question[] =
-        "The two big bodies just touch. Where are the zones and their "
-        "chord now?";
-    static const char why[] =
-        "The big bodies do not overlap here, they just touch. Is that "
-        "forbidden?";
+    static const char question[] = "The two big bodies just touch. Where "
+                                   "are the zones and their chord now?";
+    static const char why[] = "The big bodies do not overlap here, they "
+                              "just touch. Is that forbidden?";
     return CHECK_NEAR(isinf(answer(p).potential) ? 1.0 : 0.0,
                       .quantity =
                           "is the potential infinite? (1 yes, 0 no)",
@@ -360,8 +356,7 @@ static bool check_core(struct pair p)
 {
     static const char why[] =
         "The big bodies themselves overlap at this distance. What does "
-        "that "
-        "cost, however much room the small ones gain?";
+        "that cost, however much room the small ones gain?";
     return CHECK_NEAR(
         answer(p).potential, .quantity = "the potential", .unit = "kT",
         .input = input(p), .expected = INFINITY, .tolerance = 0.0,

@@ -18,6 +18,8 @@ struct box {
     double length;
 };
 
+#define BOX(...) ((struct box){__VA_ARGS__})
+
 /* What somebody may do otherwise. */
 struct idea {
     double reach;  /* what stands for sigma, in sigma: 1 */
@@ -117,8 +119,8 @@ static bool check(const struct box *from, const char *question)
                 got.x[i], .quantity = check_text("x[%zu] after", i),
                 .unit = "m", .input = input(from), .expected = b.x[i],
                 .tolerance = slack,
-                .because = "64 epsilons of the box and the way, for each "
-                           "touch",
+                .because =
+                    "64 epsilons of the box and the way, for each touch",
                 .equation = "eq:global-balance", .question = question,
                 .mistakes = {
                     {"radius-for-diameter", would(from, radius, i),
@@ -165,50 +167,32 @@ static void test_one(void)
 {
     static const char question[] =
         "A disk alone has nobody to touch. Where is it after all the way?";
-    (void)(check(&(struct box){1, 1.0, 4.0, 3.0, {1.0}, {1.0}, 0, 1.5},
-                 question) &&
-           check(&(struct box){1, 1.0, 4.0, 3.0, {1.0}, {1.0}, 0, 5.5},
-                 question));
+    (void)(check(&BOX(1, 1.0, 4.0, 3.0, {1.0}, {1.0}, 0, 1.5), question) &&
+           check(&BOX(1, 1.0, 4.0, 3.0, {1.0}, {1.0}, 0, 5.5), question));
 }
 
 static void test_row(void)
 {
-    static const char question[] =
-        "All are in one row. Who goes how far, and how long is that in "
-        "all?";
-    (void)(check(
-               &(struct box){
-                   2, 1.0, 6.0, 3.0, {1.0, 2.5}, {1.0, 1.0}, 0, 1.5},
-               question) &&
-           check(
-               &(struct box){
-                   2, 1.0, 6.0, 3.0, {1.0, 2.5}, {1.0, 1.0}, 0, 0.5},
-               "The way ends just where they touch. Has anything been "
-               "handed on?") &&
-           check(&(struct box){3,
-                               1.0,
-                               9.0,
-                               3.0,
-                               {3.5, 1.0, 6.0},
-                               {1.0, 1.0, 1.0},
-                               1,
-                               4.0},
+    static const char question[] = "All are in one row. Who goes how far, "
+                                   "and how long is that in all?";
+    (void)(check(&BOX(2, 1.0, 6.0, 3.0, {1.0, 2.5}, {1.0, 1.0}, 0, 1.5),
                  question) &&
-           check(&(struct box){3,
-                               0.1,
-                               1.2,
-                               0.5,
-                               {0.1, 0.2, 0.3}, /* 0.3 - 0.2 < 0.1 */
-                               {0.2, 0.2, 0.2},
-                               0,
-                               0.25},
+           check(&BOX(2, 1.0, 6.0, 3.0, {1.0, 2.5}, {1.0, 1.0}, 0, 0.5),
+                 "The way ends just where they touch. Has anything been "
+                 "handed on?") &&
+           check(&BOX(3, 1.0, 9.0, 3.0, {3.5, 1.0, 6.0}, {1.0, 1.0, 1.0}, 1,
+                      4.0),
+                 question) &&
+           check(&BOX(3, 0.1, 1.2, 0.5,
+                      {0.1, 0.2, 0.3}, /* 0.3 - 0.2 < 0.1 */
+                      {0.2, 0.2, 0.2}, 0, 0.25),
                  "Three in a row that touch, but for roundings. Which of "
                  "them goes anywhere?"));
 }
 
 static void test_aside(void)
 {
-    check(&(struct box){2, 1.0, 6.0, 3.0, {1.0, 3.0}, {1.0, 1.6}, 0, 2.5},
+    check(&BOX(2, 1.0, 6.0, 3.0, {1.0, 3.0}, {1.0, 1.6}, 0, 2.5),
           "The other one stands aside by 0.6 diameters. Where do they "
           "touch?");
 }
@@ -216,19 +200,14 @@ static void test_aside(void)
 /* limit: 2 sigma (what the box is larger than) */
 static void test_edges(void)
 {
-    (void)(check(
-               &(struct box){
-                   2, 1.0, 6.0, 3.0, {1.0, 5.0}, {1.0, 1.0}, 1, 2.0},
-               "The disk that is pushed leaves on the right. Who stands "
-               "beyond that side?") &&
+    (void)(check(&BOX(2, 1.0, 6.0, 3.0, {1.0, 5.0}, {1.0, 1.0}, 1, 2.0),
+                 "The disk that is pushed leaves on the right. Who stands "
+                 "beyond that side?") &&
+           check(&BOX(2, 1.0, 6.0, 3.0, {1.0, 3.0}, {0.2, 2.8}, 0, 2.5),
+                 "One disk is near the bottom and the other one near the "
+                 "top. Do they pass each other?") &&
            check(
-               &(struct box){
-                   2, 1.0, 6.0, 3.0, {1.0, 3.0}, {0.2, 2.8}, 0, 2.5},
-               "One disk is near the bottom and the other one near the "
-               "top. Do they pass each other?") &&
-           check(
-               &(struct box){
-                   2, 1.0, 2.125, 2.125, {0.25, 1.5}, {0.5, 0.75}, 0, 3.0},
+               &BOX(2, 1.0, 2.125, 2.125, {0.25, 1.5}, {0.5, 0.75}, 0, 3.0),
                "The box is hardly larger than two disks. Whom does each of "
                "them meet, on either side?"));
 }
@@ -273,13 +252,13 @@ static void test_room(void)
         const double turns = (b.length - moved) / b.width;
         if (!CHECK_NEAR(
                 turns - round(turns),
-                .quantity = "what is missing of the way in all, in "
-                            "widths of the box",
+                .quantity = "what is missing of the way in all, in widths "
+                            "of the box",
                 .input = input(&from), .expected = 0.0, .tolerance = 1e-11,
                 .because = "roundings", .equation = "eq:global-balance",
-                .question = "Whatever one disk does not go, another "
-                            "one does. Add up how far each has "
-                            "gone: is it the length?"))
+                .question =
+                    "Whatever one disk does not go, another one does. Add "
+                    "up how far each has gone: is it the length?"))
             return;
     }
 }

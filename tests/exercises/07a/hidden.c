@@ -25,9 +25,8 @@ static bool check(double got, double expected, double tolerance,
 {
     return CHECK_NEAR(
         got, .quantity = quantity,
-        .input = check_text("n = %d disks, mean square %g m^2/s^2, v = %g "
-                            "m/s",
-                            n, mean, v),
+        .input = check_text(
+            "n = %d disks, mean square %g m^2/s^2, v = %g m/s", n, mean, v),
         .expected = expected, .tolerance = tolerance,
         .because = "1e-12 of what is summed up", .equation = "eq:speed-law",
         .question = "A law gives all its means. Do yours belong to one "

@@ -165,15 +165,14 @@ static bool check_outside(int n, double mean, double v, double expected)
         .question = fast ? most
                          : "No speed is negative. How many of them lie "
                            "below this v?",
-        .mistakes = {
-            {"not-clamped", fast ? roughly(share, n - 1.0) : expected,
-             most},
-            {"not-clamped", fast ? CHECK_NAN : expected, most},
-            {"sign-of-the-speed",
-             fast ? expected : roughly(fmin(1.0, share), n - 1.0),
-             "This is the probability of a speed below -v: the square does "
-             "not know the sign. Can a speed be below a negative "
-             "number?"}});
+        .mistakes = {{"not-clamped",
+                      fast ? roughly(share, n - 1.0) : expected, most},
+                     {"not-clamped", fast ? CHECK_NAN : expected, most},
+                     {"sign-of-the-speed",
+                      fast ? expected : roughly(fmin(1.0, share), n - 1.0),
+                      "This is the probability of a speed below -v: the "
+                      "square does not know the sign. Can a speed be below "
+                      "a negative number?"}});
 }
 
 static void test_outside(void)
@@ -233,10 +232,10 @@ static void test_many(void)
         {1000000, 1.0, 0x1p-20, 9.094937922778128759e-13},
         {10000000, 4.0, 2.5, 0.7903886056844504524},
         {1000000000, 1.0, 0.75, 0.4302171750387155747}};
-    check_table(table, sizeof table / sizeof table[0],
-                "The law of Maxwell and Boltzmann is near, and still not "
-                "the same. What does a high power do with the rounding of "
-                "1 minus a share?");
+    check_table(
+        table, sizeof table / sizeof table[0],
+        "The law of Maxwell and Boltzmann is near, and still not the same. "
+        "What does a high power do with the rounding of 1 minus a share?");
 }
 
 /* The integral over s = v^2, from 0 to the largest, of the probability of a
@@ -250,16 +249,16 @@ static bool check_mean(int n, double mean)
                              1.0 - below(n, mean, sqrt(0.5 * all)),
                              1.0 - below(n, mean, sqrt(all))};
     const struct known k = {n, mean, sqrt(0.5 * all), 0.0};
-    return CHECK_NEAR(
-        all / 6.0 * (above[0] + 4.0 * above[1] + above[2]),
-        .quantity = "mean of v^2, from your probabilities for 0, this v, "
-                    "and the largest v",
-        .unit = "m^2/s^2", .input = input(&k), .expected = mean,
-        .tolerance = all * tolerance,
-        .because = "that of the probabilities, summed up",
-        .equation = "eq:speed-law",
-        .question = "The mean of the squares was given. Which squares are "
-                    "too frequent in your law?");
+    return CHECK_NEAR(all / 6.0 * (above[0] + 4.0 * above[1] + above[2]),
+                      .quantity = "mean of v^2, from your probabilities "
+                                  "for 0, this v, and the largest v",
+                      .unit = "m^2/s^2", .input = input(&k),
+                      .expected = mean, .tolerance = all * tolerance,
+                      .because = "that of the probabilities, summed up",
+                      .equation = "eq:speed-law",
+                      .question =
+                          "The mean of the squares was given. Which "
+                          "squares are too frequent in your law?");
 }
 
 static void test_mean(void)
@@ -325,12 +324,12 @@ static void test_agree(void)
         .input = input(&k),
         .expected = all / 6.0 * 4.0 * (2.0 * 0.5 * all * above),
         .tolerance = 8.0 * all * all * tolerance,
-        .because = "that of a probability, times 4 (7.5 m^2/s^2)^2/6, and "
-                   "its own",
+        .because =
+            "that of a probability, times 4 (7.5 m^2/s^2)^2/6, and its own",
         .equation = "eq:speed-law",
-        .question = "Your probability below this v gives the expected "
-                    "number, and *fourth is another one. Do both come from "
-                    "one law?");
+        .question =
+            "Your probability below this v gives the expected number, and "
+            "*fourth is another one. Do both come from one law?");
 }
 
 /* A speed that is made for its probability: as small as one likes, and

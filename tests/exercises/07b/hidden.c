@@ -40,15 +40,13 @@ static bool check(const struct record *r, double z, const char *question)
     return CHECK_NEAR(got, .quantity = "Z", .input = input, .expected = z,
                       .tolerance = few * z,
                       .because =
-                          "4 epsilons for each collision, 64 for the "
-                          "rest",
+                          "4 epsilons for each collision, 64 for the rest",
                       .equation = "eq:virial", .question = question) &&
            CHECK_NEAR(pressure, .quantity = "*pressure",
                       .unit = r->dimensions == 3 ? "N/m^2" : "N/m",
                       .input = input, .expected = p, .tolerance = few * p,
                       .because =
-                          "4 epsilons for each collision, 64 for the "
-                          "rest",
+                          "4 epsilons for each collision, 64 for the rest",
                       .equation = "eq:virial", .question = question);
 }
 
@@ -77,9 +75,8 @@ static void test_none(void)
         const double m = draw_unit(), s = draw_unit(), kg = draw_unit();
         const struct record r = draw_box(m, s, kg);
         if (!check(&r, 1.0,
-                   "Nothing has collided, whatever stands behind the "
-                   "list. What is Z, and what is P, for so many "
-                   "particles?"))
+                   "Nothing has collided, whatever stands behind the list. "
+                   "What is Z, and what is P, for so many particles?"))
             return;
     }
 }

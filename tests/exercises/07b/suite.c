@@ -52,10 +52,10 @@ static const char *input(const struct record *r)
             r->c[0].mass[0], r->c[0].mass[1], vector(r->c[0].apart),
             vector(r->c[0].first), vector(r->c[0].second),
             r->count > 1 ? "; ..." : "");
-    return check_text("%d dimensions, box %s m, n = %zu, %g J, %g s, %zu "
-                      "collision%s%s",
-                      r->dimensions, vector(r->box), r->n, r->energy,
-                      r->time, r->count, r->count == 1 ? "" : "s", first);
+    return check_text(
+        "%d dimensions, box %s m, n = %zu, %g J, %g s, %zu collision%s%s",
+        r->dimensions, vector(r->box), r->n, r->energy, r->time, r->count,
+        r->count == 1 ? "" : "s", first);
 }
 
 static double dot(const double a[], const double b[], int dimensions)
@@ -257,25 +257,24 @@ static bool check_pressure(const struct record *r, double z,
         .tolerance = p * (tolerance(r) + 16.0 * DBL_EPSILON * z),
         .because = "that of Z, times n kT/V, and 16 epsilons",
         .equation = "eq:virial", .question = question,
-        .mistakes = {
-            {"third-side-read", z * ideal(r, 3),
-             "In the plane the box has an area. How many of its sides have "
-             "you multiplied?"},
-            {"pressure-of-collisions-only", (z - 1.0) * p,
-             "This is what the collisions add. Which pressure has a gas "
-             "without any?"},
-            {"pressure-without-collisions", p,
-             "This is the pressure of an ideal gas. What does Z say about "
-             "this one?"},
-            {"pressure-of-one", z * p / n,
-             "This is the pressure of one particle. How many of them are "
-             "in the box?"},
-            {"momentum-forgotten", z * p * (n - 1.0) / n,
-             "Here kT is shared among n particles. What does the zero "
-             "momentum do to the number of free motions?"},
-            {"left-empty", CHECK_EMPTY,
-             "Not a number: was *pressure filled in, even when nothing has "
-             "collided?"}});
+        .mistakes = {{"third-side-read", z * ideal(r, 3),
+                      "In the plane the box has an area. How many of its "
+                      "sides have you multiplied?"},
+                     {"pressure-of-collisions-only", (z - 1.0) * p,
+                      "This is what the collisions add. Which pressure has "
+                      "a gas without any?"},
+                     {"pressure-without-collisions", p,
+                      "This is the pressure of an ideal gas. What does Z "
+                      "say about this one?"},
+                     {"pressure-of-one", z * p / n,
+                      "This is the pressure of one particle. How many of "
+                      "them are in the box?"},
+                     {"momentum-forgotten", z * p * (n - 1.0) / n,
+                      "Here kT is shared among n particles. What does the "
+                      "zero momentum do to the number of free motions?"},
+                     {"left-empty", CHECK_EMPTY,
+                      "Not a number: was *pressure filled in, even when "
+                      "nothing has collided?"}});
 }
 
 static const struct record thin = {.dimensions = 2,
@@ -286,9 +285,8 @@ static const struct record thin = {.dimensions = 2,
 
 static void test_none(void)
 {
-    static const char question[] =
-        "Nothing has collided, and the gas is ideal. What are P V/(N kT) "
-        "and P?";
+    static const char question[] = "Nothing has collided, and the gas is "
+                                   "ideal. What are P V/(N kT) and P?";
     (void)(check_z(&thin, 1.0, question) &&
            check_pressure(&thin, 1.0, question));
 }
@@ -337,9 +335,8 @@ static void test_oblique(void)
         {3.0, 6.0}, {3.0, 4.0, 0.0}, {2.0, 0.0, 0.0}, {0.0, 0.0, 0.0}});
     const struct record q = one((struct collision){
         {3.0, 6.0}, {3.0, 4.0, 0.0}, {5.0, 0.0, 0.0}, {5.0, -2.0, 0.0}});
-    static const char question[] =
-        "They meet at an angle. How fast does the distance of the centres "
-        "shrink?";
+    static const char question[] = "They meet at an angle. How fast does "
+                                   "the distance of the centres shrink?";
     (void)(check_z(&r, 1.0 + 4.0 * 6.0 / 150.0, question) &&
            check_z(&q, 1.0 + 4.0 * 8.0 / 150.0, question));
 }
@@ -378,8 +375,8 @@ static void test_plane(void)
     const struct record r = one((struct collision){
         {2.0, 2.0}, {1.5, 0.0, 8.0}, {3.0, 0.0, 9.0}, {-1.0, 0.0, 2.0}});
     static const char question[] =
-        "In the plane a vector has two components. What do you do with "
-        "the third number?";
+        "In the plane a vector has two components. What do you do with the "
+        "third number?";
     (void)(check_z(&r, 1.08, question) &&
            check_pressure(&r, 1.08, question));
 }

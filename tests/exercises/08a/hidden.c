@@ -22,8 +22,8 @@ static bool check(double got, double expected, double tolerance,
 {
     return CHECK_NEAR(got, .quantity = quantity, .input = input,
                       .expected = expected, .tolerance = tolerance,
-                      .because = "some epsilons a step of all that is "
-                                 "added up",
+                      .because =
+                          "some epsilons a step of all that is added up",
                       .equation = "eq:verlet", .question = question);
 }
 
@@ -89,9 +89,8 @@ static void test_together(void)
             x_end += s.x[k];
             v_end += s.v[k];
         }
-        const char *input = check_text("a ring of %d bodies, %zu steps of "
-                                       "%g s",
-                                       MOST, steps, dt);
+        const char *input = check_text(
+            "a ring of %d bodies, %zu steps of %g s", MOST, steps, dt);
         if (!check(v_end, v, 1e-11, "sum of all v", input,
                    "What one body takes from another it gives back. Were "
                    "both forces taken at the same time?") ||

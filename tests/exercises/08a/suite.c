@@ -159,10 +159,10 @@ static bool check_step(struct point p, double dt, struct point expected,
         struct check c = {
             .quantity = k == 0 ? "x after one step" : "v after one step",
             .unit = k == 0 ? "m" : "m/s",
-            .input = check_text("x = %g m, v = %g m/s, dt = %g s, a(x) = "
-                                "%g - %g x",
-                                p.x, p.v, dt, oscillator.weight,
-                                oscillator.omega * oscillator.omega),
+            .input = check_text(
+                "x = %g m, v = %g m/s, dt = %g s, a(x) = %g - %g x", p.x,
+                p.v, dt, oscillator.weight,
+                oscillator.omega * oscillator.omega),
             .expected = k == 0 ? expected.x : expected.v,
             .tolerance = 16.0 * DBL_EPSILON * size,
             .because = "16 epsilons of all that is added up",
@@ -197,16 +197,15 @@ static bool check_free(size_t n, size_t i, double got, double expected,
         .mistakes = {
             {"two-whole-drifts",
              i < n && *quantity == 'x' ? i + 3.0 * (2.0 - i) : NAN,
-             "They have flown for 3 s. How long does each of the "
-             "two drifts of a step last?"},
+             "They have flown for 3 s. How long does each of the two "
+             "drifts of a step last?"},
             {"stops-half-way",
              i < n && *quantity == 'x' ? i + 0.75 * (2.0 - i) : NAN,
-             "They have flown for half the time. Which half of "
-             "the drift is missing?"},
+             "They have flown for half the time. Which half of the drift "
+             "is missing?"},
             {"one-step-only",
              i < n && *quantity == 'x' ? i + 0.5 * (2.0 - i) : NAN,
-             "They have flown for 0.5 s. How many steps were "
-             "wanted?"}});
+             "They have flown for 0.5 s. How many steps were wanted?"}});
 }
 
 static void test_free(void)
@@ -260,8 +259,8 @@ static void test_oscillator(void)
     oscillator.weight = 0.0;
     (void)(check_step(
                (struct point){1.0, 2.0}, 0.5, (struct point){1.8125, 1.25},
-               "Follow the step on paper: half a drift, a kick, "
-               "half a drift. Where is the coordinate after each?") &&
+               "Follow the step on paper: half a drift, a kick, half a "
+               "drift. Where is the coordinate after each?") &&
            check_step((struct point){0.0, 1.0}, 1.0,
                       (struct point){0.75, 0.5},
                       "Begin at x = 0: where is the middle of the step, "
@@ -289,16 +288,15 @@ static void test_asked(void)
                 .because = "a number is exact", .equation = "eq:verlet",
                 .question = "Forces are what costs time in a large run. "
                             "How many kicks has a step?",
-                .mistakes = {
-                    {"one-after-the-other", 4.0 * (double)steps,
-                     "Four times a step: once for each coordinate. Where "
-                     "must ALL of them be when the force on one is asked "
-                     "for?"},
-                    {"asks-twice", 2.0 * (double)steps,
-                     "Twice a step. Have the coordinates moved between "
-                     "the two?"},
-                    {"one-step-only", 1.0,
-                     "Once in all. How many steps were wanted?"}}))
+                .mistakes = {{"one-after-the-other", 4.0 * (double)steps,
+                              "Four times a step: once for each "
+                              "coordinate. Where must ALL of them be when "
+                              "the force on one is asked for?"},
+                             {"asks-twice", 2.0 * (double)steps,
+                              "Twice a step. Have the coordinates moved "
+                              "between the two?"},
+                             {"one-step-only", 1.0,
+                              "Once in all. How many steps were wanted?"}}))
             return;
     }
 }
@@ -333,10 +331,9 @@ static void test_many(void)
         const double size = 2.0 * (fabs(p.x) + fabs(p.v) * dt / z);
         const double tolerance =
             (8.0 * (double)steps + 16.0) * DBL_EPSILON * size;
-        const char *input = check_text(
-            "a(x) = -(%.17g)^2 x, from x = %g m, v = %g m/s, %zu "
-            "steps of %g s",
-            z / dt, p.x, p.v, steps, dt);
+        const char *input = check_text("a(x) = -(%.17g)^2 x, from x = %g "
+                                       "m, v = %g m/s, %zu steps of %g s",
+                                       z / dt, p.x, p.v, steps, dt);
         (void)steps_under(spring_and_weight, 1, &s, dt, steps);
         if (!CHECK_NEAR(s.x[0], .quantity = "x at the end", .unit = "m",
                         .input = input, .expected = end.x,
@@ -428,9 +425,9 @@ static bool check_coupled(size_t n)
                     .tolerance = tolerance,
                     .because = "some epsilons of all the amplitudes",
                     .equation = "eq:verlet",
-                    .question = "Each coordinate pulls at all the others. "
-                                "Where are they when the force is asked "
-                                "for?"))
+                    .question =
+                        "Each coordinate pulls at all the others. Where "
+                        "are they when the force is asked for?"))
                 return false;
     return true;
 }
@@ -469,10 +466,9 @@ static void test_back(void)
         for (int k = 0; k < 5; ++k)
             if (!CHECK_NEAR(
                     s.x[k], .quantity = check_text("x[%d]", k), .unit = "",
-                    .input = check_text(
-                        "five pendulums, %zu steps of %g and %zu "
-                        "of -%g; v[%d] was %g",
-                        steps, dt, steps, dt, k, v[k]),
+                    .input = check_text("five pendulums, %zu steps of %g "
+                                        "and %zu of -%g; v[%d] was %g",
+                                        steps, dt, steps, dt, k, v[k]),
                     .expected = x[k], .tolerance = 1e-10,
                     .because = "a rounding grows 3000 times at most, in "
                                "each of 160 steps",

@@ -108,10 +108,10 @@ static bool check_entry(const struct table *table, int i, int j)
     static const struct check_mistake known[KINDS] = {
         [INTEGERS] = {"integer-division", 0.0,
                       "The thirds of the table are 0. What is 1 / 3 in C?"},
-        [COLUMNS] = {"columns-for-rows", 0.0,
-                     "In the whole table i and j are exchanged. Which of "
-                     "the two is the number of the stage, and which that "
-                     "of the slope?"},
+        [COLUMNS] =
+            {"columns-for-rows", 0.0,
+             "In the whole table i and j are exchanged. Which of the two "
+             "is the number of the stage, and which that of the slope?"},
         [CLASSICAL] = {"classical-table", 0.0,
                        "This is the table of the classical method. Which "
                        "sentences tell about the 3/8 rule?"},
@@ -128,9 +128,9 @@ static bool check_entry(const struct table *table, int i, int j)
         .equation = "eq:runge-kutta",
         .question = "Row i says how much of each slope leads to stage i. "
                     "Which place has this number in the sentence?",
-        .mistakes = {{"sign-of-an-entry", -expected,
-                      "The sign is another one. What does the sentence "
-                      "say?"}}};
+        .mistakes = {
+            {"sign-of-an-entry", -expected,
+             "The sign is another one. What does the sentence say?"}}};
     for (int kind = 0, used = 1; kind < KINDS; ++kind)
         if (is(table, (enum kind)kind)) {
             c.mistakes[used] = known[kind];
@@ -162,13 +162,12 @@ static void test_weights(void)
                 .equation = "eq:runge-kutta",
                 .question = "What is the mean of four slopes that are all "
                             "the same?",
-                .mistakes = {
-                    {"integer-division", 0.0,
-                     "This is 0. What is 3 / 8 in C?"},
-                    {"weights-of-the-classical-table",
-                     eighths[i] < 2.0 ? 1.0 / 6.0 : 1.0 / 3.0,
-                     "This is a weight of the classical method. What is "
-                     "the 3/8 rule called after?"}}))
+                .mistakes = {{"integer-division", 0.0,
+                              "This is 0. What is 3 / 8 in C?"},
+                             {"weights-of-the-classical-table",
+                              eighths[i] < 2.0 ? 1.0 / 6.0 : 1.0 / 3.0,
+                              "This is a weight of the classical method. "
+                              "What is the 3/8 rule called after?"}}))
             return;
 }
 
@@ -211,10 +210,10 @@ static const char *line_text(const struct table *table, double t, double h,
             used += strlen(weight);
         }
     }
-    return check_text("y' = %g y + %g t, y = %g at t = %g, h = %g; %zu "
-                      "stage%s%s",
-                      line.rate, line.push, y, t, h, table->stages,
-                      table->stages == 1 ? "" : "s", rows);
+    return check_text(
+        "y' = %g y + %g t, y = %g at t = %g, h = %g; %zu stage%s%s",
+        line.rate, line.push, y, t, h, table->stages,
+        table->stages == 1 ? "" : "s", rows);
 }
 
 static void test_one(void)
@@ -236,10 +235,9 @@ static void test_one(void)
                 .because = "some epsilons", .equation = "eq:runge-kutta",
                 .question = "One stage, of weight 1: this is the Euler "
                             "method. Where does its straight line lead?",
-                .mistakes = {
-                    {"weights-without-the-step", far,
-                     "This goes along the slope for a whole second. How "
-                     "long is the step?"}}))
+                .mistakes = {{"weights-without-the-step", far,
+                              "This goes along the slope for a whole "
+                              "second. How long is the step?"}}))
             return;
     }
 }
@@ -389,9 +387,9 @@ static bool check_number(size_t n, size_t i, double got)
             i < n ? ((double)i + 1.0) * (1.0 + z + 0.5 * z * z) : 4096.0,
         .tolerance = 1e-12, .because = "some epsilons of all the terms",
         .equation = "eq:runge-kutta",
-        .question = "Each of the numbers goes its own way. How many of "
-                    "them does a slope have, and what stands behind the "
-                    "last?",
+        .question =
+            "Each of the numbers goes its own way. How many of them does a "
+            "slope have, and what stands behind the last?",
         .mistakes = {
             {"first-number-only", i < n ? (double)i + 1.0 : NAN,
              "This number has not moved. How many numbers has y?"}});
@@ -489,31 +487,29 @@ static void test_drawn(void)
         line.rate = check_draw(-1.0, 1.0);
         line.push = 0.0;
         (void)step_under(straight, &table, 1, t, h, y);
-        if (!CHECK_NEAR(y[0], .quantity = "y after one step",
-                        .input = line_text(&table, t, h, begin),
-                        .expected =
-                            begin * polynomial(&table, line.rate * h),
-                        .tolerance = 1e-12,
-                        .because = "an epsilon for each of 256 chains, 16 "
-                                   "times",
-                        .equation = "eq:runge-kutta",
-                        .question = "A table of this size: are all slopes "
-                                    "kept, and all rows read?"))
+        if (!CHECK_NEAR(
+                y[0], .quantity = "y after one step",
+                .input = line_text(&table, t, h, begin),
+                .expected = begin * polynomial(&table, line.rate * h),
+                .tolerance = 1e-12,
+                .because = "an epsilon for each of 256 chains, 16 times",
+                .equation = "eq:runge-kutta",
+                .question = "A table of this size: are all slopes kept, "
+                            "and all rows read?"))
             return;
         y[0] = begin;
         (void)step_under(cosine, &table, 1, t, h, y);
-        if (!CHECK_NEAR(y[0] - begin,
-                        .quantity = "y after one step, less y before it",
-                        .input = check_text("y' = cos(t), t = %g, h = %g, "
-                                            "%zu stages of a drawn table",
-                                            t, h, stages),
-                        .expected = integral(&table, t, h),
-                        .tolerance = 1e-13,
-                        .because = "some epsilons of 8 cosines",
-                        .equation = "eq:runge-kutta",
-                        .question = "Only the time matters here. At which "
-                                    "times does this table take its "
-                                    "slopes?"))
+        if (!CHECK_NEAR(
+                y[0] - begin,
+                .quantity = "y after one step, less y before it",
+                .input = check_text("y' = cos(t), t = %g, h = %g, %zu "
+                                    "stages of a drawn table",
+                                    t, h, stages),
+                .expected = integral(&table, t, h), .tolerance = 1e-13,
+                .because = "some epsilons of 8 cosines",
+                .equation = "eq:runge-kutta",
+                .question = "Only the time matters here. At which times "
+                            "does this table take its slopes?"))
             return;
     }
 }
@@ -549,9 +545,9 @@ static void test_wheel(void)
         for (int k = 0; k < 2; ++k)
             if (!CHECK_NEAR(
                     y[k],
-                    .quantity = k == 0 ? "y[0], by your table and your step"
-                                       : "y[1], by your table and your "
-                                         "step",
+                    .quantity = k == 0
+                                    ? "y[0], by your table and your step"
+                                    : "y[1], by your table and your step",
                     .input = input,
                     .expected = k == 0 ? creal(end) : cimag(end),
                     .tolerance = 1e-14 * 10.0,
@@ -584,15 +580,14 @@ static void test_order(void)
     const struct table table = new_method();
     const double ratio =
         error_at_end(&table, 40) / error_at_end(&table, 80);
-    CHECK_NEAR(log2(ratio),
-               .quantity = "order of your method, from 40 steps and 80",
-               .input = "y' = -2 t y^2 from y = 1 at t = 0 to t = 2",
-               .expected = 4.0, .tolerance = 0.15,
-               .because = "steps of finite size",
-               .equation = "eq:runge-kutta",
-               .question = "Half the step: how much smaller should the "
-                           "error be? This law asks for the time and for "
-                           "y.");
+    CHECK_NEAR(
+        log2(ratio),
+        .quantity = "order of your method, from 40 steps and 80",
+        .input = "y' = -2 t y^2 from y = 1 at t = 0 to t = 2",
+        .expected = 4.0, .tolerance = 0.15,
+        .because = "steps of finite size", .equation = "eq:runge-kutta",
+        .question = "Half the step: how much smaller should the error be? "
+                    "This law asks for the time and for y.");
 }
 
 const struct check_suite check_suite = {

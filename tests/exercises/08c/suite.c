@@ -146,8 +146,8 @@ static void slips_of(const struct runs *r, struct slip slip[SLIPS])
          "Not a number. What is the logarithm of a negative number, and "
          "does it matter here on which side the error is?"},
         {"negative-errors-passed-over", last_rise(&plus, 1000.0),
-         "This leaves out the runs with negative errors. Is an error of "
-         "-1 m smaller than one of 1 mm?"},
+         "This leaves out the runs with negative errors. Is an error of -1 "
+         "m smaller than one of 1 mm?"},
         {"largest-steps", m < 2 ? NAN : rise(&s, 0, 1),
          "This is the slope at the largest steps. Where is the line "
          "straight: at large steps, or at small ones?"},
@@ -190,15 +190,16 @@ static bool check_order(const struct runs *r, double got, double p,
                         const char *question)
 {
     struct slip slip[SLIPS];
-    struct check c = {.quantity = "*order",
-                      .unit = "",
-                      .input = input(r),
-                      .expected = p,
-                      .tolerance = tolerance(r, p),
-                      .because = "some epsilons of four logarithms, over "
-                                 "that of the steps",
-                      .equation = "eq:order",
-                      .question = question};
+    struct check c = {
+        .quantity = "*order",
+        .unit = "",
+        .input = input(r),
+        .expected = p,
+        .tolerance = tolerance(r, p),
+        .because =
+            "some epsilons of four logarithms, over that of the steps",
+        .equation = "eq:order",
+        .question = question};
     slips_of(r, slip);
     for (int i = 0, used = 0; i < SLIPS && used < 8; ++i)
         if (same(got, slip[i].value))
@@ -262,8 +263,8 @@ static bool check_few(const struct runs *r, const char *question)
                            "in *order then?",
                .mistakes = {{"order-of-nothing", 0.0,
                              "There is a number in *order, or nothing was "
-                             "put there. What was wanted when there are "
-                             "no two runs of use?"}});
+                             "put there. What was wanted when there are no "
+                             "two runs of use?"}});
 }
 
 /* ---- the tests ---- */
@@ -282,9 +283,8 @@ static void test_two(void)
 
 static void test_signs(void)
 {
-    static const char question[] =
-        "An error of -1 m is as large as one of 1 m. Does your order ask "
-        "for the sign?";
+    static const char question[] = "An error of -1 m is as large as one of "
+                                   "1 m. Does your order ask for the sign?";
     const struct runs below = {2, 1e-9, {0.3, 0.1}, {-0.27, -0.03}};
     const struct runs across = {2, 1e-9, {0.4, 0.1}, {-0.64, 0.01}};
     const struct runs one = {
@@ -303,10 +303,9 @@ static void test_smallest(void)
     r.error[2] = r.error[3] * 16.0;
     r.error[1] = r.error[2] * pow(2.0, 2.1);
     r.error[0] = r.error[1] * pow(2.0, 2.5);
-    (void)check_measured(
-        &r, 2.0,
-        "Large steps show terms of higher order. Which two "
-        "runs are the best?");
+    (void)check_measured(&r, 2.0,
+                         "Large steps show terms of higher order. Which "
+                         "two runs are the best?");
 }
 
 static void test_rounding(void)
@@ -367,9 +366,8 @@ static void test_blown_up(void)
 
 static void test_few(void)
 {
-    static const char question[] =
-        "How many of these runs are of use, and how many does an order "
-        "need?";
+    static const char question[] = "How many of these runs are of use, and "
+                                   "how many does an order need?";
     const struct runs none = {0, 1e-9, {0.0}, {0.0}};
     const struct runs one = {1, 1e-9, {0.1}, {0.25}};
     const struct runs rounded = {
@@ -432,14 +430,13 @@ static void test_doubt(void)
     for (int i = 0; i < 6; ++i) {
         struct runs r = {3, 1e-9, {0.4, 0.2, 0.1}, {0.0, 0.04, 0.01}};
         r.error[0] = 0.04 * pow(2.0, before[i]);
-        if (!check_doubt(&r, 2.0,
-                         before[i] < 2.0 ? "order-that-grows"
-                                         : "third-run-unused",
-                         before[i] < 2.0
-                             ? "The slope before this one was smaller, and "
-                               "that is doubtful too. Which differences "
-                               "have you looked for?"
-                             : hint))
+        if (!check_doubt(
+                &r, 2.0,
+                before[i] < 2.0 ? "order-that-grows" : "third-run-unused",
+                before[i] < 2.0
+                    ? "The slope before this one was smaller, and that is "
+                      "doubtful too. Which differences have you looked for?"
+                    : hint))
             return;
     }
     const struct runs gap = {
@@ -454,9 +451,9 @@ static void test_agree(void)
     for (int i = 0; i < 4; ++i) {
         struct runs r = {3, 1e-9, {0.4, 0.2, 0.1}, {0.0, 0.04, 0.01}};
         r.error[0] = 0.04 * pow(2.0, before[i]);
-        if (!check_measured(&r, 2.0,
-                            "The two slopes differ by less than 0.2. Is "
-                            "that enough?"))
+        if (!check_measured(
+                &r, 2.0,
+                "The two slopes differ by less than 0.2. Is that enough?"))
             return;
     }
 }
@@ -473,26 +470,26 @@ static void test_leapfrog(void)
         r.error[i] = cos(2.0 * steps * asin(0.5 * r.h[i])) - cos(1.0);
     }
     const struct result got = measured(&r);
-    (void)(CHECK_NEAR(got.order, .quantity = "*order",
-                      .input = "the leapfrog on an oscillator, with steps "
-                               "from 0.1 s to 3 ns",
-                      .expected = 2.0, .tolerance = 0.02,
-                      .because = "rounding, less than a thousandth of the "
-                                 "error, and a few of them",
-                      .equation = "eq:order",
-                      .question = "The smallest steps have errors that are "
-                                  "only rounding. Are they passed over?",
-                      .mistakes = {{"rounding-counted", last_rise(&r, 0.0),
-                                    "Runs count here whose errors are "
-                                    "mostly rounding. How large must an "
-                                    "error be to be of use?"},
-                                   {"rounding-counted", last_rise(&r, 1.0),
-                                    "Runs count here whose errors are "
-                                    "mostly rounding. How many times "
-                                    "larger must an error be?"}}) &&
-           check_verdict(&r, got.verdict, MEASURED, nothing, nothing,
-                         "Two pairs of runs agree. Is the order "
-                         "measured?"));
+    (void)(CHECK_NEAR(
+               got.order, .quantity = "*order",
+               .input = "the leapfrog on an oscillator, with steps from "
+                        "0.1 s to 3 ns",
+               .expected = 2.0, .tolerance = 0.02,
+               .because = "rounding, less than a thousandth of the error, "
+                          "and a few of them",
+               .equation = "eq:order",
+               .question = "The smallest steps have errors that are only "
+                           "rounding. Are they passed over?",
+               .mistakes =
+                   {{"rounding-counted", last_rise(&r, 0.0),
+                     "Runs count here whose errors are mostly rounding. "
+                     "How large must an error be to be of use?"},
+                    {"rounding-counted", last_rise(&r, 1.0),
+                     "Runs count here whose errors are mostly rounding. "
+                     "How many times larger must an error be?"}}) &&
+           check_verdict(
+               &r, got.verdict, MEASURED, nothing, nothing,
+               "Two pairs of runs agree. Is the order measured?"));
 }
 
 /* ---- drawn runs ---- */
@@ -541,8 +538,8 @@ static struct runs draw_runs(int count, const double slope[])
 static void test_drawn(void)
 {
     static const char question[] =
-        "Which runs are of use, which two of them have the smallest "
-        "steps, and does the third one agree?";
+        "Which runs are of use, which two of them have the smallest steps, "
+        "and does the third one agree?";
     for (int i = 0; i < 50; ++i) {
         const double p = check_draw(0.6, 8.0), off = check_draw(0.25, 1.0);
         const int count = check_draw_whole(2, 3);

@@ -66,8 +66,8 @@ static void test_period(void)
         m.friction /= slower;
         if (!check(limit_of(&m, 1.08 * slower * limit), slower * limit,
                    input,
-                   "Half the frequency, twice the step: is there a "
-                   "number with a unit in your program?"))
+                   "Half the frequency, twice the step: is there a number "
+                   "with a unit in your program?"))
             return;
     }
 }
@@ -79,10 +79,9 @@ static void test_most(void)
         struct method m;
         const double limit = draw_method(&m);
         const double far = limit * check_draw(1.3, 6.0);
-        const char *input =
-            check_text("%s, omega = %g/s, part %g, steps up to %g s and to "
-                       "%g s",
-                       m.text, m.omega, m.part, 1.1 * limit, far);
+        const char *input = check_text(
+            "%s, omega = %g/s, part %g, steps up to %g s and to %g s",
+            m.text, m.omega, m.part, 1.1 * limit, far);
         if (!check(limit_of(&m, far), limit_of(&m, 1.1 * limit), input,
                    "One looks a little beyond the limit, or far. Does that "
                    "change it?"))

@@ -123,9 +123,9 @@ static bool check_limit(const struct method *m, double most,
     const bool endless = isinf(got) && !isinf(expected);
     const bool equal_areas = m->kind == LEAPFROG && m->friction <= 0.0;
     const double tolerance = width + 2e-11 * expected;
-    static const char because[] = "the width that was asked for, and what "
-                                  "a growth of 1 + 1e-11 makes "
-                                  "of the limit";
+    static const char because[] =
+        "the width that was asked for, and what a growth of 1 + 1e-11 "
+        "makes of the limit";
     if (off > tolerance && off <= 0.01 && expected > 0.0)
         return CHECK_NEAR(
             got - expected,
@@ -133,10 +133,10 @@ static bool check_limit(const struct method *m, double most,
             .unit = "s", .input = input(m, most), .expected = 0.0,
             .tolerance = tolerance, .because = because,
             .equation = "eq:stability-limit", .question = question,
-            .mistakes = {{"not-halved", got - expected,
-                          "Within 0.01 s of the limit. Between which two "
-                          "steps does it lie, and how often must that be "
-                          "halved?"}});
+            .mistakes = {
+                {"not-halved", got - expected,
+                 "Within 0.01 s of the limit. Between which two steps does "
+                 "it lie, and how often must that be halved?"}});
     struct check c = {
         .quantity = "the largest stable step",
         .unit = "s",
@@ -146,13 +146,12 @@ static bool check_limit(const struct method *m, double most,
         .because = because,
         .equation = "eq:stability-limit",
         .question = question,
-        .mistakes = {
-            {"trace-only", trace_alone(m),
-             "This is where the trace alone has an absolute value of 2. Is "
-             "the determinant of this method 1?"},
-            {"beyond-a-gap", after_the_gap(m),
-             "This method is stable, then not, then stable again. Which "
-             "end of which interval have you found?"}}};
+        .mistakes = {{"trace-only", trace_alone(m),
+                      "This is where the trace alone has an absolute value "
+                      "of 2. Is the determinant of this method 1?"},
+                     {"beyond-a-gap", after_the_gap(m),
+                      "This method is stable, then not, then stable again. "
+                      "Which end of which interval have you found?"}}};
     const struct check_mistake more[] = {
         {"complex-passes", endless && m->kind == RUNGE_KUTTA ? got : NAN,
          "Every step seems stable. Which absolute value has a complex "
@@ -241,8 +240,8 @@ static void test_leapfrog(void)
 static void test_friction(void)
 {
     static const char question[] =
-        "With friction the determinant is less than 1. Which eigenvalue "
-        "is the larger one?";
+        "With friction the determinant is less than 1. Which eigenvalue is "
+        "the larger one?";
     struct method brake = plain("a leapfrog with friction", LEAPFROG, 0, 1);
     brake.friction = 0.7;
     (void)(check_limit(&brake, 5.0, 2.0, question) &&
@@ -274,10 +273,10 @@ static bool check_rounding(void)
 {
     struct method slow = plain("the Euler method", RUNGE_KUTTA, 1, 0.0);
     slow.omega = 2e-4;
-    if (!check_limit(&slow, 0.015, INFINITY,
-                     "The oscillator grows by 2e-12 in a step, less than "
-                     "what was to pass for rounding. Which value do you "
-                     "compare with 1?"))
+    if (!check_limit(
+            &slow, 0.015, INFINITY,
+            "The oscillator grows by 2e-12 in a step, less than what was "
+            "to pass for rounding. Which value do you compare with 1?"))
         return false;
     slow.omega = 9e-4;
     return check_limit(&slow, 0.015, 0.0,

@@ -22,14 +22,13 @@ static bool check(double got, double expected, double tolerance,
                   const char *quantity, const struct bodies *b,
                   const char *question)
 {
-    return CHECK_NEAR(got, .quantity = quantity,
-                      .input = check_text("%s; k2 = %g m^3/(kg s^2), "
-                                          "softening %g m",
-                                          b->text, b->k2, b->softening),
-                      .expected = expected, .tolerance = tolerance,
-                      .because = "some epsilons of all pairs",
-                      .equation = "eq:softened-force",
-                      .question = question);
+    return CHECK_NEAR(
+        got, .quantity = quantity,
+        .input = check_text("%s; k2 = %g m^3/(kg s^2), softening %g m",
+                            b->text, b->k2, b->softening),
+        .expected = expected, .tolerance = tolerance,
+        .because = "some epsilons of all pairs",
+        .equation = "eq:softened-force", .question = question);
 }
 
 /* The bodies in another order, and the axes too. */
@@ -73,18 +72,18 @@ static void test_brought(void)
         for (size_t j = 0; j < n; ++j)
             sum += b.mass[j] * answer_of(&b, j);
         const double energy = answer_of(&b, n);
-        if (!check(0.5 * sum, energy, 1e-13 * fabs(energy),
-                   "half the sum of mass times potential", &b,
-                   "What does the sum of mass times potential count "
-                   "twice?") ||
+        if (!check(
+                0.5 * sum, energy, 1e-13 * fabs(energy),
+                "half the sum of mass times potential", &b,
+                "What does the sum of mass times potential count twice?") ||
             !check(answer_of(&fewer, n - 1) +
                        b.mass[n - 1] * answer_of(&b, n - 1),
                    energy, 1e-13 * fabs(energy),
                    "the energy without the last body, and the work to "
                    "bring it",
                    &b,
-                   "One more body is brought in from far away. How "
-                   "much work is that?"))
+                   "One more body is brought in from far away. How much "
+                   "work is that?"))
             return;
     }
 }

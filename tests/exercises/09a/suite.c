@@ -18,6 +18,8 @@ struct bodies {
     double mass[MOST], x[3 * MOST];
 };
 
+#define BODIES(...) ((struct bodies){__VA_ARGS__})
+
 /* Body i to a place; all bodies must be counted first. */
 static void place(struct bodies *b, size_t i, double x, double y, double z)
 {
@@ -240,12 +242,8 @@ static void test_two(void)
     static const char question[] =
         "Two bodies, 3 m apart: which root belongs to a softening of 4 m, "
         "and which potential has each at the place of the other?";
-    struct bodies b = {"2 kg and 6 kg, 3 m apart along x",
-                       2,
-                       15.0,
-                       4.0,
-                       {2.0, 6.0},
-                       {1.0, 4.0}};
+    struct bodies b = BODIES("2 kg and 6 kg, 3 m apart along x", 2, 15.0,
+                             4.0, {2.0, 6.0}, {1.0, 4.0});
     (void)(check_value(&b, 0, -18.0, question) &&
            check_value(&b, 1, -6.0, question) &&
            check_value(&b, 2, -36.0, question) && check_behind(&b));
@@ -278,14 +276,9 @@ static void test_axes(void)
    18 to 16. A heavy one is in the middle. */
 static void test_five(void)
 {
-    struct bodies b = {
-        "four of 1 kg in the corners of a square of 3 m, and "
-        "one of 2 kg in its middle",
-        5,
-        1.0,
-        4.0,
-        {1.0, 1.0, 1.0, 1.0, 2.0},
-        {0.0}};
+    struct bodies b = BODIES("four of 1 kg in the corners of a square of 3 "
+                             "m, and one of 2 kg in its middle",
+                             5, 1.0, 4.0, {1.0, 1.0, 1.0, 1.0, 2.0}, {0.0});
     for (size_t i = 0; i < 4; ++i)
         place(&b, i, i % 2 ? 3.0 : 0.0, 0.0, i / 2 ? 3.0 : 0.0);
     place(&b, 4, 1.5, 0.0, 1.5);
@@ -303,14 +296,9 @@ static void test_five(void)
 
 static void test_hard(void)
 {
-    struct bodies b = {
-        "2 kg, 3 kg and 4 kg at (0, 0, 0), (3, 4, 0) and (0, "
-        "0, -12) m",
-        3,
-        2.0,
-        0.0,
-        {2.0, 3.0, 4.0},
-        {0.0}};
+    struct bodies b = BODIES(
+        "2 kg, 3 kg and 4 kg at (0, 0, 0), (3, 4, 0) and (0, 0, -12) m", 3,
+        2.0, 0.0, {2.0, 3.0, 4.0}, {0.0});
     place(&b, 1, 3.0, 4.0, 0.0);
     place(&b, 2, 0.0, 0.0, -12.0);
     static const char question[] =
@@ -326,12 +314,9 @@ static void test_hard(void)
 /* The softened potential has a bottom. */
 static void test_one_place(void)
 {
-    struct bodies b = {"three bodies at one place, of 1 kg, 2 kg and 4 kg",
-                       3,
-                       3.0,
-                       0.5,
-                       {1.0, 2.0, 4.0},
-                       {0.0}};
+    struct bodies b =
+        BODIES("three bodies at one place, of 1 kg, 2 kg and 4 kg", 3, 3.0,
+               0.5, {1.0, 2.0, 4.0}, {0.0});
     for (size_t i = 0; i < 3; ++i)
         place(&b, i, 7.0, -1.0, 2.0);
     static const char question[] =
@@ -344,9 +329,8 @@ static void test_one_place(void)
 static void test_few(void)
 {
     struct bodies b = {"one body alone", 1, 3.0, 0.0, {5.0}, {1.0}};
-    static const char question[] =
-        "There is no pair. What is the energy, and the potential of the "
-        "others?";
+    static const char question[] = "There is no pair. What is the energy, "
+                                   "and the potential of the others?";
     if (!check_value(&b, 0, 0.0, question) ||
         !check_value(&b, 1, 0.0, question))
         return;
@@ -362,12 +346,9 @@ static void test_few(void)
 /* A body without mass feels and is not felt. */
 static void test_massless(void)
 {
-    struct bodies b = {"a body of 10 kg, and one without mass 3 m from it",
-                       2,
-                       1.0,
-                       4.0,
-                       {10.0, 0.0},
-                       {0.0, 3.0}};
+    struct bodies b =
+        BODIES("a body of 10 kg, and one without mass 3 m from it", 2, 1.0,
+               4.0, {10.0, 0.0}, {0.0, 3.0});
     static const char question[] =
         "A body without mass acts on nobody. What does it feel itself?";
     (void)(check_value(&b, 0, 0.0, question) &&
@@ -383,14 +364,11 @@ static void test_ring(void)
     static const size_t count[] = {3, 8, MOST};
     for (int i = 0; i < 3; ++i) {
         const size_t n = count[i];
-        struct bodies b = {check_text("%zu bodies of 2 kg on a circle of 3 "
-                                      "m around the y axis",
-                                      n),
-                           n,
-                           1.5,
-                           0.25 * i,
-                           {0.0},
-                           {0.0}};
+        struct bodies b = BODIES(
+            check_text(
+                "%zu bodies of 2 kg on a circle of 3 m around the y axis",
+                n),
+            n, 1.5, 0.25 * i, {0.0}, {0.0});
         double sum = 0.0;
         for (size_t j = 0; j < n; ++j) {
             const double angle = 2.0 * pi * (double)j / (double)n;
@@ -405,9 +383,9 @@ static void test_ring(void)
                     .quantity = j < n ? check_text("potential[%zu]", j)
                                       : "the potential energy",
                     .unit = j < n ? "m^2/s^2" : "J",
-                    .input = check_text("%s; k2 = %g m^3/(kg s^2), "
-                                        "softening %g m",
-                                        b.text, b.k2, b.softening),
+                    .input = check_text(
+                        "%s; k2 = %g m^3/(kg s^2), softening %g m", b.text,
+                        b.k2, b.softening),
                     .expected = j < n ? sum : sum * (double)n,
                     .tolerance = 1e-12 * (double)n * fabs(sum),
                     .because = "roundings of the places",
@@ -422,9 +400,8 @@ static void test_ring(void)
 
 struct bodies draw_bodies(size_t n)
 {
-    struct bodies b = {.n = n,
-                       .k2 = check_draw(0.1, 5.0),
-                       .softening = check_draw(0.1, 2.0)};
+    struct bodies b = BODIES(.n = n, .k2 = check_draw(0.1, 5.0),
+                             .softening = check_draw(0.1, 2.0));
     for (size_t i = 0; i < n; ++i) {
         b.mass[i] = check_draw(0.1, 5.0);
         place(&b, i, check_draw(-3.0, 3.0), check_draw(-3.0, 3.0),
@@ -473,13 +450,12 @@ static void test_gradient(void)
         const double size = fabs(value(&b, RIGHT, n)) / b.softening;
         if (!CHECK_NEAR(
                 -slope,
-                .quantity = check_text("minus the slope of your energy "
-                                       "along %c of body %zu",
-                                       "xyz"[axis], body),
+                .quantity = check_text(
+                    "minus the slope of your energy along %c of body %zu",
+                    "xyz"[axis], body),
                 .unit = "N",
                 .input =
-                    check_text("%s; k2 = %g m^3/(kg s^2), softening %g "
-                               "m",
+                    check_text("%s; k2 = %g m^3/(kg s^2), softening %g m",
                                b.text, b.k2, b.softening),
                 .expected = force_on(&b, body, axis),
                 .tolerance = 2e-9 * size,

@@ -30,10 +30,9 @@ static void test_virial(void)
         const double m2 = pow(10.0, check_draw(-8.0, 8.0));
         const double d = pow(10.0, check_draw(-8.0, 8.0));
         double v1 = NAN, v2 = NAN;
-        const char *input =
-            check_text("k2 = %g m^3/(kg s^2), m1 = %g kg, m2 "
-                       "= %g kg, d = %g m",
-                       k2, m1, m2, d);
+        const char *input = check_text(
+            "k2 = %g m^3/(kg s^2), m1 = %g kg, m2 = %g kg, d = %g m", k2,
+            m1, m2, d);
         binary_speeds(k2, m1, m2, d, &v1, &v2);
         if (!check(m1 * v1 * v1 + m2 * v2 * v2, k2 * m1 * m2 / d,
                    "twice the kinetic energy", input, "eq:binary-speeds",
@@ -56,10 +55,9 @@ static void test_units(void)
         const double r = check_draw(0.1, 9.0);
         const double unit = ldexp(1.0, 2 * check_draw_whole(-40, 40));
         const double v = choreography_speed(k2, n, m, r);
-        const char *input =
-            check_text("k2 = %g m^3/(kg s^2), n = %zu, %g kg each, radius "
-                       "%g m",
-                       k2, n, m, r);
+        const char *input = check_text(
+            "k2 = %g m^3/(kg s^2), n = %zu, %g kg each, radius %g m", k2, n,
+            m, r);
         if (!check(choreography_speed(k2, n, unit * m, r), sqrt(unit) * v,
                    "the speed with other masses", input,
                    "eq:choreography-speed",
@@ -91,16 +89,15 @@ static void test_twice_as_many(void)
             const size_t part = 2 * j + 1 < n ? 2 * j + 1 : 2 * (n - j) - 1;
             odd += 1.0 / sin(2.0 * quarter * (double)part / (double)n);
         }
-        if (!check(
-                4.0 * r * (many * many - few * few) / (k2 * m), odd,
-                "what n further bodies between the others add to "
-                "4 R v^2/(k2 m)",
-                check_text("k2 = %g m^3/(kg s^2), n = %zu and %zu, %g kg "
-                           "each, radius %g m",
-                           k2, n, 2 * n, m, r),
-                "eq:choreography-speed",
-                "A body is put between each and the next one. What do "
-                "these add to the pull?"))
+        if (!check(4.0 * r * (many * many - few * few) / (k2 * m), odd,
+                   "what n further bodies between the others add to 4 R "
+                   "v^2/(k2 m)",
+                   check_text("k2 = %g m^3/(kg s^2), n = %zu and %zu, %g "
+                              "kg each, radius %g m",
+                              k2, n, 2 * n, m, r),
+                   "eq:choreography-speed",
+                   "A body is put between each and the next one. What do "
+                   "these add to the pull?"))
             return;
     }
 }

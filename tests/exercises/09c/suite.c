@@ -43,8 +43,8 @@ static bool check_digits(double e, double mean, double solution, double got,
     return CHECK_NEAR(
         off, .quantity = "error of E, over the largest that passes",
         .input = input(e, mean), .expected = 0.0, .tolerance = 1.0,
-        .because = check_text("8 epsilons of 1 + |M|, over 1 - e cos(E); "
-                              "E = %.17g, found %.17g",
+        .because = check_text("8 epsilons of 1 + |M|, over 1 - e cos(E); E "
+                              "= %.17g, found %.17g",
                               solution, got),
         .equation = "eq:kepler", .question = question,
         .mistakes = {
@@ -86,8 +86,7 @@ bool check_anomaly(double e, double mean, double solution,
                       .input = input(e, mean),
                       .expected = solution,
                       .tolerance = tolerance(e, mean, solution),
-                      .because = "8 epsilons of 1 + |M|, over 1 - e "
-                                 "cos(E)",
+                      .because = "8 epsilons of 1 + |M|, over 1 - e cos(E)",
                       .equation = "eq:kepler",
                       .question = question};
     const struct check_mistake known[] = {
@@ -103,8 +102,7 @@ bool check_anomaly(double e, double mean, double solution,
          "The sign is lost. What happens to E when M changes its sign?"},
         {"sign-in-the-equation",
          when(solves(got + e * sin(got), mean), got),
-         "This solves E + e sin(E) = M. What is the sign in the "
-         "equation?"},
+         "This solves E + e sin(E) = M. What is the sign in the equation?"},
         {"cosine-for-sine", when(solves(got - e * cos(got), mean), got),
          "This solves an equation with a cosine. Which E belongs to M = 0 "
          "on any ellipse?"},
@@ -140,9 +138,9 @@ static void test_circle(void)
 {
     static const double mean[] = {0.0, 1.0, 3.0, -2.0, 6.0, 100.0};
     for (size_t i = 0; i < sizeof mean / sizeof *mean; ++i)
-        if (!check_anomaly(0.0, mean[i], mean[i],
-                           "On a circle the planet goes evenly. What is E "
-                           "then?"))
+        if (!check_anomaly(
+                0.0, mean[i], mean[i],
+                "On a circle the planet goes evenly. What is E then?"))
             return;
 }
 
@@ -202,9 +200,9 @@ static void test_ellipses(void)
     static const double e[] = {0.05, 0.2, 0.5, 0.7, 0.9};
     for (size_t i = 0; i < sizeof e / sizeof *e; ++i)
         for (int k = 1; k <= 60; ++k)
-            if (!check_solution(e[i], 0.1 * k + 0.05,
-                                "Put your E into the equation. What is E - "
-                                "e sin(E)?"))
+            if (!check_solution(
+                    e[i], 0.1 * k + 0.05,
+                    "Put your E into the equation. What is E - e sin(E)?"))
                 return;
 }
 
@@ -215,10 +213,10 @@ static void test_comets(void)
     static const double e[] = {0.99, 0.967, 0.999, 0.9999, 0.999999};
     for (size_t i = 0; i < sizeof e / sizeof *e; ++i)
         for (int k = 0; k < 60; ++k)
-            if (!check_solution(e[i], pi * pow(0.8, k),
-                                "A comet near the sun: the curve is flat "
-                                "there. From where does your search begin, "
-                                "and can it run away?") ||
+            if (!check_solution(
+                    e[i], pi * pow(0.8, k),
+                    "A comet near the sun: the curve is flat there. From "
+                    "where does your search begin, and can it run away?") ||
                 !check_solution(e[i], -3.0 * pow(0.9, k),
                                 "A comet before it comes near the sun: "
                                 "from where does your search begin?"))

@@ -137,31 +137,29 @@ static bool check_number(const struct planets *from, double dt, double got,
         .tolerance = 100.0 * DBL_EPSILON * size,
         .because = "a hundred epsilons: the roundings of a few pulls",
         .equation = "eq:wisdom-holman", .question = question,
-        .mistakes = {
-            {"two-whole-kicks", would(from, whole, dt, i, at),
-             "Each of your kicks takes a whole step. How long do the "
-             "others "
-             "pull in all?"},
-            {"kicks-not-symmetric", would(from, early, dt, i, at),
-             "The whole kick comes before the drift. Would a step back "
-             "undo this one?"},
-            {"kicks-not-symmetric", would(from, late, dt, i, at),
-             "The whole kick comes after the drift. Would a step back undo "
-             "this one?"},
-            {"sun-counted-twice", would(from, sun, dt, i, at),
-             "The Sun pulls in your kicks. Who else knows of it?"},
-            {"own-mass", would(from, own, dt, i, at),
-             "A planet's acceleration does not depend on its own mass. "
-             "Whose gm belongs here?"},
-            {"pushed-away", would(from, away, dt, i, at),
-             "Your planets push each other away. Which way does the arrow "
-             "point that you take?"},
-            {"one-of-a-pair", would(from, once, dt, i, at),
-             "One planet of a pair is pulled, and the other one is not. "
-             "What does the first one feel?"},
-            {"straight-drift", would(from, straight, dt, i, at),
-             "Between the kicks your planets fly straight on. Which path "
-             "does the given function know?"}});
+        .mistakes = {{"two-whole-kicks", would(from, whole, dt, i, at),
+                      "Each of your kicks takes a whole step. How long do "
+                      "the others pull in all?"},
+                     {"kicks-not-symmetric", would(from, early, dt, i, at),
+                      "The whole kick comes before the drift. Would a step "
+                      "back undo this one?"},
+                     {"kicks-not-symmetric", would(from, late, dt, i, at),
+                      "The whole kick comes after the drift. Would a step "
+                      "back undo this one?"},
+                     {"sun-counted-twice", would(from, sun, dt, i, at),
+                      "The Sun pulls in your kicks. Who else knows of it?"},
+                     {"own-mass", would(from, own, dt, i, at),
+                      "A planet's acceleration does not depend on its own "
+                      "mass. Whose gm belongs here?"},
+                     {"pushed-away", would(from, away, dt, i, at),
+                      "Your planets push each other away. Which way does "
+                      "the arrow point that you take?"},
+                     {"one-of-a-pair", would(from, once, dt, i, at),
+                      "One planet of a pair is pulled, and the other one "
+                      "is not. What does the first one feel?"},
+                     {"straight-drift", would(from, straight, dt, i, at),
+                      "Between the kicks your planets fly straight on. "
+                      "Which path does the given function know?"}});
 }
 
 static bool check_step(const struct planets *from, double dt,
@@ -221,23 +219,21 @@ static bool check_massless(void)
         ellipses_and_kicks(q.n, q.gm, q.sun, 0.25, q.x, q.v);
         if (!CHECK_NEAR(
                 isnan(q.v[i][0]) ? NAN : 0.0,
-                .quantity = check_text("v[%d][0], if it is not a "
-                                       "number",
-                                       i),
+                .quantity =
+                    check_text("v[%d][0], if it is not a number", i),
                 .unit = "AU/d", .input = input(&p, 0.25), .expected = 0.0,
                 .tolerance = 0.0,
                 .because = "a body without a mass has a velocity",
                 .equation = "eq:wisdom-holman",
                 .question = "Which of your numbers is zero here?",
                 .mistakes = {{"divided-by-own-mass", CHECK_NAN,
-                              "This body has no mass, and the Sun "
-                              "and the others pull it all the same. "
-                              "By what do you divide, and need "
-                              "you?"}}) ||
-            !check_step(&p, 0.25,
-                        "One planet has no mass: its own gm is 0. Is "
-                        "anything of yours divided by that, or left out "
-                        "for it?"))
+                              "This body has no mass, and the Sun and the "
+                              "others pull it all the same. By what do you "
+                              "divide, and need you?"}}) ||
+            !check_step(
+                &p, 0.25,
+                "One planet has no mass: its own gm is 0. Is anything of "
+                "yours divided by that, or left out for it?"))
             return false;
     }
     return true; /* the second time both are without */
@@ -282,30 +278,28 @@ static void test_back(void)
         q = p;
         const double dt = check_draw(0.05, 0.5);
         ellipses_and_kicks(q.n, q.gm, q.sun, dt, q.x, q.v);
-        if (!CHECK_NEAR(fabs(q.x[0][0] - p.x[0][0]) > 1e-6 ? 1.0 : 0.0,
-                        .quantity = "has x[0][0] changed? (1 yes, 0 no)",
-                        .input = input(&p, dt), .expected = 1.0,
-                        .tolerance = 0.0, .because = "yes or no",
-                        .equation = "eq:wisdom-holman",
-                        .question = "Nothing has moved. Who moves the "
-                                    "planets?"))
+        if (!CHECK_NEAR(
+                fabs(q.x[0][0] - p.x[0][0]) > 1e-6 ? 1.0 : 0.0,
+                .quantity = "has x[0][0] changed? (1 yes, 0 no)",
+                .input = input(&p, dt), .expected = 1.0, .tolerance = 0.0,
+                .because = "yes or no", .equation = "eq:wisdom-holman",
+                .question = "Nothing has moved. Who moves the planets?"))
             return;
         ellipses_and_kicks(q.n, q.gm, q.sun, -dt, q.x, q.v);
         for (size_t k = 0; k < p.n; ++k)
             for (int a = 0; a < 3; ++a)
-                if (!CHECK_NEAR(q.v[k][a],
-                                .quantity = check_text(
-                                    "v[%zu][%d] after a step and a step "
-                                    "back",
-                                    k, a),
-                                .unit = "AU/d", .input = input(&p, dt),
-                                .expected = p.v[k][a], .tolerance = 1e-12,
-                                .because = "the roundings of two steps",
-                                .equation = "eq:wisdom-holman",
-                                .question = "The last half of a kick "
-                                            "should be undone by the first "
-                                            "half of the step back. From "
-                                            "which places is it taken?"))
+                if (!CHECK_NEAR(
+                        q.v[k][a],
+                        .quantity = check_text(
+                            "v[%zu][%d] after a step and a step back", k,
+                            a),
+                        .unit = "AU/d", .input = input(&p, dt),
+                        .expected = p.v[k][a], .tolerance = 1e-12,
+                        .because = "the roundings of two steps",
+                        .equation = "eq:wisdom-holman",
+                        .question = "The last half of a kick should be "
+                                    "undone by the first half of the step "
+                                    "back. From which places is it taken?"))
                     return;
     }
 }
@@ -328,15 +322,15 @@ static void test_turn(void)
     const struct planets from = p;
     for (int i = 0; i < 50; ++i)
         ellipses_and_kicks(p.n, p.gm, p.sun, 0.1, p.x, p.v);
-    CHECK_NEAR(
-        turn(&p) / turn(&from),
-        .quantity = "angular momentum after 50 steps, by that before",
-        .input = input(&from, 0.1), .expected = 1.0, .tolerance = 1e-12,
-        .because = "the roundings of 50 steps",
-        .equation = "eq:wisdom-holman",
-        .question = "Two planets pull each other along one line. Are "
-                    "the two pulls equal, when each is multiplied by "
-                    "the mass?");
+    CHECK_NEAR(turn(&p) / turn(&from),
+               .quantity =
+                   "angular momentum after 50 steps, by that before",
+               .input = input(&from, 0.1), .expected = 1.0,
+               .tolerance = 1e-12, .because = "the roundings of 50 steps",
+               .equation = "eq:wisdom-holman",
+               .question =
+                   "Two planets pull each other along one line. Are the "
+                   "two pulls equal, when each is multiplied by the mass?");
 }
 
 static void test_drawn(void)

@@ -36,8 +36,8 @@ static void test_backwards(void)
                              2.0 * twice * twice * sizes,
                 .because = "what was asked for, each time",
                 .equation = "eq:compensated",
-                .question = "The same numbers. What is lost in one "
-                            "order, and not in the other?"))
+                .question = "The same numbers. What is lost in one order, "
+                            "and not in the other?"))
             return;
     }
 }
@@ -50,15 +50,14 @@ static void test_units(void)
         const int unit = check_draw_whole(-300, 300);
         for (size_t k = 0; k < N; ++k)
             other[k] = ldexp(part[k], unit);
-        if (!CHECK_NEAR(ldexp(sum_up(N, other), -unit),
-                        .quantity = "sum in other units",
-                        .input =
-                            check_text("101 numbers, times 2^%d", unit),
-                        .expected = sum_up(N, part), .tolerance = 0.0,
-                        .because = "a power of two rounds nothing",
-                        .equation = "eq:compensated",
-                        .question = "Which of your numbers has a size of "
-                                    "its own?"))
+        if (!CHECK_NEAR(
+                ldexp(sum_up(N, other), -unit),
+                .quantity = "sum in other units",
+                .input = check_text("101 numbers, times 2^%d", unit),
+                .expected = sum_up(N, part), .tolerance = 0.0,
+                .because = "a power of two rounds nothing",
+                .equation = "eq:compensated",
+                .question = "Which of your numbers has a size of its own?"))
             return;
     }
 }

@@ -21,13 +21,12 @@ static const char *input(double c, const struct body *a,
 static bool check(double got, double expected, double tolerance,
                   const char *quantity, const char *text)
 {
-    return CHECK_NEAR(got, .quantity = quantity, .input = text,
-                      .expected = expected, .tolerance = tolerance,
-                      .because = "16 epsilons of the terms",
-                      .equation = "eq:axial-dashpot",
-                      .question = "How fast does the distance of the two "
-                                  "change, wherever they are and however "
-                                  "they turn?");
+    return CHECK_NEAR(
+        got, .quantity = quantity, .input = text, .expected = expected,
+        .tolerance = tolerance, .because = "16 epsilons of the terms",
+        .equation = "eq:axial-dashpot",
+        .question = "How fast does the distance of the two change, "
+                    "wherever they are and however they turn?");
 }
 
 static void draw(double x[3], double unit)

@@ -37,10 +37,9 @@ static const char *vector(const double v[3])
 
 static const char *input(const struct pair *p)
 {
-    return check_text("c = %g kg/s, a at %s m with %s m/s, b at %s m with "
-                      "%s m/s",
-                      p->c, vector(p->a.x), vector(p->a.v), vector(p->b.x),
-                      vector(p->b.v));
+    return check_text(
+        "c = %g kg/s, a at %s m with %s m/s, b at %s m with %s m/s", p->c,
+        vector(p->a.x), vector(p->a.v), vector(p->b.x), vector(p->b.v));
 }
 
 static double dot(const double p[3], const double q[3])
@@ -99,8 +98,7 @@ static bool check_force(const struct pair *p, double got, int k,
              "damper. Which part of it changes the distance of the two?"},
             {"axis-too-long", right * r,
              "The force grows with the distance here. How long is the "
-             "vector that gives the direction, and how long should it "
-             "be?"},
+             "vector that gives the direction, and how long should it be?"},
             {"axis-too-long", right * square,
              "The force grows with the square of the distance here. How "
              "long is the vector that gives the direction? It stands in "
@@ -110,8 +108,8 @@ static bool check_force(const struct pair *p, double got, int k,
              "that turns the dashpot. Which part stretches it?"},
             {"speed-for-rate", speed,
              "This takes the relative speed for the rate at which the "
-             "length changes. Is all of that speed along the axis, and "
-             "can a speed be negative?"},
+             "length changes. Is all of that speed along the axis, and can "
+             "a speed be negative?"},
             {"wrong-sign", fabs(speed + right) < 1e-9 ? right : -right,
              "The size is right, and the sign is not. When the two fly "
              "apart, which way does a dashpot pull each of them?"},
@@ -148,8 +146,8 @@ static bool check_heat(const struct pair *p, double got,
         got, .quantity = "power turned into heat", .unit = "W",
         .input = input(p), .expected = p->heat,
         .tolerance = 2.0 * tolerance(p) * u,
-        .because = "32 epsilons of c times the square of the relative "
-                   "speed",
+        .because =
+            "32 epsilons of c times the square of the relative speed",
         .equation = "eq:axial-dashpot", .question = question,
         .mistakes = {
             {"half-the-power", 0.5 * p->heat,
@@ -161,8 +159,8 @@ static bool check_heat(const struct pair *p, double got,
              "The force is right, and the power is that of the whole "
              "relative velocity. Does a force do work across itself?"},
             {"force-for-power", sqrt(p->c * p->heat),
-             "This is the size of the force. What is missing on the way "
-             "to a power?"},
+             "This is the size of the force. What is missing on the way to "
+             "a power?"},
             {"no-axis", CHECK_NAN,
              "Not a number: what do you divide by when the two are at the "
              "same place?"}});
@@ -289,16 +287,15 @@ static void test_momenta(void)
     for (int k = 0; k < 3; ++k) {
         const int l = (k + 1) % 3, m = (k + 2) % 3;
         if (!check_opposite(&p, r.on_b[k], k) ||
-            !CHECK_NEAR(
-                s.x[l] * r.on_b[m] - s.x[m] * r.on_b[l],
-                .quantity =
-                    check_text("torque of both forces about %c", "xyz"[k]),
-                .unit = "N m", .input = input(&p), .expected = 0.0,
-                .tolerance = tolerance(&p) * 6.0,
-                .because = "that of the forces, times 2 * 3 m",
-                .equation = "eq:axial-dashpot",
-                .question = "Your dashpot turns the pair. Which way does "
-                            "its force point?"))
+            !CHECK_NEAR(s.x[l] * r.on_b[m] - s.x[m] * r.on_b[l],
+                        .quantity = check_text(
+                            "torque of both forces about %c", "xyz"[k]),
+                        .unit = "N m", .input = input(&p), .expected = 0.0,
+                        .tolerance = tolerance(&p) * 6.0,
+                        .because = "that of the forces, times 2 * 3 m",
+                        .equation = "eq:axial-dashpot",
+                        .question = "Your dashpot turns the pair. Which "
+                                    "way does its force point?"))
             return;
     }
     (void)(check_pair(&p, "Is this force along the axis?"));
@@ -323,9 +320,8 @@ static void test_heat(void)
 
 static void test_same_place(void)
 {
-    static const char question[] =
-        "There is no direction from a place to itself. What did the "
-        "exercise ask for?";
+    static const char question[] = "There is no direction from a place to "
+                                   "itself. What did the exercise ask for?";
     const struct pair p = {.c = 2.0,
                            .a = {{1.0, 2.0, 3.0}, {1.0, 0.0, 0.0}},
                            .b = {{1.0, 2.0, 3.0}, {0.0, 1.0, 5.0}}};
@@ -384,8 +380,8 @@ static void test_drawn(void)
 {
     for (int i = 0; i < 40; ++i) {
         const struct pair p = draw_pair();
-        if (!check_pair(&p, "Any direction, any velocities: is the force "
-                            "c times the rate of the length, along it?"))
+        if (!check_pair(&p, "Any direction, any velocities: is the force c "
+                            "times the rate of the length, along it?"))
             return;
     }
 }

@@ -147,8 +147,8 @@ static struct check_mistake not_a_number(const struct known *k)
         return (struct check_mistake){
             "root-of-a-negative", CHECK_NAN,
             "Not a number: is there a root of a negative number in it? "
-            "With much damping it does not swing. Which functions take "
-            "the place of the cosine and the sine?"};
+            "With much damping it does not swing. Which functions take the "
+            "place of the cosine and the sine?"};
     return (struct check_mistake){
         "overflow", CHECK_NAN,
         "Not a number. How large is cosh(1000) in a double, and how small "
@@ -178,9 +178,8 @@ static bool check_large(const struct known *k, const char *quantity,
         .mistakes = {
             not_a_number(k),
             {"whole-damping", SLIP(WHOLE),
-             "The damping is twice what it should be. The envelope is "
-             "that of the amplitude: with c/m it would be that of the "
-             "energy."},
+             "The damping is twice what it should be. The envelope is that "
+             "of the amplitude: with c/m it would be that of the energy."},
             {"damping-feeds", SLIP(FEEDS),
              "Here the damping drives the oscillator. Which sign has its "
              "force when v is positive?"},
@@ -209,12 +208,11 @@ static bool check_one(const struct known *k, double got, bool place,
     const double unit = scale(&k->o) * (place ? 1.0 : own_frequency(&k->o));
     const double off = (got - (place ? k->x : k->v)) / unit;
     if (fabs(off) > 1e-12 && fabs(off) < 1e-4)
-        return check_digits(k, off,
-                            place ? "error of the place, in units of |x| + "
-                                    "|v|/w"
-                                  : "error of the velocity, in units of "
-                                    "w |x| + |v|",
-                            question);
+        return check_digits(
+            k, off,
+            place ? "error of the place, in units of |x| + |v|/w"
+                  : "error of the velocity, in units of w |x| + |v|",
+            question);
     return check_large(
         k, place ? "place at the time t" : "*velocity, at the time t", got,
         place, question);
@@ -244,8 +242,8 @@ static void test_free(void)
 {
     static const double turns[] = {1.0, 2.5, 30.0, 100.0};
     static const char question[] =
-        "Without damping: which function has x for its value and v for "
-        "its slope at t = 0?";
+        "Without damping: which function has x for its value and v for its "
+        "slope at t = 0?";
     for (size_t i = 0; i < sizeof turns / sizeof turns[0]; ++i) {
         const double c = cos(turns[i]), s = sin(turns[i]);
         const struct known a = {
@@ -439,9 +437,9 @@ static void test_drawn_swinging(void)
 {
     for (int i = 0; i < 40; ++i) {
         const struct known k = draw_swinging();
-        if (!check_known(&k, "Little damping: are the envelope, the "
-                             "frequency and the start right for any of "
-                             "them?"))
+        if (!check_known(&k,
+                         "Little damping: are the envelope, the frequency "
+                         "and the start right for any of them?"))
             return;
     }
 }
@@ -472,8 +470,8 @@ static void test_drawn_critical(void)
             near_critical(check_draw(0.1, 5.0), w * w, i % 2 ? off : -off,
                           check_draw(-2.0, 2.0), check_draw(-2.0, 2.0),
                           check_draw(0.0, 20.0) / w);
-        if (!check_known(&k, "Near the critical damping: do all digits "
-                             "survive?"))
+        if (!check_known(
+                &k, "Near the critical damping: do all digits survive?"))
             return;
     }
 }

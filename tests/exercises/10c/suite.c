@@ -120,17 +120,15 @@ static bool check_digits(const struct grid *g, int r, int s, double off,
 {
     return CHECK_NEAR(
         off,
-        .quantity = check_text("relative error of the frequency of mode "
-                               "(%d, %d)",
-                               r, s),
+        .quantity = check_text(
+            "relative error of the frequency of mode (%d, %d)", r, s),
         .input = input(g), .expected = 0.0, .tolerance = 1e-12,
         .because = "what was asked for",
         .equation = "eq:membrane-dispersion", .question = question,
-        .mistakes = {
-            {"digits-lost", off,
-             "The formula is right and its last digits are gone. What is "
-             "left of 1 - cos(x) for a small x, and which square is the "
-             "same on paper?"}});
+        .mistakes = {{"digits-lost", off,
+                      "The formula is right and its last digits are gone. "
+                      "What is left of 1 - cos(x) for a small x, and which "
+                      "square is the same on paper?"}});
 }
 
 static bool check_mode(const struct grid *g, const double omega[], int r,
@@ -193,21 +191,19 @@ static bool check_mode(const struct grid *g, const double omega[], int r,
             fabs(got - smooth) <= 1e-9 * fabs(smooth)
                 ? (struct check_mistake){"smooth-skin", smooth,
                                          "This is the frequency of a "
-                                         "smooth "
-                                         "skin. A grid is not smooth: what "
-                                         "does the sum over both "
-                                         "neighbours "
-                                         "make of a wave?"}
+                                         "smooth skin. A grid is not "
+                                         "smooth: what does the sum over "
+                                         "both neighbours make of a wave?"}
             : right < 0.0
                 ? (struct check_mistake){"growth-for-swing", -right,
                                          "This mode does not swing, it "
                                          "grows. Which sign does the "
                                          "exercise ask for?"}
-                : (struct check_mistake){"axes-exchanged", exchanged,
-                                         "This is the frequency of another "
-                                         "mode. Which number counts first "
-                                         "in omega[], and how many modes "
-                                         "are there along x?"}});
+                : (struct check_mistake){
+                      "axes-exchanged", exchanged,
+                      "This is the frequency of another mode. Which number "
+                      "counts first in omega[], and how many modes are "
+                      "there along x?"}});
 }
 
 /* All modes, or only every `stride`th of them. */
@@ -315,8 +311,8 @@ static void test_tension(void)
         const struct grid g = {6,   6,    1.0,        8.0,
                                1.0, 0.75, rest[i][0], rest[i][1]};
         if (!check_modes(&g, 1,
-                         "How far is each spring stretched while "
-                         "the grid lies flat?"))
+                         "How far is each spring stretched while the grid "
+                         "lies flat?"))
             return;
     }
 }
@@ -326,8 +322,8 @@ static void test_slack(void)
 {
     const struct grid g = {5, 4, 1.0, 50.0, 0.25, 0.5, 0.25, 0.5};
     (void)(check_modes(&g, 1,
-                       "No spring pulls while the grid lies flat. "
-                       "What is left for small motions?") &&
+                       "No spring pulls while the grid lies flat. What is "
+                       "left for small motions?") &&
            check_step(&g, "Nothing swings. Which step is too long?"));
 }
 
@@ -359,22 +355,21 @@ static void test_long(void)
             const double right =
                 4.0 * sqrt(xx * (1.0 - xx / 12.0 * (1.0 - xx / 30.0)));
             const double got = a.omega[r - 1], off = got / right - 1.0;
-            good =
-                fabs(off) < 1e-4
-                    ? check_digits(&g, r, 1, off,
-                                   "A long row has slow modes. What is "
-                                   "near 1 in your formula, and need it "
-                                   "be?")
-                    : CHECK_NEAR(
-                          got,
-                          .quantity =
-                              check_text("omega of mode (%d, 1)", r),
-                          .unit = "rad/s", .input = input(&g),
-                          .expected = right, .tolerance = 1e-12 * right,
-                          .because = "what was asked for",
-                          .equation = "eq:membrane-dispersion",
-                          .question = "A long row of masses: how long is "
-                                      "the slowest wave?");
+            good = fabs(off) < 1e-4
+                       ? check_digits(
+                             &g, r, 1, off,
+                             "A long row has slow modes. What is near 1 in "
+                             "your formula, and need it be?")
+                       : CHECK_NEAR(
+                             got,
+                             .quantity =
+                                 check_text("omega of mode (%d, 1)", r),
+                             .unit = "rad/s", .input = input(&g),
+                             .expected = right, .tolerance = 1e-12 * right,
+                             .because = "what was asked for",
+                             .equation = "eq:membrane-dispersion",
+                             .question = "A long row of masses: how long "
+                                         "is the slowest wave?");
         }
         free(a.omega);
         if (!good)
@@ -405,14 +400,14 @@ static void test_places(void)
     const double last = a.omega[modes(&g) - 1];
     const double behind = isnan(a.omega[modes(&g)]) ? 0.0 : 1.0;
     free(a.omega);
-    (void)(CHECK_NEAR(
-               last, .quantity = "omega of mode (4, 2), the last one",
-               .unit = "rad/s", .input = input(&g),
-               .expected = frequency(&g, 4, 2),
-               .tolerance = tolerance(&g, 4, 2), .because = because,
-               .equation = "eq:membrane-dispersion",
-               .question = "How many modes has a grid, and where does the "
-                           "last of them belong?") &&
+    (void)(CHECK_NEAR(last,
+                      .quantity = "omega of mode (4, 2), the last one",
+                      .unit = "rad/s", .input = input(&g),
+                      .expected = frequency(&g, 4, 2),
+                      .tolerance = tolerance(&g, 4, 2), .because = because,
+                      .equation = "eq:membrane-dispersion",
+                      .question = "How many modes has a grid, and where "
+                                  "does the last of them belong?") &&
            CHECK_NEAR(behind,
                       .quantity = "is anything written behind the last "
                                   "place? (1 yes, 0 no)",
@@ -440,9 +435,8 @@ static void test_drawn(void)
 {
     for (int i = 0; i < 12; ++i) {
         const struct grid g = draw_grid(false, false);
-        if (!check_modes(&g, 1,
-                         "Any grid that is stretched: is every mode "
-                         "right?"))
+        if (!check_modes(
+                &g, 1, "Any grid that is stretched: is every mode right?"))
             return;
     }
 }
@@ -452,8 +446,8 @@ static void test_drawn_pressed(void)
     for (int i = 0; i < 12; ++i) {
         const struct grid g = draw_grid(i % 3 != 1, i % 3 != 0);
         if (!check_modes(&g, 1,
-                         "A grid that is pressed along x, y or "
-                         "both: is every mode right?"))
+                         "A grid that is pressed along x, y or both: is "
+                         "every mode right?"))
             return;
     }
 }

@@ -95,8 +95,7 @@ static bool check_centre(const struct pair *p, bool first, double got,
              "what of the centre of mass?"},
             {"line-too-long", from + way * (reach - p->depth),
              "The way is too long or too short by the distance of the "
-             "centres. How long is the vector that gives the "
-             "direction?"}});
+             "centres. How long is the vector that gives the direction?"}});
 }
 
 /* What should have stayed as it is. */
@@ -133,15 +132,14 @@ static bool check_finite(const struct pair *p, const struct answer *r)
         .input = input(p), .expected = 0.0, .tolerance = 0.0,
         .because = "yes or no", .equation = "eq:push",
         .question = "Where does something come from that is no number?",
-        .mistakes = {
-            {"no-line", line ? 0.0 : 1.0,
-             "At the same place there is no line from one centre to the "
-             "other. What do you divide by, and what did the exercise ask "
-             "for?"},
-            {"infinity-over-infinity",
-             isinf(p->a.mass) || isinf(p->b.mass) ? 1.0 : 0.0,
-             "What is INFINITY over INFINITY? Make one mass larger and "
-             "larger: what become the two shares?"}});
+        .mistakes = {{"no-line", line ? 0.0 : 1.0,
+                      "At the same place there is no line from one centre "
+                      "to the other. What do you divide by, and what did "
+                      "the exercise ask for?"},
+                     {"infinity-over-infinity",
+                      isinf(p->a.mass) || isinf(p->b.mass) ? 1.0 : 0.0,
+                      "What is INFINITY over INFINITY? Make one mass "
+                      "larger and larger: what become the two shares?"}});
 }
 
 static bool check_pair(const struct pair *p, const char *question)
@@ -261,25 +259,23 @@ static void test_touch(void)
     for (int k = 0; k < 3; ++k) {
         const double d = r.b.x[k] - r.a.x[k];
         square += d * d;
-        if (!CHECK_NEAR((1.5 * r.a.x[k] + 4.0 * r.b.x[k]) / 5.5,
-                        .quantity = check_text("the centre of mass along "
-                                               "%c",
-                                               "xyz"[k]),
-                        .unit = "m", .input = input(&p),
-                        .expected = (1.5 * p.a.x[k] + 4.0 * p.b.x[k]) / 5.5,
-                        .tolerance = tolerance(&p), .because = because,
-                        .equation = "eq:push",
-                        .question = "By how much is m1 x1 + m2 x2 changed "
-                                    "by one of the two ways, and by the "
-                                    "other?"))
+        if (!CHECK_NEAR(
+                (1.5 * r.a.x[k] + 4.0 * r.b.x[k]) / 5.5,
+                .quantity =
+                    check_text("the centre of mass along %c", "xyz"[k]),
+                .unit = "m", .input = input(&p),
+                .expected = (1.5 * p.a.x[k] + 4.0 * p.b.x[k]) / 5.5,
+                .tolerance = tolerance(&p), .because = because,
+                .equation = "eq:push",
+                .question = "By how much is m1 x1 + m2 x2 changed by one "
+                            "of the two ways, and by the other?"))
             return;
     }
-    (void)CHECK_NEAR(sqrt(square), .quantity = "distance of the centres",
-                     .unit = "m", .input = input(&p), .expected = 1.75,
-                     .tolerance = tolerance(&p), .because = because,
-                     .equation = "eq:push",
-                     .question = "How far are two spheres apart that "
-                                 "touch?");
+    (void)CHECK_NEAR(
+        sqrt(square), .quantity = "distance of the centres", .unit = "m",
+        .input = input(&p), .expected = 1.75, .tolerance = tolerance(&p),
+        .because = because, .equation = "eq:push",
+        .question = "How far are two spheres apart that touch?");
 }
 
 static bool check_unchanged(const struct pair *p, double gap)
@@ -288,18 +284,18 @@ static bool check_unchanged(const struct pair *p, double gap)
         "These two do not overlap. Who has moved them?";
     const struct answer r = answer(p);
     const bool moved = r.a.x[0] != p->a.x[0] || r.b.x[0] != p->b.x[0];
-    if (!CHECK_NEAR(r.depth, .quantity = "depth of the overlap",
-                    .unit = "m", .input = input(p), .expected = 0.0,
-                    .tolerance = 0.0, .because = "there is none",
-                    .equation = "eq:push", .question = question,
-                    .mistakes = {{"pulled-together", moved ? r.depth : 0.0,
-                                  "These two are apart, and have been "
-                                  "pulled together. What is to be done "
-                                  "when nothing overlaps?"},
-                                 {"depth-below-zero", moved ? 0.0 : gap,
-                                  "The gap is taken for a negative depth. "
-                                  "How deep is an overlap of spheres that "
-                                  "are apart?"}}))
+    if (!CHECK_NEAR(
+            r.depth, .quantity = "depth of the overlap", .unit = "m",
+            .input = input(p), .expected = 0.0, .tolerance = 0.0,
+            .because = "there is none", .equation = "eq:push",
+            .question = question,
+            .mistakes = {
+                {"pulled-together", moved ? r.depth : 0.0,
+                 "These two are apart, and have been pulled together. What "
+                 "is to be done when nothing overlaps?"},
+                {"depth-below-zero", moved ? 0.0 : gap,
+                 "The gap is taken for a negative depth. How deep is an "
+                 "overlap of spheres that are apart?"}}))
         return false;
     for (int k = 0; k < 3; ++k)
         if (!check_kept(p, true, r.a.x[k], k, question) ||
@@ -336,9 +332,10 @@ static void test_same_place(void)
                               .b_after = {0.0, 0.0, 0.5},
                               .depth = 2.0};
     (void)(check_pair(&p, question) && check_depth(&p, question) &&
-           check_pair(&near, "The centres are very near each other, and "
-                             "still there is a line from one to the other. "
-                             "What do you compare with 0?"));
+           check_pair(
+               &near,
+               "The centres are very near each other, and still there is a "
+               "line from one to the other. What do you compare with 0?"));
 }
 
 static void test_immovable(void)
@@ -432,9 +429,9 @@ static void test_drawn(void)
 {
     for (int i = 0; i < 40; ++i) {
         const struct pair p = draw_pair(check_draw(1.01, 5.0));
-        if (!check_pair(&p, "Any two that overlap: do they touch "
-                            "afterwards, with the centre of mass in its "
-                            "place?") ||
+        if (!check_pair(&p,
+                        "Any two that overlap: do they touch afterwards, "
+                        "with the centre of mass in its place?") ||
             !check_depth(&p, "How deep was it?"))
             return;
     }

@@ -304,18 +304,17 @@ static bool check_two(double m0, double m1, double v0, double v1, double u0,
                 .equation = "eq:cradle",
                 .question = "Two balls meet once. What does each give to "
                             "the other?",
-                .mistakes = {
-                    {"velocities-exchanged", i ? v0 : v1,
-                     "They have exchanged their velocities. Do balls of "
-                     "different masses do that?"},
-                    {"they-stick", both,
-                     "This is the velocity of their centre of mass. Do "
-                     "they stick, or bounce?"},
-                    {"masses-exchanged",
-                     i ? v1 - change * m1 : v0 + change * m0,
-                     "The masses have changed places. Which of the two "
-                     "velocities changes more: that of the heavy ball or "
-                     "of the light one?"}}))
+                .mistakes = {{"velocities-exchanged", i ? v0 : v1,
+                              "They have exchanged their velocities. Do "
+                              "balls of different masses do that?"},
+                             {"they-stick", both,
+                              "This is the velocity of their centre of "
+                              "mass. Do they stick, or bounce?"},
+                             {"masses-exchanged",
+                              i ? v1 - change * m1 : v0 + change * m0,
+                              "The masses have changed places. Which of "
+                              "the two velocities changes more: that of "
+                              "the heavy ball or of the light one?"}}))
             return false;
     return check_count(&r, e.collisions, 1,
                        "Two balls meet once, and part. How often is that?");
@@ -350,8 +349,8 @@ static void test_one(void)
         struct end e = {.collisions = n - 1};
         e.v[n - 1] = 1.5;
         if (!check_end(&r, &e,
-                       "One ball flies into a row of its like. "
-                       "Follow the velocity from ball to ball."))
+                       "One ball flies into a row of its like. Follow the "
+                       "velocity from ball to ball."))
             return;
     }
 }
@@ -359,9 +358,8 @@ static void test_one(void)
 /* As many out as in; and one from either side. */
 static void test_some(void)
 {
-    static const char question[] =
-        "Several fly in. Which of them meets the row first, and who is "
-        "next?";
+    static const char question[] = "Several fly in. Which of them meets "
+                                   "the row first, and who is next?";
     static const double speed[] = {1.5, 1e-15, 1e15};
     for (size_t n = 4; n <= 8; ++n)
         for (size_t left = 2; left < n; ++left) {
@@ -433,8 +431,8 @@ static void test_heavy(void)
             const struct row r = first_of(mass[i], n, 1.0);
             const struct end e = knocked(mass[i], n, 1.0);
             if (!check_end(&r, &e,
-                           "After the first knock a heavy ball "
-                           "still flies on. What does it meet?"))
+                           "After the first knock a heavy ball still flies "
+                           "on. What does it meet?"))
                 return;
         }
 }
@@ -526,8 +524,8 @@ static void test_between(void)
         const struct row r = {3, {heavy[i], 1.0, heavy[i]}, {0.5}};
         const struct end e = by_angles(&r);
         if (!check_end(&r, &e,
-                       "A light ball is caught between two heavy "
-                       "ones. How often does it go to and fro?"))
+                       "A light ball is caught between two heavy ones. How "
+                       "often does it go to and fro?"))
             return;
     }
 }
@@ -552,8 +550,8 @@ static void test_drawn_three(void)
         const struct row r = draw_three();
         const struct end e = by_angles(&r);
         if (!check_end(&r, &e,
-                       "The ball in the middle goes to and fro "
-                       "between the others. For how long?"))
+                       "The ball in the middle goes to and fro between the "
+                       "others. For how long?"))
             return;
     }
 }
@@ -566,9 +564,9 @@ static void test_drawn_heavy(void)
         const size_t n = (size_t)check_draw_whole(2, 8);
         const struct row r = first_of(M, n, v);
         const struct end e = knocked(M, n, v);
-        if (!check_end(&r, &e,
-                       "A first ball of another mass: how often "
-                       "does it knock?"))
+        if (!check_end(
+                &r, &e,
+                "A first ball of another mass: how often does it knock?"))
             return;
     }
 }
@@ -590,8 +588,8 @@ static void test_drawn_equal(void)
             e.collisions += k - at;
         }
         if (!check_end(&r, &e,
-                       "Equal masses with any velocities: what "
-                       "does each collision do to them?"))
+                       "Equal masses with any velocities: what does each "
+                       "collision do to them?"))
             return;
     }
 }
@@ -620,9 +618,8 @@ static void test_drawn_row(void)
         struct end e;
         const struct row r = draw_row(i % 2 == 0, &e);
         if (!check_end(&r, &e,
-                       "Any masses, and any velocities: does each "
-                       "pair meet when its time has come, until "
-                       "none does?"))
+                       "Any masses, and any velocities: does each pair "
+                       "meet when its time has come, until none does?"))
             return;
     }
 }

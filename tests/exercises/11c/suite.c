@@ -100,8 +100,8 @@ static bool check_time(const struct made *m, double got,
     return CHECK_NEAR(
         got, .quantity = "how long ago they touched", .unit = "s",
         .input = input(&m->now), .expected = m->ago, .tolerance = slack(m),
-        .because = "64 epsilons of places and radii, over the speed of "
-                   "approach",
+        .because =
+            "64 epsilons of places and radii, over the speed of approach",
         .equation = "eq:back-time", .question = question,
         .mistakes = {
             {"other-root", m->ago + 2.0 * in / u2,
@@ -204,10 +204,10 @@ static void test_head_on(void)
                                   {0.5, 0.75, {1.0}, {-3.0, 0.0, 0.0}},
                                   0.125},
                      .line = {1.0, 0.0, 0.0}};
-    check_made(&m, 0.0625,
-               "Head on, everything is on one line. How fast do they "
-               "approach, how deep are they, and what is chapter 1's "
-               "answer?");
+    check_made(
+        &m, 0.0625,
+        "Head on, everything is on one line. How fast do they approach, "
+        "how deep are they, and what is chapter 1's answer?");
 }
 
 static void test_wall(void)
@@ -217,8 +217,8 @@ static void test_wall(void)
                                   0.25},
                      .line = {0.0, 1.5, 0.0}};
     check_made(&m, 0.125,
-               "The first one is so heavy that nothing moves it. What "
-               "does the second one do, as seen from it?");
+               "The first one is so heavy that nothing moves it. What does "
+               "the second one do, as seen from it?");
 }
 
 static void test_aside(void)
@@ -289,8 +289,8 @@ static bool check_left(const struct pair *p, const char *mistake,
                       .question = question,
                       .mistakes = {{mistake, got, question}}) &&
            CHECK_NEAR(changed,
-                      .quantity = "how many numbers of the spheres have "
-                                  "changed",
+                      .quantity =
+                          "how many numbers of the spheres have changed",
                       .input = input(p), .expected = 0.0, .tolerance = 0.0,
                       .because = "none should", .equation = "eq:back-time",
                       .question = "You say that nothing is to be done, and "
@@ -328,10 +328,9 @@ static bool check_just_then(void)
     if (!check_made(&m, 0.0625, question))
         return false;
     m.now.dt = 0.0625 * (1.0 - 1e-6);
-    return check_left(
-        &m.now, "longer-than-the-step",
-        "These touched a millionth of a step before it began. "
-        "Did they come to where they are by flying?");
+    return check_left(&m.now, "longer-than-the-step",
+                      "These touched a millionth of a step before it "
+                      "began. Did they come to where they are by flying?");
 }
 
 static void test_left(void)

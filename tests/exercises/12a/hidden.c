@@ -22,14 +22,13 @@ static size_t draw_choices(struct choice choice[])
 static bool check(size_t n, const char *what, double got, double expected,
                   const char *quantity)
 {
-    return CHECK_NEAR(got, .quantity = quantity,
-                      .input = check_text("%zu choices, %s", n, what),
-                      .expected = expected, .tolerance = 0.0,
-                      .because = "a number of things is exact",
-                      .equation = "eq:front",
-                      .question = "Is there anything in your program that "
-                                  "knows more of two choices than which "
-                                  "is less?");
+    return CHECK_NEAR(
+        got, .quantity = quantity,
+        .input = check_text("%zu choices, %s", n, what),
+        .expected = expected, .tolerance = 0.0,
+        .because = "a number of things is exact", .equation = "eq:front",
+        .question = "Is there anything in your program that knows more of "
+                    "two choices than which is less?");
 }
 
 /* The same front as before, from the other end. */

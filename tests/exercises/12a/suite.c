@@ -158,30 +158,25 @@ static void explain(const struct choices *c, const struct list *got,
         {"both-equals-out",
          "Two that are equal in cost and error have put each other out "
          "here. Is one of them better than the other in anything?"},
-        {"one-of-equals",
-         "Of two that are equal in cost and error only one is left. Which "
-         "of them beats the other?"},
+        {"one-of-equals", "Of two that are equal in cost and error only "
+                          "one is left. Which of them beats the other?"},
         {"ties-stay",
          "Some of these cost the same as another one and err more, or the "
          "other way round. Must one be better in both to beat another?"},
-        {"upside-down",
-         "These are the worst: nobody is dearer and errs more. Which way "
-         "do the comparisons go?"},
-        {"blown-up-counted",
-         "Here stands a run that blew up. Is it of use to anybody, however "
-         "cheap it was?"},
+        {"upside-down", "These are the worst: nobody is dearer and errs "
+                        "more. Which way do the comparisons go?"},
+        {"blown-up-counted", "Here stands a run that blew up. Is it of use "
+                             "to anybody, however cheap it was?"},
         {"order-as-given",
          "The right ones are there, in the order in which they were given. "
          "Which order was wanted?"},
-        {"order-of-errors",
-         "The right ones are there, the best error first. Which order was "
-         "wanted?"},
+        {"order-of-errors", "The right ones are there, the best error "
+                            "first. Which order was wanted?"},
         {"only-the-neighbour",
          "This holds each one against the next cheaper one only. Might one "
          "that is cheaper still be better?"},
-        {"not-sorted",
-         "This keeps whoever errs less than those before it in the list. "
-         "Are they the cheaper ones?"}};
+        {"not-sorted", "This keeps whoever errs less than those before it "
+                       "in the list. Are they the cheaper ones?"}};
     int used = 0;
     for (int i = 0; i < SLIPS && used < 8; ++i) {
         const struct list l = slipped((enum slip)i, c);

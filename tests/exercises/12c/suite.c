@@ -28,9 +28,9 @@ static struct answer asked(const struct force *f)
 
 static const char *input(const struct force *f)
 {
-    return check_text("push %.15g m/s^2, stretch %.15g/s, time %.15g s, "
-                      "budget %.15g m",
-                      f->push, f->stretch, f->time, f->budget);
+    return check_text(
+        "push %.15g m/s^2, stretch %.15g/s, time %.15g s, budget %.15g m",
+        f->push, f->stretch, f->time, f->budget);
 }
 
 /* ---- the bound ---- */
@@ -55,8 +55,8 @@ static struct check_mistake no_number(const struct force *f)
             "two infinities met?"};
     return (struct check_mistake){
         "nothing-over-nothing", CHECK_NAN,
-        "Not a number. What do you divide by when there is no stretch, "
-        "and what is the limit?"};
+        "Not a number. What do you divide by when there is no stretch, and "
+        "what is the limit?"};
 }
 
 /* A bound that has lost its digits, or is another one. */
@@ -85,8 +85,8 @@ static bool check_bound(const struct force *f, double got, double expected,
         {"forces-that-hold",
          x > 0.0 ? 2.0 * f->push * pow(sin(0.5 * x) / rate, 2.0)
                  : 0.5 * fall,
-         "Here the other forces pull d back, so that it swings. Which "
-         "sign has stretch^2 d in the equation?"},
+         "Here the other forces pull d back, so that it swings. Which sign "
+         "has stretch^2 d in the equation?"},
         {"one-not-subtracted",
          x > 0.0 ? f->push * cosh(x) / (rate * rate) : 0.5 * fall,
          "At the time 0 this is not 0. Which constant is missing?"},
@@ -137,13 +137,12 @@ static bool check_may(const struct force *f, const struct answer *a,
                       bool expected, struct check_mistake mistake,
                       const char *question)
 {
-    return CHECK_NEAR(a->may, .quantity = "may the force go? (1 yes, 0 no)",
-                      .input = input(f), .expected = expected,
-                      .tolerance = 0.0,
-                      .because = "it may go if its bound is not more than "
-                                 "the budget",
-                      .equation = "eq:models-left-out",
-                      .question = question, .mistakes = {mistake});
+    return CHECK_NEAR(
+        a->may, .quantity = "may the force go? (1 yes, 0 no)",
+        .input = input(f), .expected = expected, .tolerance = 0.0,
+        .because = "it may go if its bound is not more than the budget",
+        .equation = "eq:models-left-out", .question = question,
+        .mistakes = {mistake});
 }
 
 static bool check_budget(const struct force *f, const struct answer *a,
@@ -155,14 +154,14 @@ static bool check_budget(const struct force *f, const struct answer *a,
         .input = input(f), .expected = expected, .tolerance = 2e-12 * whole,
         .because = "1e-12 of the bound, and rounding",
         .equation = "eq:models-left-out", .question = question,
-        .mistakes = {{"budget-not-spent", whole > expected ? whole : NAN,
-                      "The force goes, and the budget is what it was. How "
-                      "much is left for the next force?"},
-                     {"spent-all-the-same",
-                      whole > expected ? NAN : whole - a->bound,
-                      "The force stays, and its bound is taken from the "
-                      "budget all the same. What does it cost to compute "
-                      "with it?"}});
+        .mistakes = {
+            {"budget-not-spent", whole > expected ? whole : NAN,
+             "The force goes, and the budget is what it was. How much is "
+             "left for the next force?"},
+            {"spent-all-the-same",
+             whole > expected ? NAN : whole - a->bound,
+             "The force stays, and its bound is taken from the budget all "
+             "the same. What does it cost to compute with it?"}});
 }
 
 static const struct check_mistake nothing = {NULL, 0.0, NULL};
@@ -186,9 +185,8 @@ static bool check_all(const struct force *f, double bound,
 
 /* ---- the tests ---- */
 
-static const char fall_question[] =
-    "Nothing stretches here: d\" is the push. How far is it after that "
-    "time?";
+static const char fall_question[] = "Nothing stretches here: d\" is the "
+                                    "push. How far is it after that time?";
 
 static void test_push(void)
 {

@@ -237,22 +237,20 @@ static void mistakes(struct check *w, const struct scene *s,
     static const struct {
         const char *name, *hint;
     } faults[] = {
-        [RECEDING] =
-            {"receding-pair",
-             "Two beads that go apart have met here. What must the "
-             "sign of their relative velocity be?"},
-        [PULLED] =
-            {"gravity-in-pair-time",
-             "The pairs meet too early or too late. Both beads fall: "
-             "write down how their distance changes with time. What "
-             "becomes of g?"},
+        [RECEDING] = {"receding-pair",
+                      "Two beads that go apart have met here. What must "
+                      "the sign of their relative velocity be?"},
+        [PULLED] = {"gravity-in-pair-time",
+                    "The pairs meet too early or too late. Both beads "
+                    "fall: write down how their distance changes with "
+                    "time. What becomes of g?"},
         [KEPT] = {"velocity-kept",
                   "The places fall, and the velocities stay as they were. "
                   "Which of them changes between two events?"},
         [FALLING] =
             {"wrong-root",
-             "The bead falls through its stop. A quadratic equation "
-             "has two roots: which of them lies in the future?"},
+             "The bead falls through its stop. A quadratic equation has "
+             "two roots: which of them lies in the future?"},
     };
     static const char digits[] =
         "These digits have been cut off. Do you print with %.17g?";
@@ -267,11 +265,10 @@ static void mistakes(struct check *w, const struct scene *s,
         double sum = 0.0;
         for (int i = 0; i < k; ++i)
             sum += s->tc;
-        project_mistake(
-            w, "rows-at-collisions", t->events[k],
-            "This is the time of an event, and not of the clock. How does "
-            "your program come to be at a row's time, in the middle of a "
-            "flight?");
+        project_mistake(w, "rows-at-collisions", t->events[k],
+                        "This is the time of an event, and not of the "
+                        "clock. How does your program come to be at a "
+                        "row's time, in the middle of a flight?");
         project_mistake(
             w, "clock-adds-up", sum,
             "Each addition of TC is rounded, and the clock drifts. How do "
@@ -293,10 +290,9 @@ static void mistakes(struct check *w, const struct scene *s,
         static struct table level;
         none.g = 0.0;
         simulate(&none, NONE, &level);
-        project_mistake(
-            w, "small-g-dropped", level.rows[k * columns + c],
-            "This g is small, and not 0. Below which one do you leave it "
-            "out, and what for?");
+        project_mistake(w, "small-g-dropped", level.rows[k * columns + c],
+                        "This g is small, and not 0. Below which one do "
+                        "you leave it out, and what for?");
     }
     for (enum fault f = RECEDING; f < FAULTS; ++f) {
         static struct table other;
@@ -348,12 +344,12 @@ static bool check_rows(const struct scene *s, const struct table *t,
                 .tolerance = most,
                 .because = because,
                 .equation = "eq:gap-time",
-                .question = c != 1       ? question
-                            : s->g > 0.0 ? "All places and velocities are "
-                                           "right. What does a height add "
-                                           "to the energy?"
-                                         : "All velocities are right. What "
-                                           "is the energy made of?",
+                .question = c != 1 ? question
+                            : s->g > 0.0
+                                ? "All places and velocities are right. "
+                                  "What does a height add to the energy?"
+                                : "All velocities are right. What is the "
+                                  "energy made of?",
             };
             mistakes(&check, s, t, r, k, c);
             return check_near(__FILE__, __LINE__, got, check);
@@ -430,8 +426,8 @@ static void stage_special(void)
                     "and what does the stop change?"))
         check_scene(
             &five, 1e-10, true,
-            "Beads of equal mass pass through each other, if nobody "
-            "looks at their numbers. Where would they be then?");
+            "Beads of equal mass pass through each other, if nobody looks "
+            "at their numbers. Where would they be then?");
 }
 
 /* Beads that lie where the contract lets them lie, as their file has it. */
@@ -443,21 +439,20 @@ static bool check_read(const struct scene *s, const char *beads)
     const char *input = run_text(&o);
     const struct run *r = run_program(&o);
     simulate(s, NONE, &t);
-    return CHECK_NEAR(r->status,
-                      .quantity = "the status with which it ended",
-                      .input = input, .expected = 0.0, .tolerance = 0.0,
-                      .question = "What did it complain about? There is "
-                                  "nothing wrong with this input.",
-                      .mistakes = {{"input-refused", 2.0,
-                                    "A remark may fill a line, a line may "
-                                    "be empty, a bead may lie on a stop, "
-                                    "and two may share a place. Which of "
-                                    "these does your program refuse?"}}) &&
+    return CHECK_NEAR(
+               r->status, .quantity = "the status with which it ended",
+               .input = input, .expected = 0.0, .tolerance = 0.0,
+               .question = "What did it complain about? There is nothing "
+                           "wrong with this input.",
+               .mistakes =
+                   {{"input-refused", 2.0,
+                     "A remark may fill a line, a line may be empty, a "
+                     "bead may lie on a stop, and two may share a place. "
+                     "Which of these does your program refuse?"}}) &&
            check_form(s, r, input) &&
-           check_rows(
-               s, &t, r, input, 1e-9,
-               "Two beads in one place meet only if they come nearer. "
-               "Which velocities say so?");
+           check_rows(s, &t, r, input, 1e-9,
+                      "Two beads in one place meet only if they come "
+                      "nearer. Which velocities say so?");
 }
 
 /* Two in one place, two at the stops, remarks and an empty line. */
@@ -594,24 +589,23 @@ static bool check_long(void)
             last = here;
         }
         const double off = last > s.length + 1e-9 ? last - s.length : 0.0;
-        if (!CHECK_NEAR(off,
-                        .quantity = check_text("how far the last bead is "
-                                               "outside in row %zu",
-                                               k),
-                        .unit = "m", .input = input, .expected = 0.0,
-                        .tolerance = 0.0, .equation = "eq:gap-time",
-                        .question = "Which bounce was missed?") ||
-            !CHECK_NEAR(energy,
-                        .quantity = check_text("the energy of the "
-                                               "velocities in row %zu",
-                                               k),
-                        .unit = "J", .input = input,
-                        .expected = r->numbers[1],
-                        .tolerance = 1e-9 * fabs(r->numbers[1]),
-                        .because = "rounding in each of the collisions",
-                        .equation = "eq:energy",
-                        .question = "Which event changes the energy? Print "
-                                    "it after each."))
+        if (!CHECK_NEAR(
+                off,
+                .quantity = check_text(
+                    "how far the last bead is outside in row %zu", k),
+                .unit = "m", .input = input, .expected = 0.0,
+                .tolerance = 0.0, .equation = "eq:gap-time",
+                .question = "Which bounce was missed?") ||
+            !CHECK_NEAR(
+                energy,
+                .quantity = check_text(
+                    "the energy of the velocities in row %zu", k),
+                .unit = "J", .input = input, .expected = r->numbers[1],
+                .tolerance = 1e-9 * fabs(r->numbers[1]),
+                .because = "rounding in each of the collisions",
+                .equation = "eq:energy",
+                .question =
+                    "Which event changes the energy? Print it after each."))
             return false;
     }
     return true;
@@ -634,23 +628,22 @@ static bool check_galperin(void)
         return false;
     run_remark(r, "# collisions", &pairs, 1);
     run_remark(r, "# bounces", &stops, 1);
-    return CHECK_NEAR(pairs + stops, .quantity = "collisions and bounces",
-                      .input = input, .expected = 314.0, .tolerance = 0.0,
-                      .because = "they can be counted on paper",
-                      .equation = "eq:galperin",
-                      .question = "Behind # collisions and # bounces stand "
-                                  "their numbers. Is every pair, and every "
-                                  "stop, counted once? And if LENGTH is "
-                                  "inf, where is the upper stop?");
+    return CHECK_NEAR(
+        pairs + stops, .quantity = "collisions and bounces", .input = input,
+        .expected = 314.0, .tolerance = 0.0,
+        .because = "they can be counted on paper",
+        .equation = "eq:galperin",
+        .question = "Behind # collisions and # bounces stand their "
+                    "numbers. Is every pair, and every stop, counted once? "
+                    "And if LENGTH is inf, where is the upper stop?");
 }
 
 static void stage_general(void)
 {
     const struct scene s = draw_apart(6, draw(1.5, 3.0), 0.0, false, 30);
-    if (check_scene(
-            &s, 1e-7, true,
-            "One bead alone and equal masses are right. Which event "
-            "comes first, and who takes part in it?") &&
+    if (check_scene(&s, 1e-7, true,
+                    "One bead alone and equal masses are right. Which "
+                    "event comes first, and who takes part in it?") &&
         check_galperin() && check_long() && check_places() &&
         check_abreast() && check_crowd())
         check_inputs();
@@ -693,15 +686,14 @@ static void stage_clock(void)
                 .equation = "eq:clock",
                 .question = "How does the program know what time it is in "
                             "this row?",
-                .mistakes = {
-                    {"printed-short",
-                     cut ? r->numbers[4 * k] - k * s.tc : 0.0,
-                     "The last digits of the times are cut off. Do you "
-                     "print with %.17g?"},
-                    {"clock-adds-up", sum - k * s.tc,
-                     "Each addition of TC is rounded, and the clock "
-                     "drifts. How do you get the time of row k with one "
-                     "rounding?"}}))
+                .mistakes = {{"printed-short",
+                              cut ? r->numbers[4 * k] - k * s.tc : 0.0,
+                              "The last digits of the times are cut off. "
+                              "Do you print with %.17g?"},
+                             {"clock-adds-up", sum - k * s.tc,
+                              "Each addition of TC is rounded, and the "
+                              "clock drifts. How do you get the time of "
+                              "row k with one rounding?"}}))
             return;
     for (int k = 0; k <= ROWS; k += 100) {
         const double way = s.x[0] + s.v[0] * (k * s.tc);
@@ -745,22 +737,20 @@ static struct check_mistake misjudged(bool right, int law)
         return (struct check_mistake){
             "false-alarm", 1.0,
             "This collide is right. Two momenta may cancel, and beads "
-            "weigh "
-            "what they like: with what do you compare the rounding?"};
+            "weigh what they like: with what do you compare the rounding?"};
     if (law == NO_NUMBER)
         return (struct check_mistake){
             "no-number-passes", 0.0,
             "Your program did not notice. Is nan > tolerance true?"};
     if (law == LATE)
-        return (struct check_mistake){
-            "check-gives-up", 0.0,
-            "Your program did not notice. Up to which collision does it "
-            "look?"};
+        return (struct check_mistake){"check-gives-up", 0.0,
+                                      "Your program did not notice. Up to "
+                                      "which collision does it look?"};
     return (struct check_mistake){
         "check-missing", 0.0,
         "Your program did not notice. What should be the same before and "
-        "after each collision? And compared with what, when the beads "
-        "are light?"};
+        "after each collision? And compared with what, when the beads are "
+        "light?"};
 }
 
 static bool check_law(const struct scene *s, int law)
@@ -777,8 +767,8 @@ static bool check_law(const struct scene *s, int law)
     const bool right = law == 0 || law == LAWS - 1;
     const struct run_order *o =
         order(s, law,
-              "This collide conserves energy and momentum. What else "
-              "does a collision do? [nothing-happened]");
+              "This collide conserves energy and momentum. What else does "
+              "a collision do? [nothing-happened]");
     const char *input = check_text("a collide that %.60s, and %.390s",
                                    laws[law], run_text(o));
     const struct run *r = run_program(o);
@@ -786,9 +776,8 @@ static bool check_law(const struct scene *s, int law)
                       .quantity = "the status with which it ended",
                       .input = input, .expected = right ? 0.0 : 1.0,
                       .tolerance = 0.0, .equation = "eq:difference",
-                      .question =
-                          "With which status does your program end when it "
-                          "finds something wrong?",
+                      .question = "With which status does your program end "
+                                  "when it finds something wrong?",
                       .mistakes = {misjudged(right, law)}) &&
            CHECK_NEAR(*r->complaint != '\0', .quantity = "a line on stderr",
                       .input = input, .expected = !right, .tolerance = 0.0,
@@ -969,13 +958,12 @@ static bool check_numbers(const char *name, const char *input, bool upright,
                       .tolerance = 1e-3 * run,
                       .because = "it was computed again from the rows",
                       .equation = "eq:equipartition",
-                      .question = "The root of the mean of the squares: "
-                                  "of which bead, and over which rows?") &&
+                      .question = "The root of the mean of the squares: of "
+                                  "which bead, and over which rows?") &&
            CHECK_NEAR(
                error,
-               .quantity = check_text("the error of %s, in units of the "
-                                      "true one",
-                                      name),
+               .quantity = check_text(
+                   "the error of %s, in units of the true one", name),
                .input = input, .expected = 1.0,
                .tolerance = error < 1.0 ? 0.42 : 0.6,
                .because = "found from 250 runs; an error has an error",
@@ -987,16 +975,16 @@ static bool check_numbers(const char *name, const char *input, bool upright,
                              "One row knows the row before it. How often "
                              "does a bead forget, and what do means over "
                              "long blocks say?"}}) &&
-           CHECK_NEAR((got[0] - theory) / got[1],
-                      .quantity = check_text("%s: run less theory, in "
-                                             "errors",
-                                             name),
-                      .input = input, .expected = 0.0, .tolerance = 5.0,
-                      .because = "beyond lies less than one run in a "
-                                 "hundred thousand",
-                      .equation = "eq:equipartition",
-                      .question = "Theory and run do not agree. Which of "
-                                  "them do you believe, and why?");
+           CHECK_NEAR(
+               (got[0] - theory) / got[1],
+               .quantity =
+                   check_text("%s: run less theory, in errors", name),
+               .input = input, .expected = 0.0, .tolerance = 5.0,
+               .because =
+                   "beyond lies less than one run in a hundred thousand",
+               .equation = "eq:equipartition",
+               .question = "Theory and run do not agree. Which of them do "
+                           "you believe, and why?");
 }
 
 /* limit: 1000 rows */
@@ -1110,9 +1098,9 @@ static void stage_theory(void)
                     .quantity = check_text("numbers behind %s", words),
                     .input = input, .expected = 3.0, .tolerance = 0.0,
                     .equation = "eq:equipartition",
-                    .question = "The contract asks for the run, its "
-                                "standard error, and the theory, when "
-                                "ROWS >= 1000.") ||
+                    .question =
+                        "The contract asks for the run, its standard "
+                        "error, and the theory, when ROWS >= 1000.") ||
                 !check_numbers(names[i], input, upright, got[i], theory[i],
                                run[i], naive[i], spread[i]))
                 return;

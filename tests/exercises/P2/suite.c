@@ -68,10 +68,10 @@ static const struct {
                  "moved as if the last tick had not been, and the event is "
                  "recorded as though it were a tick. Where are the disks "
                  "when they collide, and whose time is a row's?"},
-    [AT_EVENTS] = {"rows-at-events",
-                   "This row is that of an event. How does your program "
-                   "come to be at a row's time, in the middle of a "
-                   "flight?"},
+    [AT_EVENTS] =
+        {"rows-at-events",
+         "This row is that of an event. How does your program come to be "
+         "at a row's time, in the middle of a flight?"},
 };
 
 struct engine {
@@ -220,9 +220,8 @@ static void simulate(const struct scene *s, enum fault fault, double off,
 
 /* ---- runs of disks that fly ---- */
 
-static const char for_ever[] =
-    "How does your loop end? Can an event come again and again, without "
-    "any time between?";
+static const char for_ever[] = "How does your loop end? Can an event come "
+                               "again and again, without any time between?";
 
 static const struct run_order *order(const char *what,
                                      const struct scene *s)
@@ -249,8 +248,8 @@ static const struct run_order *order(const char *what,
 static bool check_count(const struct run *r, const char *input,
                         const char *words, long want, long both)
 {
-    const char *question = "Which events have been counted, and up to "
-                           "which time?";
+    const char *question =
+        "Which events have been counted, and up to which time?";
     const double got = project_remark(r, words, &question);
     return CHECK_NEAR(got, .quantity = words, .input = input,
                       .expected = (double)want, .tolerance = 0.0,
@@ -322,10 +321,10 @@ static bool check_rows(const struct scene *s, const struct table *want,
                               : "Which time is that of row k?",
             };
             if (c == 0)
-                project_mistake(&check, "clock-adds-up", sum - late,
-                                "Each addition of TC is rounded, and the "
-                                "clock drifts. How do you get the time of "
-                                "row k with one rounding?");
+                project_mistake(
+                    &check, "clock-adds-up", sum - late,
+                    "Each addition of TC is rounded, and the clock drifts. "
+                    "How do you get the time of row k with one rounding?");
             const enum fault like = likeness(s, r);
             if (like != NONE) {
                 simulate(s, like, 0.0, &other);
@@ -359,11 +358,10 @@ static bool check_flight(struct scene s)
     const struct run_order *o = order("fly", &s);
     const char *input = run_text(o);
     const struct run *r = run_program(o);
-    return project_form(r, input, (size_t)s.rows + 1,
-                        1 + PER_DISK * (size_t)s.n,
-                        "A row is t, and x, y, vx and vy of each disk. "
-                        "Which of them is missing, or what is there "
-                        "besides?") &&
+    return project_form(
+               r, input, (size_t)s.rows + 1, 1 + PER_DISK * (size_t)s.n,
+               "A row is t, and x, y, vx and vy of each disk. Which of "
+               "them is missing, or what is there besides?") &&
            check_rows(&s, &want, r, input);
 }
 
@@ -452,16 +450,15 @@ static bool check_read(void)
     o.files[0].text = "# x y vx vy\n\n\t.5 0.25   0.5 1e-1 # alone";
     const char *input = run_text(&o);
     const struct run *r = run_program(&o);
-    return CHECK_NEAR(r->status,
-                      .quantity = "the status with which it ended",
-                      .input = input, .expected = 0.0, .tolerance = 0.0,
-                      .question = "What did it complain about? There is "
-                                  "nothing wrong with this input.",
-                      .mistakes = {{"input-refused", 2.0,
-                                    "A remark may fill a line, a line may "
-                                    "be empty, and the last line need not "
-                                    "end. Which of these does your program "
-                                    "refuse?"}}) &&
+    return CHECK_NEAR(
+               r->status, .quantity = "the status with which it ended",
+               .input = input, .expected = 0.0, .tolerance = 0.0,
+               .question = "What did it complain about? There is nothing "
+                           "wrong with this input.",
+               .mistakes = {{"input-refused", 2.0,
+                             "A remark may fill a line, a line may be "
+                             "empty, and the last line need not end. Which "
+                             "of these does your program refuse?"}}) &&
            project_form(r, input, 3, 5, "One disk: t and four numbers.");
 }
 
@@ -473,15 +470,14 @@ static bool check_touching(void)
     o.files[0].text = "0.125 0.5 -0.3 0.2\n0.375 0.5 0.1 0\n";
     const char *input = run_text(&o);
     const struct run *r = run_program(&o);
-    return CHECK_NEAR(r->status,
-                      .quantity = "the status with which it ended",
-                      .input = input, .expected = 0.0, .tolerance = 0.0,
-                      .question = "There is nothing wrong with this input.",
-                      .mistakes = {{"touching-refused", 2.0,
-                                    "One of these touches a wall, and they "
-                                    "touch each other. Is one of them not "
-                                    "wholly inside, and do they "
-                                    "overlap?"}}) &&
+    return CHECK_NEAR(
+               r->status, .quantity = "the status with which it ended",
+               .input = input, .expected = 0.0, .tolerance = 0.0,
+               .question = "There is nothing wrong with this input.",
+               .mistakes = {{"touching-refused", 2.0,
+                             "One of these touches a wall, and they touch "
+                             "each other. Is one of them not wholly "
+                             "inside, and do they overlap?"}}) &&
            project_form(r, input, 3, 9, "Two disks: nine numbers.");
 }
 
@@ -663,8 +659,8 @@ static const struct run_order *order_throw(int n, double r, int seed,
     snprintf(words[3], 32, "%d", samples);
     o = (struct run_order){
         .arguments = {"throw", words[0], words[1], words[2], words[3]},
-        .late = "How does your throwing end? What do you do when two "
-                "overlap?",
+        .late =
+            "How does your throwing end? What do you do when two overlap?",
     };
     return &o;
 }
@@ -716,17 +712,18 @@ static bool count(const struct run_order *o, double r, struct counted *h)
                                     "many coordinates has a disk?"}}) &&
            CHECK_NEAR(numbers, .quantity = "numbers behind # ratio",
                       .input = h->input, .expected = 2.0, .tolerance = 0.0,
-                      .question = "The ratio and its error are asked "
-                                  "for.") &&
-           CHECK_NEAR(h->ratio, .quantity = "the ratio", .input = h->input,
-                      .expected = q, .tolerance = 1e-6 * q,
-                      .because = "it was computed again from the table",
-                      .question = "Which slices are at a wall, and which "
-                                  "in the middle?",
-                      .mistakes = {{"one-wall", q / 2.0,
-                                    "That is half of the ratio. How many "
-                                    "slices are in the middle, and how "
-                                    "many at a wall?"}}) &&
+                      .question =
+                          "The ratio and its error are asked for.") &&
+           CHECK_NEAR(
+               h->ratio, .quantity = "the ratio", .input = h->input,
+               .expected = q, .tolerance = 1e-6 * q,
+               .because = "it was computed again from the table",
+               .question =
+                   "Which slices are at a wall, and which in the middle?",
+               .mistakes =
+                   {{"one-wall", q / 2.0,
+                     "That is half of the ratio. How many slices are in "
+                     "the middle, and how many at a wall?"}}) &&
            CHECK_NEAR(h->looks > 0.0 || h->looks == 0.0,
                       .quantity = "1 if # looks has a number",
                       .input = h->input, .expected = 1.0, .tolerance = 0.0,
@@ -736,8 +733,8 @@ static bool count(const struct run_order *o, double r, struct counted *h)
 static bool check_thrown(int n, double r, int seed, int samples)
 {
     const struct run_order *o = order_throw(n, r, seed, samples);
-    const char *question = "Does every throw count, also the one that is "
-                           "thrown away?";
+    const char *question =
+        "Does every throw count, also the one that is thrown away?";
     const double a = 1.0 - 2.0 * r, width = a / SLICES;
     struct counted h;
     if (!count(o, r, &h))
@@ -760,8 +757,7 @@ static bool check_thrown(int n, double r, int seed, int samples)
             .tolerance = 6.5 * spread,
             .because = "6.5 of its errors",
             .equation = "eq:two-profile",
-            .question = "Where may a centre be, and which throws are "
-                        "kept?",
+            .question = "Where may a centre be, and which throws are kept?",
         };
         if (n == 2 && fabs(h.density[i] - want) > check.tolerance) {
             project_mistake(&check, "thrown-alone",
@@ -783,19 +779,16 @@ static bool check_thrown(int n, double r, int seed, int samples)
         if (!check_near(__FILE__, __LINE__, h.density[i], check) ||
             !CHECK_NEAR(
                 word,
-                .quantity =
-                    check_text("the error of slice %d, in units of that of "
-                               "independent places",
-                               i + 1),
+                .quantity = check_text("the error of slice %d, in units of "
+                                       "that of independent places",
+                                       i + 1),
                 .input = h.input, .expected = 1.0, .tolerance = 0.35,
-                .because = "places of one throw are not quite "
-                           "independent",
+                .because = "places of one throw are not quite independent",
                 .question = "How many places does a throw bring, and how "
                             "far do two such runs differ?",
                 .mistakes = {{"spread-of-one-throw", of_one,
-                              "That is how far one throw differs from "
-                              "the next. How sure is a mean of so "
-                              "many?"}}))
+                              "That is how far one throw differs from the "
+                              "next. How sure is a mean of so many?"}}))
             return false;
     }
     return CHECK_NEAR(
@@ -821,12 +814,12 @@ static bool check_seeds(double r)
                       .mistakes = {{"seed-ignored", 1.0,
                                     "Two seeds have given one table. Where "
                                     "does SEED come in?"}}) &&
-           CHECK_NEAR(memcmp(a.density, again.density, sizeof a.density),
-                      .quantity = "0 if a seed gives the same table twice",
-                      .input = again.input, .expected = 0.0,
-                      .tolerance = 0.0,
-                      .question = "What else than SEED is your generator "
-                                  "begun with?");
+           CHECK_NEAR(
+               memcmp(a.density, again.density, sizeof a.density),
+               .quantity = "0 if a seed gives the same table twice",
+               .input = again.input, .expected = 0.0, .tolerance = 0.0,
+               .question =
+                   "What else than SEED is your generator begun with?");
 }
 
 /* Inputs that make no sense, each with what is wrong with it. */
@@ -930,15 +923,14 @@ static bool check_remarks(const struct run_order *o,
     const double part = 100.0 * h->its_error / h->ratio;
     const double want = h->looks * part * part;
     const double got = project_remark(run, "# price", &question);
-    return CHECK_NEAR(got, .quantity = "the price of one per cent",
-                      .input = h->input, .expected = want,
-                      .tolerance = 1e-6 * want,
-                      .because = "from the ratio, its error and the looks",
-                      .question = question,
-                      .mistakes = {{"price-without-square", h->looks * part,
-                                    "Twice the work does not halve an "
-                                    "error. With which power of the work "
-                                    "does it fall?"}});
+    return CHECK_NEAR(
+        got, .quantity = "the price of one per cent", .input = h->input,
+        .expected = want, .tolerance = 1e-6 * want,
+        .because = "from the ratio, its error and the looks",
+        .question = question,
+        .mistakes = {{"price-without-square", h->looks * part,
+                      "Twice the work does not halve an error. With which "
+                      "power of the work does it fall?"}});
 }
 
 static bool check_ratio(const struct counted *h, double want, double error)
@@ -959,9 +951,9 @@ static bool check_word(const char *input, const char *what, double word,
                        double one)
 {
     struct check check = {
-        .quantity = check_text("how many times too %s the errors of %s "
-                               "are, mean of four runs",
-                               word < 0.0 ? "small" : "large", what),
+        .quantity = check_text(
+            "how many times too %s the errors of %s are, mean of four runs",
+            word < 0.0 ? "small" : "large", what),
         .input = input,
         .expected = 1.0,
         .tolerance = exp(slack) - 1.0,
@@ -971,10 +963,10 @@ static bool check_word(const char *input, const char *what, double word,
                     "starts, truly lie apart?",
     };
     if (rows != 0.0 && fabs(word - rows) < slack)
-        project_mistake(&check, "rows-independent", exp(fabs(word)),
-                        "That is the error of rows that know nothing of "
-                        "each other. How long does a disk stay in a "
-                        "slice?");
+        project_mistake(
+            &check, "rows-independent", exp(fabs(word)),
+            "That is the error of rows that know nothing of each other. "
+            "How long does a disk stay in a slice?");
     if (coordinates != 0.0 && fabs(word - coordinates) < slack)
         project_mistake(&check, "places-independent", exp(fabs(word)),
                         "That is the error of eight places that know "
@@ -994,16 +986,17 @@ static bool check_word(const char *input, const char *what, double word,
 /* How many looks at pairs there must have been at least, and are not. */
 static bool check_looks(const struct counted *h, double least, double kept)
 {
-    return CHECK_NEAR(fmax(0.0, least - h->looks),
-                      .quantity = "looks at a pair that are not counted",
-                      .input = h->input, .expected = 0.0, .tolerance = 0.0,
-                      .because = "a throw that is kept has six pairs, and "
-                                 "one that is not was looked at, too",
-                      .question = "Which looks are not counted?",
-                      .mistakes = {{"looks-of-the-kept", least - kept,
-                                    "These are the looks at what was kept. "
-                                    "How did your program find out that it "
-                                    "would not keep the others?"}});
+    return CHECK_NEAR(
+        fmax(0.0, least - h->looks),
+        .quantity = "looks at a pair that are not counted",
+        .input = h->input, .expected = 0.0, .tolerance = 0.0,
+        .because = "a throw that is kept has six pairs, and one that is "
+                   "not was looked at, too",
+        .question = "Which looks are not counted?",
+        .mistakes = {
+            {"looks-of-the-kept", least - kept,
+             "These are the looks at what was kept. How did your program "
+             "find out that it would not keep the others?"}});
 }
 
 /* The same for a flight: a disk that has met another or a wall flies on
@@ -1028,13 +1021,13 @@ static bool check_flight_looks(const struct scene *s,
         .input = h->input, .expected = 0.0, .tolerance = 0.0,
         .because = "both have other ways from then on, and two others each",
         .question = "Which looks are not counted?",
-        .mistakes = {{"looks-of-collisions", 2.0,
-                      "There is one look for each collision. How did your "
-                      "program find out that no other pair was first?"},
-                     {"looks-of-events", 1.0,
-                      "There is one look for each event. At how many pairs "
-                      "has your program looked before it knew which event "
-                      "was next?"}});
+        .mistakes = {
+            {"looks-of-collisions", 2.0,
+             "There is one look for each collision. How did your program "
+             "find out that no other pair was first?"},
+            {"looks-of-events", 1.0,
+             "There is one look for each event. At how many pairs has your "
+             "program looked before it knew which event was next?"}});
 }
 
 /* A disk alone is where it must be in each row, and so are the counts. */
@@ -1073,10 +1066,10 @@ static bool check_watched(void)
         };
         for (int k = 1; k <= 2; ++k)
             if (fabs(in[k][i] - in[0][i]) > 0.5)
-                project_mistake(&check, "row-0-counted", in[k][i] * one,
-                                "The start was chosen, and has not come "
-                                "about. Which row is the first to be "
-                                "counted, and which the last?");
+                project_mistake(
+                    &check, "row-0-counted", in[k][i] * one,
+                    "The start was chosen, and has not come about. Which "
+                    "row is the first to be counted, and which the last?");
         if (!check_near(__FILE__, __LINE__, h.density[i], check))
             return false;
     }
@@ -1214,9 +1207,9 @@ static bool check_pair(int n, double r, double small)
     };
     const char *input = run_text(&o);
     const struct run *run = run_program(&o);
-    if (!project_form(run, input, RINGS, 5,
-                      "A row is the ends of a slice, density, error and "
-                      "theory."))
+    if (!project_form(
+            run, input, RINGS, 5,
+            "A row is the ends of a slice, density, error and theory."))
         return false;
     for (int i = 0; i < RINGS; ++i) {
         const double *row = run->numbers + 5 * i;
@@ -1262,32 +1255,31 @@ static bool check_pair(int n, double r, double small)
                             "to that of a big one?");
         }
         if (n > 0)
-            project_mistake(&run_of_it, "no-force-from-room", level,
-                            "All distances are as likely as without small "
-                            "ones. If one does not fit, what must be "
-                            "thrown again: that one, or all, the big ones "
-                            "too?");
+            project_mistake(
+                &run_of_it, "no-force-from-room", level,
+                "All distances are as likely as without small ones. If one "
+                "does not fit, what must be thrown again: that one, or "
+                "all, the big ones too?");
         if (!CHECK_NEAR(
                 fmax(fabs(row[0] - low), fabs(row[1] - low - width)),
                 .quantity = check_text(
                     "how far the ends of slice %d are off", i + 1),
                 .unit = "m", .input = input, .expected = 0.0,
                 .tolerance = 1e-9,
-                .question = "From which distance to which do the "
-                            "ten slices go?") ||
+                .question =
+                    "From which distance to which do the ten slices go?") ||
             !check_near(__FILE__, __LINE__, row[4], theory) ||
             !check_near(__FILE__, __LINE__, row[2], run_of_it) ||
-            !CHECK_NEAR(row[3] / spread,
-                        .quantity = check_text(
-                            "the error in slice %d, in units of the true "
-                            "one",
-                            i + 1),
-                        .input = input, .expected = 1.0, .tolerance = 0.25,
-                        .because = "it follows from the number of samples",
-                        .question = "SAMPLES are kept: from how many does "
-                                    "this table come? Each of them is in "
-                                    "this slice or not, and knows nothing "
-                                    "of the others."))
+            !CHECK_NEAR(
+                row[3] / spread,
+                .quantity = check_text(
+                    "the error in slice %d, in units of the true one",
+                    i + 1),
+                .input = input, .expected = 1.0, .tolerance = 0.25,
+                .because = "it follows from the number of samples",
+                .question = "SAMPLES are kept: from how many does this "
+                            "table come? Each of them is in this slice or "
+                            "not, and knows nothing of the others."))
             return false;
     }
     return true;

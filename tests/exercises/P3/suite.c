@@ -249,9 +249,8 @@ static struct state exactly(const struct scene *s, double t, int parts)
 
 /* ---- runs ---- */
 
-static const char for_ever[] =
-    "How many steps did you ask for? ROWS times EVERY, and twice as many "
-    "for the error.";
+static const char for_ever[] = "How many steps did you ask for? ROWS times "
+                               "EVERY, and twice as many for the error.";
 
 static const struct run_order *order(const struct scene *s)
 {
@@ -285,11 +284,10 @@ static const struct run_order *order(const struct scene *s)
 static bool check_form(const struct scene *s, const struct run *r,
                        const char *input)
 {
-    return project_form(r, input, (size_t)s->rows + 1,
-                        2 + PER_BODY * (size_t)s->n,
-                        "A row is t, E, and x, y, vx and vy of each body. "
-                        "Which of them is missing, or what is there "
-                        "besides?");
+    return project_form(
+        r, input, (size_t)s->rows + 1, 2 + PER_BODY * (size_t)s->n,
+        "A row is t, E, and x, y, vx and vy of each body. Which of them is "
+        "missing, or what is there besides?");
 }
 
 /* What those get who make one of these mistakes, at this row and column. */
@@ -306,38 +304,38 @@ static void mistakes(struct check *check, const struct scene *s, int k,
         [PUSHES] = {"spring-pushes",
                     "A spring that is too long pulls its ends together. "
                     "Which way does yours?"},
-        [NO_MASS] = {"force-as-acceleration",
-                     "A spring pulls both of its ends with one force. What "
-                     "does that force do to a heavy end, and to a light "
-                     "one?"},
-        [NO_REST] = {"rest-length-forgotten",
-                     "When this spring is as long as its L, what is its "
-                     "force?"},
+        [NO_MASS] =
+            {"force-as-acceleration",
+             "A spring pulls both of its ends with one force. What does "
+             "that force do to a heavy end, and to a light one?"},
+        [NO_REST] =
+            {"rest-length-forgotten",
+             "When this spring is as long as its L, what is its force?"},
         [ALONE] = {"no-reaction",
                    "One of the two feels the force and the other does not. "
                    "What becomes of the momentum?"},
         [POWER] = {"square-of-the-distance",
                    "The force falls as 1/d^2. You multiply it by the whole "
                    "way from one body to the other: how long is that?"},
-        [OWN_MASS] = {"own-mass",
-                      "Two bodies fall differently though they are in the "
-                      "same place. Whose mass decides how fast a body "
-                      "falls?"},
-        [ONE_BY_ONE] = {"one-by-one",
-                        "The second body is pulled to where the first one "
-                        "is after its step. Where was it when the step "
-                        "began?"},
+        [OWN_MASS] =
+            {"own-mass",
+             "Two bodies fall differently though they are in the same "
+             "place. Whose mass decides how fast a body falls?"},
+        [ONE_BY_ONE] =
+            {"one-by-one",
+             "The second body is pulled to where the first one is after "
+             "its step. Where was it when the step began?"},
         [WHOLE_KICKS] = {"whole-kicks",
                          "Two kicks a step, each as long as the step: how "
                          "far is the velocity ahead?"},
-        [OLD_FORCE] = {"old-force",
-                       "The second half of the kick is done with the "
-                       "forces of the first. Where are the bodies by "
-                       "then?"},
-        [DRIFTS_FIRST] = {"drift-first",
-                          "This is a leapfrog, too, with a drift on "
-                          "either side of its kick. Which one does the "
-                          "contract ask for?"},
+        [OLD_FORCE] =
+            {"old-force",
+             "The second half of the kick is done with the forces of the "
+             "first. Where are the bodies by then?"},
+        [DRIFTS_FIRST] =
+            {"drift-first",
+             "This is a leapfrog, too, with a drift on either side of its "
+             "kick. Which one does the contract ask for?"},
     };
     const int columns = 2 + PER_BODY * s->n, at = k * columns + c;
     static double *other;
@@ -354,14 +352,12 @@ static void mistakes(struct check *check, const struct scene *s, int k,
                         "These are the rows of euler. What does a leapfrog "
                         "do in another way?");
     }
-    project_mistake(check, "printed-short",
-                    project_cut("%g", check->expected),
-                    "These digits have been cut off. Do you print with "
-                    "%.17g?");
-    project_mistake(check, "printed-short",
-                    project_cut("%f", check->expected),
-                    "These digits have been cut off. Do you print with "
-                    "%.17g?");
+    project_mistake(
+        check, "printed-short", project_cut("%g", check->expected),
+        "These digits have been cut off. Do you print with %.17g?");
+    project_mistake(
+        check, "printed-short", project_cut("%f", check->expected),
+        "These digits have been cut off. Do you print with %.17g?");
 }
 
 static void energy_mistakes(struct check *check, const struct scene *s,
@@ -417,12 +413,12 @@ static bool check_rows(const struct scene *s, const double *want,
             static const char *const units[] = {"s", "J", "m", "m/s"};
             struct check check = {
                 .quantity =
-                    c < 2 ? check_text("%s in row %d", c ? "E" : "t", k)
-                          : check_text("%s of body %d in row %d, at %.10g "
-                                       "s",
-                                       names[(c - 2) % PER_BODY],
-                                       (c - 2) / PER_BODY + 1, k,
-                                       want[k * columns]),
+                    c < 2
+                        ? check_text("%s in row %d", c ? "E" : "t", k)
+                        : check_text("%s of body %d in row %d, at %.10g s",
+                                     names[(c - 2) % PER_BODY],
+                                     (c - 2) / PER_BODY + 1, k,
+                                     want[k * columns]),
                 .unit = units[kind],
                 .input = input,
                 .expected = expected,
@@ -430,12 +426,11 @@ static bool check_rows(const struct scene *s, const double *want,
                 .because = "rounding, and what the forces make of it",
                 .equation = s->method == EULER ? "eq:symplectic-euler"
                                                : "eq:verlet",
-                .question =
-                    c == 0   ? "Row k stands at the time k EVERY DT. What "
-                               "is printed here?"
-                    : c == 1 ? "All places and velocities are right. Which "
-                               "parts has the energy?"
-                             : question,
+                .question = c == 0 ? "Row k stands at the time k EVERY DT. "
+                                     "What is printed here?"
+                            : c == 1 ? "All places and velocities are "
+                                       "right. Which parts has the energy?"
+                                     : question,
             };
             if (c == 1)
                 energy_mistakes(&check, s, r->numbers + k * columns);
@@ -497,10 +492,10 @@ static void stage_special(void)
     if (check_scene(&flight, none,
                     "One body, and nothing that pulls it: where is it "
                     "after EVERY steps of DT?"))
-        check_scene(&pair, spring,
-                    "Kick, then drift. What is the force of this spring at "
-                    "the start, and what is the acceleration of either "
-                    "end?");
+        check_scene(
+            &pair, spring,
+            "Kick, then drift. What is the force of this spring at the "
+            "start, and what is the acceleration of either end?");
 }
 
 /* ---- stage 2: then generalize ---- */
@@ -639,21 +634,20 @@ static bool check_read(void)
     const char *input = run_text(&o);
     const struct run *r = run_program(&o);
     simulate(&s, NONE, &want);
-    return CHECK_NEAR(r->status,
-                      .quantity = "the status with which it ended",
-                      .input = input, .expected = 0.0, .tolerance = 0.0,
-                      .question = "What did it complain about? There is "
-                                  "nothing wrong with this input.",
-                      .mistakes = {{"input-refused", 2.0,
-                                    "A remark may fill a line, a line may "
-                                    "be empty, a spring may stand before "
-                                    "its bodies, and the last line need "
-                                    "not end. Which of these does your "
-                                    "program refuse?"}}) &&
+    return CHECK_NEAR(
+               r->status, .quantity = "the status with which it ended",
+               .input = input, .expected = 0.0, .tolerance = 0.0,
+               .question = "What did it complain about? There is nothing "
+                           "wrong with this input.",
+               .mistakes = {{"input-refused", 2.0,
+                             "A remark may fill a line, a line may be "
+                             "empty, a spring may stand before its bodies, "
+                             "and the last line need not end. Which of "
+                             "these does your program refuse?"}}) &&
            check_form(&s, r, input) &&
-           check_rows(&s, want, r, input, none,
-                      "Bodies are counted from 1, in the order of their "
-                      "lines.");
+           check_rows(
+               &s, want, r, input, none,
+               "Bodies are counted from 1, in the order of their lines.");
 }
 
 /* limit: 64 bodies, and as many springs */
@@ -681,8 +675,8 @@ static bool check_room(void)
     const char *input = run_text(&o);
     const struct run *r = run_program(&o);
     static const char question[] =
-        "There are 64 bodies and 64 springs, and so many are allowed. "
-        "How many does each of your arrays hold?";
+        "There are 64 bodies and 64 springs, and so many are allowed. How "
+        "many does each of your arrays hold?";
     return CHECK_NEAR(r->status,
                       .quantity = "the status with which it ended",
                       .input = input, .expected = 0.0, .tolerance = 0.0,
@@ -694,9 +688,9 @@ static bool check_room(void)
                       .input = input, .expected = ALL - 1 + 0.125,
                       .tolerance = 1e-9, .because = "no spring pulls",
                       .equation = "eq:verlet",
-                      .question = "All springs are at their lengths, and "
-                                  "all bodies have one velocity. What "
-                                  "pulls this one?");
+                      .question =
+                          "All springs are at their lengths, and all "
+                          "bodies have one velocity. What pulls this one?");
 }
 
 static void stage_general(void)
@@ -801,10 +795,9 @@ static bool check_order(struct scene s, int steps, const char *what)
                .because = "the next power of the step",
                .equation = "eq:order",
                .question =
-                   "Half the step should leave a sixteenth of the "
-                   "error. Which line of your method is not that of "
-                   "the book? Try it on one spring, where you know "
-                   "what must come out.",
+                   "Half the step should leave a sixteenth of the error. "
+                   "Which line of your method is not that of the book? Try "
+                   "it on one spring, where you know what must come out.",
                .mistakes = {{"second-order", 2.0,
                              "Half the step leaves a quarter of the error. "
                              "Which method has that?"},
@@ -812,17 +805,17 @@ static bool check_order(struct scene s, int steps, const char *what)
                              "Half the step leaves half of the error: only "
                              "the first power. Which forces, or which "
                              "times, are not those of the method?"}}) &&
-           CHECK_NEAR(error[1] / size,
-                      .quantity = check_text("how far from its place the "
-                                             "worst body is, after %s",
-                                             what),
-                      .input = input, .expected = 0.0, .tolerance = 2e-3,
-                      .because = "a part of the orbit's size; methods of "
-                                 "order 4 differ much",
-                      .equation = "eq:order",
-                      .question = "The order is 4 and the error is large. "
-                                  "Which of the methods of chapter 8 is "
-                                  "this?");
+           CHECK_NEAR(
+               error[1] / size,
+               .quantity = check_text(
+                   "how far from its place the worst body is, after %s",
+                   what),
+               .input = input, .expected = 0.0, .tolerance = 2e-3,
+               .because = "a part of the orbit's size; methods of order 4 "
+                          "differ much",
+               .equation = "eq:order",
+               .question = "The order is 4 and the error is large. Which "
+                           "of the methods of chapter 8 is this?");
 }
 
 static void stage_order(void)
@@ -874,15 +867,14 @@ static bool check_stated(const struct scene *s, double t)
         .equation = "eq:order",
         .question = question,
     };
-    project_mistake(
-        &check, "half-the-time", log10(early / error),
-        "Half the step and as many steps: at which time has that run "
-        "ended?");
+    project_mistake(&check, "half-the-time", log10(early / error),
+                    "Half the step and as many steps: at which time has "
+                    "that run ended?");
     if (p > 1)
-        project_mistake(
-            &check, "error-of-the-half-step", log10(pow(0.5, p)),
-            "That is the error of the run with half the step. Which run's "
-            "rows have you printed?");
+        project_mistake(&check, "error-of-the-half-step",
+                        log10(pow(0.5, p)),
+                        "That is the error of the run with half the step. "
+                        "Which run's rows have you printed?");
     project_mistake(
         &check, "error-of-the-energy",
         log10(fabs(last[1] - r->numbers[1]) / fabs(r->numbers[1]) / error),
@@ -989,8 +981,7 @@ static struct scene draw_chain(int n, enum method method)
 
 static const char limit_question[] =
     "A step that is stable for the fastest vibration is so for all. How "
-    "fast "
-    "is that, and what does your method allow?";
+    "fast is that, and what does your method allow?";
 
 /* What the program names, in units of 1/omega; NAN unless it has ended with
    this status. */
@@ -1006,20 +997,19 @@ static double named(const struct scene *s, int status, const char **input)
             r->status, .quantity = "the status with which it ended",
             .input = *input, .expected = status, .tolerance = 0.0,
             .equation = "eq:stability-limit",
-            .question = status ? "With this step the springs blow up. "
-                                 "What should the program do before "
-                                 "its first row?"
-                               : "This step is short enough: it is "
-                                 "four tenths of what the method "
-                                 "allows.",
-            .mistakes = {{status ? "blows-up" : "refused-in-vain",
-                          status ? 0.0 : 1.0,
-                          status ? "Your program has made steps that "
-                                   "no spring survives. What is the "
-                                   "longest one that it may make?"
-                                 : "Your program refuses a step that "
-                                   "is short enough. Where does its "
-                                   "limit come from?"}}) &&
+            .question = status
+                            ? "With this step the springs blow up. What "
+                              "should the program do before its first row?"
+                            : "This step is short enough: it is four "
+                              "tenths of what the method allows.",
+            .mistakes =
+                {{status ? "blows-up" : "refused-in-vain",
+                  status ? 0.0 : 1.0,
+                  status ? "Your program has made steps that no spring "
+                           "survives. What is the longest one that it may "
+                           "make?"
+                         : "Your program refuses a step that is short "
+                           "enough. Where does its limit come from?"}}) &&
         CHECK_NEAR(status ? (double)r->rows : 0.0,
                    .quantity = "rows of a run that is refused",
                    .input = *input, .expected = 0.0, .tolerance = 0.0,
@@ -1059,15 +1049,14 @@ static bool check_limit(struct scene s)
     };
     project_mistake(
         &check, "half-the-limit", 0.5,
-        "That is 1/omega. Where does the matrix of a step cease "
-        "to turn?");
+        "That is 1/omega. Where does the matrix of a step cease to turn?");
     project_mistake(&check, "period-for-frequency", acos(-1.0),
                     "Is what you have divided by a frequency in turns, or "
                     "an angle, a second?");
-    project_mistake(&check, "along-x-only", s.spring[0].l / s.x[2],
-                    "These springs do not lie along x. How much of a push "
-                    "along y does a spring feel, and which way does it "
-                    "pull back?");
+    project_mistake(
+        &check, "along-x-only", s.spring[0].l / s.x[2],
+        "These springs do not lie along x. How much of a push along y does "
+        "a spring feel, and which way does it pull back?");
     if (s.n > 2)
         project_mistake(&check, "one-spring-alone",
                         fastest(&s) / sqrt(alone),
@@ -1094,13 +1083,14 @@ static bool check_own_limit(void)
     s.dt = 0.3 / fastest(&s);
     const double limit = named(&s, 0, &input);
     if (isnan(limit) ||
-        !CHECK_NEAR(limit < 1.0 ? 1.0 - limit : 0.0,
-                    .quantity = "how far below 1/omega the limit is",
-                    .input = input, .expected = 0.0, .tolerance = 0.0,
-                    .equation = "eq:stability-limit",
-                    .question = "Every method of order 4 in the book goes "
-                                "further. Where does the matrix of yours "
-                                "cease to be stable?"))
+        !CHECK_NEAR(
+            limit < 1.0 ? 1.0 - limit : 0.0,
+            .quantity = "how far below 1/omega the limit is",
+            .input = input, .expected = 0.0, .tolerance = 0.0,
+            .equation = "eq:stability-limit",
+            .question =
+                "Every method of order 4 in the book goes further. Where "
+                "does the matrix of yours cease to be stable?"))
         return false;
     s.dt = 0.98 * limit / fastest(&s);
     const struct run_order *o = order(&s);
@@ -1115,17 +1105,18 @@ static bool check_own_limit(void)
         const double e = r->numbers[k * r->columns + 1];
         most = isnan(e) ? INFINITY : fmax(most, fabs(e));
     }
-    if (!CHECK_NEAR(most < 1e4 * r->numbers[1],
-                    .quantity = "1 if the energy stays within 10000 times "
-                                "what it was",
-                    .input = input, .expected = 1.0, .tolerance = 0.0,
-                    .equation = "eq:stability-limit",
-                    .question = "This step is just below the limit that "
-                                "your program has named.",
-                    .mistakes = {{"limit-of-another-method", 0.0,
-                                  "At 0.98 of the limit that your program "
-                                  "names, its own method blows up. For "
-                                  "which method is that limit?"}}))
+    if (!CHECK_NEAR(
+            most < 1e4 * r->numbers[1],
+            .quantity =
+                "1 if the energy stays within 10000 times what it was",
+            .input = input, .expected = 1.0, .tolerance = 0.0,
+            .equation = "eq:stability-limit",
+            .question = "This step is just below the limit that your "
+                        "program has named.",
+            .mistakes = {
+                {"limit-of-another-method", 0.0,
+                 "At 0.98 of the limit that your program names, its own "
+                 "method blows up. For which method is that limit?"}}))
         return false;
     s.dt = 1.02 * limit / fastest(&s);
     return !isnan(named(&s, 1, &input));
@@ -1196,41 +1187,41 @@ static bool check_meeting(const struct scene *s, int i, int j, double t,
            CHECK_NEAR(*r->complaint != '\0', .quantity = "a line on stderr",
                       .input = input, .expected = 1.0, .tolerance = 0.0,
                       .question = "It should say why it stops.") &&
+           CHECK_NEAR(got[0] * 10.0 + got[1],
+                      .quantity = "the two numbers behind # meet, as ten "
+                                  "times the first and the second",
+                      .input = input, .expected = 10.0 * (i + 1) + j + 1,
+                      .tolerance = 0.0, .equation = "eq:back-time",
+                      .question =
+                          "Which two are they, the lower number first?",
+                      .mistakes = {{"first-pair", s->n > 2 ? 12.0 : NAN,
+                                    "These two meet as well, later in the "
+                                    "same step. Who is first?"}}) &&
            CHECK_NEAR(
-               got[0] * 10.0 + got[1],
-               .quantity =
-                   "the two numbers behind # meet, as ten times the "
-                   "first and the second",
-               .input = input, .expected = 10.0 * (i + 1) + j + 1,
-               .tolerance = 0.0, .equation = "eq:back-time",
-               .question = "Which two are they, the lower number first?",
-               .mistakes = {{"first-pair", s->n > 2 ? 12.0 : NAN,
-                             "These two meet as well, later in the same "
-                             "step. Who is first?"}}) &&
-           CHECK_NEAR(got[2], .quantity = "the time at which they meet",
-                      .unit = "s", .input = input, .expected = t,
-                      .tolerance = slack, .equation = "eq:back-time",
-                      .because = slack > 1e-6 * s->dt
-                                     ? "how much a path bends in a step"
-                                     : "they fly straight",
-                      .question = when,
-                      .mistakes = {{"end-of-the-step", ends,
-                                    "That is the end of the step in which "
-                                    "they meet. How much of it was over?"},
-                                   {"start-of-the-step", ends - s->dt,
-                                    "That is the start of the step in "
-                                    "which they meet. How much of it was "
-                                    "over?"},
-                                   {"nearest-approach", nearest,
-                                    "There they are nearest to each other, "
-                                    "and one inside the other. When do "
-                                    "they begin to touch?"}}) &&
-           CHECK_NEAR((double)r->rows, .quantity = "rows before they meet",
-                      .input = input,
-                      .expected = floor(t / (s->every * s->dt)) + 1.0,
-                      .tolerance = 0.0,
-                      .question = "Rows up to the meeting stand, and none "
-                                  "after it.");
+               got[2], .quantity = "the time at which they meet",
+               .unit = "s", .input = input, .expected = t,
+               .tolerance = slack, .equation = "eq:back-time",
+               .because = slack > 1e-6 * s->dt
+                              ? "how much a path bends in a step"
+                              : "they fly straight",
+               .question = when,
+               .mistakes =
+                   {{"end-of-the-step", ends,
+                     "That is the end of the step in which they meet. How "
+                     "much of it was over?"},
+                    {"start-of-the-step", ends - s->dt,
+                     "That is the start of the step in which they meet. "
+                     "How much of it was over?"},
+                    {"nearest-approach", nearest,
+                     "There they are nearest to each other, and one inside "
+                     "the other. When do they begin to touch?"}}) &&
+           CHECK_NEAR(
+               (double)r->rows, .quantity = "rows before they meet",
+               .input = input,
+               .expected = floor(t / (s->every * s->dt)) + 1.0,
+               .tolerance = 0.0,
+               .question =
+                   "Rows up to the meeting stand, and none after it.");
 }
 
 static bool check_miss(const struct scene *s,

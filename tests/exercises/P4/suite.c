@@ -280,9 +280,8 @@ static void draw_requests(struct request q[REQUESTS])
 
 /* ---- runs ---- */
 
-static const char for_ever[] =
-    "How does your loop end when no number of steps is enough? "
-    "[never-gives-up]";
+static const char for_ever[] = "How does your loop end when no number of "
+                               "steps is enough? [never-gives-up]";
 
 static const struct run_order *order_of(const struct request *q)
 {
@@ -332,26 +331,27 @@ static bool answered(const struct request *q, struct answer *a)
     a->input = check_text("%s, and %.440s", law_names[q->law], run_text(o));
     const struct run *r = a->run = run_program(o);
     if (q->most > 0.0 &&
-        !CHECK_NEAR(r->calls, .quantity = "all calls of force, counted",
-                    .input = a->input, .expected = fmin(r->calls, q->most),
-                    .tolerance = 0.0,
-                    .because = "60 times the cheapest known; more are not "
-                               "answered",
-                    .equation = "eq:choose-cost", .question = wasteful))
+        !CHECK_NEAR(
+            r->calls, .quantity = "all calls of force, counted",
+            .input = a->input, .expected = fmin(r->calls, q->most),
+            .tolerance = 0.0,
+            .because = "60 times the cheapest known; more are not answered",
+            .equation = "eq:choose-cost", .question = wasteful))
         return false;
     double pick[3] = {NAN, NAN, NAN};
-    if (!CHECK_NEAR(r->status, .quantity = "the status with which it ended",
-                    .input = a->input, .expected = 0.0, .tolerance = 0.0,
-                    .question = "What did it complain about? This request "
-                                "can be held.",
-                    .mistakes = {{"refused-in-vain", 1.0,
-                                  "This request can be held with 50000 "
-                                  "steps. After which of its runs does "
-                                  "your program give up, and why?"}}) ||
-        !project_form(r, a->input, 1, 1 + 4 * (size_t)q->n,
-                      "The row is t, and x, y, vx and vy of each body at "
-                      "the end. Which of them is missing, or what is there "
-                      "besides?"))
+    if (!CHECK_NEAR(
+            r->status, .quantity = "the status with which it ended",
+            .input = a->input, .expected = 0.0, .tolerance = 0.0,
+            .question =
+                "What did it complain about? This request can be held.",
+            .mistakes =
+                {{"refused-in-vain", 1.0,
+                  "This request can be held with 50000 steps. After which "
+                  "of its runs does your program give up, and why?"}}) ||
+        !project_form(
+            r, a->input, 1, 1 + 4 * (size_t)q->n,
+            "The row is t, and x, y, vx and vy of each body at the end. "
+            "Which of them is missing, or what is there besides?"))
         return false;
     const int count = run_remark(r, "# pick", pick, 3);
     if (!CHECK_NEAR(count, .quantity = "numbers behind # pick",
@@ -374,14 +374,14 @@ static bool answered(const struct request *q, struct answer *a)
         a->end.v[c] = r->numbers[3 + 4 * (c / 2) + c % 2];
     }
     const long least = cost(a->order, a->steps);
-    return CHECK_NEAR(r->calls, .quantity = "1 if force was called at all",
-                      .input = a->input, .expected = fmax(r->calls, 1.0),
-                      .tolerance = 0.0,
-                      .question = "Which forces did this run take?",
-                      .mistakes = {{"own-force", 0.0,
-                                    "Your program has not asked the "
-                                    "header's force. Which law can it know "
-                                    "by itself?"}}) &&
+    return CHECK_NEAR(
+               r->calls, .quantity = "1 if force was called at all",
+               .input = a->input, .expected = fmax(r->calls, 1.0),
+               .tolerance = 0.0,
+               .question = "Which forces did this run take?",
+               .mistakes = {{"own-force", 0.0,
+                             "Your program has not asked the header's "
+                             "force. Which law can it know by itself?"}}) &&
            CHECK_NEAR(r->calls, .quantity = "calls of force, counted",
                       .input = check_text("order %d with %ld steps; %.440s",
                                           a->order, a->steps, a->input),
@@ -389,9 +389,8 @@ static bool answered(const struct request *q, struct answer *a)
                       .tolerance = 0.0, .because = "the pick needs so many",
                       .equation = "eq:choose-cost",
                       .question =
-                          "This method needs more calls for so many "
-                          "steps. Where do the other forces come "
-                          "from?");
+                          "This method needs more calls for so many steps. "
+                          "Where do the other forces come from?");
 }
 
 /* How far velocities are apart at most, in units of the largest: those of
@@ -431,10 +430,10 @@ static bool check_velocities(const struct request *q,
                     "velocities, and in which order do they stand?",
     };
     if (got > 1e-6 && late(q, a, own, kick_left) < 1e-6)
-        project_mistake(&check, "last-kick-forgotten", got,
-                        "The last half kick is missing. If two half kicks "
-                        "are made into one, what is left to do at the "
-                        "end?");
+        project_mistake(
+            &check, "last-kick-forgotten", got,
+            "The last half kick is missing. If two half kicks are made "
+            "into one, what is left to do at the end?");
     return check_near(__FILE__, __LINE__, got, check);
 }
 
@@ -498,13 +497,13 @@ static bool check_read(void)
     return CHECK_NEAR(
                r->status, .quantity = "the status with which it ended",
                .input = input, .expected = 0.0, .tolerance = 0.0,
-               .question = "What did it complain about? There is "
-                           "nothing wrong with this input.",
-               .mistakes = {{"input-refused", 2.0,
-                             "A remark may fill a line, a line may "
-                             "be empty, two bodies may have one x, "
-                             "and the last line need not end. Which "
-                             "of these does your program refuse?"}}) &&
+               .question = "What did it complain about? There is nothing "
+                           "wrong with this input.",
+               .mistakes =
+                   {{"input-refused", 2.0,
+                     "A remark may fill a line, a line may be empty, two "
+                     "bodies may have one x, and the last line need not "
+                     "end. Which of these does your program refuse?"}}) &&
            project_form(r, input, 1, 9, "Two bodies: nine numbers.");
 }
 
@@ -584,13 +583,14 @@ static void stage_special(void)
         if (!answered(both[i], &a) || !held(both[i], &a, &truth))
             return;
         if (i == 0 &&
-            !CHECK_NEAR((double)cost(a.order, a.steps),
-                        .quantity = "forces of the pick", .input = a.input,
-                        .expected = 1.0, .tolerance = 3.0,
-                        .because = "one step is exact, by any method",
-                        .question = "Nothing pulls. How many steps does a "
-                                    "straight line need, and what keeps "
-                                    "your program from seeing it?"))
+            !CHECK_NEAR(
+                (double)cost(a.order, a.steps),
+                .quantity = "forces of the pick", .input = a.input,
+                .expected = 1.0, .tolerance = 3.0,
+                .because = "one step is exact, by any method",
+                .question =
+                    "Nothing pulls. How many steps does a straight line "
+                    "need, and what keeps your program from seeing it?"))
             return;
     }
     if (check_read() && check_crowd())
@@ -620,12 +620,11 @@ static void stage_hold(void)
                 .because = "what was asked for", .equation = "eq:order",
                 .question = "From which of your runs do you know the error "
                             "of this one?",
-                .mistakes = {{"agreed-by-chance",
-                              error > 10.0 ? error : NAN,
-                              "With few steps there are two runs here that "
-                              "agree, and both are wrong. Which third run "
-                              "would not have agreed? Does the error fall "
-                              "as it should?"}}) ||
+                .mistakes =
+                    {{"agreed-by-chance", error > 10.0 ? error : NAN,
+                      "With few steps there are two runs here that agree, "
+                      "and both are wrong. Which third run would not have "
+                      "agreed? Does the error fall as it should?"}}) ||
             !held(&chance, &a, &truth))
             return;
     }
@@ -654,10 +653,10 @@ static void check_picks(double most, const char *question)
             .question = question,
         };
         if (a.order == 4 && k.of[2] == k.cheapest)
-            project_mistake(&check, "second-order-is-cheaper", times,
-                            "Here a method of order 2 needs fewer forces. "
-                            "Has your program tried it, and does it count "
-                            "what a step costs?");
+            project_mistake(
+                &check, "second-order-is-cheaper", times,
+                "Here a method of order 2 needs fewer forces. Has your "
+                "program tried it, and does it count what a step costs?");
         if (a.order == 2 && k.of[4] == k.cheapest)
             project_mistake(&check, "fourth-order-is-cheaper", times,
                             "Here a method of order 4 needs fewer forces. "
@@ -703,16 +702,15 @@ static void stage_search(void)
         q[i].most = i == 2 || i == 4 ? 60.0 * (double)k.cheapest : 0.0;
         if (!answered(&q[i], &a) || !held(&q[i], &a, &truth))
             return;
-        if (!CHECK_NEAR(
-                a.calls, .quantity = "CALLS", .input = a.input,
-                .expected = a.run->calls, .tolerance = 0.0,
-                .because = "it was counted",
-                .question = "Where does your program count, and is there a "
-                            "call that it does not?",
-                .mistakes = {{"calls-of-the-pick",
-                              (double)cost(a.order, a.steps),
-                              "That is what the pick costs. What did it "
-                              "cost to find it?"}}) ||
+        if (!CHECK_NEAR(a.calls, .quantity = "CALLS", .input = a.input,
+                        .expected = a.run->calls, .tolerance = 0.0,
+                        .because = "it was counted",
+                        .question = "Where does your program count, and is "
+                                    "there a call that it does not?",
+                        .mistakes = {{"calls-of-the-pick",
+                                      (double)cost(a.order, a.steps),
+                                      "That is what the pick costs. What "
+                                      "did it cost to find it?"}}) ||
             !CHECK_NEAR(a.run->calls / (double)k.cheapest,
                         .quantity = "all calls, over the cheapest known",
                         .input = a.input, .expected = 1.0,
@@ -739,8 +737,8 @@ static void stage_horizon(void)
             r->status, .quantity = "the status with which it ended",
             .input = input, .expected = 1.0, .tolerance = 0.0,
             .equation = "eq:order",
-            .question = "No run of 50000 steps knows where these bodies "
-                        "are.",
+            .question =
+                "No run of 50000 steps knows where these bodies are.",
             .mistakes = {{"beyond-the-horizon", 0.0,
                           "No run of 50000 steps knows where these bodies "
                           "are. What do two of your runs say of each "

@@ -66,15 +66,16 @@ all() { awk -v column="$1" '$1 == "all" { print $column + 0 }' "$work/table"; }
 is() { awk "BEGIN { exit !($1) }"; }
 holds 'every chapter is in the table' \
     test "$(awk '$1 ~ /^[0-9]+$/ && $2 > 0 && $3 > 0' "$work/table" | wc -l)" -eq 12
-holds 'at most 550 pages' is "$(all 2) <= 550"
-holds 'chapter 12 has at most 48' \
-    is "$(awk '$1 == 12 { print $2 }' "$work/table") <= 48"
+holds 'at most 500 pages' is "$(all 2) <= 500"
+# The longest: the chooser's core is printed whole, and every failure has its picture.
+holds 'chapter 12 has at most 60' \
+    is "$(awk '$1 == 12 { print $2 }' "$work/table") <= 60"
 holds 'ten words or more to a printed line of code' is "$(all 5) >= 10"
 awk '$1 ~ /^[0-9]+$/ && !($5 >= 6) { print "chapter", $1, "has", $5 }' \
     "$work/table" >"$work/low"
 holds 'no chapter has less than six' test ! -s "$work/low"
 cat "$work/low"
-holds 'one page in twenty at most is almost all code' is "$(all 6) <= 5"
+holds 'of a hundred pages at most twelve are almost all code' is "$(all 6) <= 12"
 holds '40 to 46 exercises' is "$(all 7) >= 40 && $(all 7) <= 46"
 preface=$(sed -n 's/.*nonumberline Preface}{\([0-9]*\)}.*/\1/p' build/book/book.toc)
 holds 'the first sentence stands on page five or before' \

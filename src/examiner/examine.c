@@ -49,9 +49,9 @@ static void add_names(struct settings *s, const char *argument)
     char *list = strdup(argument);
     if (!s->names || !list)
         text_fail("out of memory");
-    for (char *name = strtok(list, ", "); name; name = strtok(NULL, ", "))
-        s->names[count++] = name;
-    s->names[count] = NULL;
+    s->names[count] = strtok(list, ", ");
+    while (s->names[count])
+        s->names[++count] = strtok(NULL, ", ");
 }
 
 static void take_option(struct settings *s, struct options *o, int letter)

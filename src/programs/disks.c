@@ -108,7 +108,7 @@ static void read_kinds(struct mixture *m, const char *path)
 {
     char line[256];
     FILE *file = fopen(path, "r");
-    if (!file)
+    if (file == NULL)
         program_refuse("--species: %s: %s", path, strerror(errno));
     for (size_t number = 1; fgets(line, sizeof line, file); ++number) {
         double count, mass, radius;

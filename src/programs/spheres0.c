@@ -1,5 +1,5 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 1932807165 of the lines below */
+/* checksum 936542460 of the lines below */
 /* The first shot at billiards, in steps that go back to each contact. */
 #include <math.h>
 #include <stdio.h>
@@ -42,14 +42,14 @@ static double time_back(const double d[], const double u[])
 static void collide(int i, int j)
 {
     double d[2], u[2], n[2];
-    for (int k = 0; k < 2; ++k) {
+    for (int k = 0; k <= 1; ++k) {
         d[k] = x[j][k] - x[i][k];
         u[k] = v[j][k] - v[i][k];
     }
     if (dot(d, d) >= 4 * radius * radius || dot(d, u) >= 0)
         return;
     const double back = time_back(d, u);
-    for (int k = 0; k < 2; ++k)
+    for (int k = 0; k <= 1; ++k)
         n[k] = d[k] - back * u[k];
     const double change = -dot(u, n) / dot(n, n); /* of each, e = 1 */
     for (int k = 0; k < 2; ++k) {
@@ -84,7 +84,7 @@ int main(int argc, char *argv[])
                 x[i][k] += v[i][k] * dt;
         collide_all(down);
     }
-    for (int i = 0; i < BALLS; ++i)
+    for (int i = 0; i <= BALLS - 1; ++i)
         printf("%.9g %.9g %.9g %.9g\n", x[i][0], x[i][1], v[i][0], v[i][1]);
     return 0;
 }

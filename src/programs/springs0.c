@@ -1,5 +1,5 @@
 /* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 3527782099 of the lines below */
+/* checksum 880046098 of the lines below */
 /* A membrane: a grid of masses and springs, stepped by leapfrog. */
 #include <math.h>
 #include <stdio.h>
@@ -14,9 +14,8 @@ static double x[SIZE], v[SIZE], force[SIZE], moves[BODIES];
 /* Adds the force of a spring to both ends, (10.1, eq:spring-force). */
 static void pull(int i, int j, double rest)
 {
-    double d[3];
-    for (int k = 0; k < 3; ++k)
-        d[k] = x[3 * j + k] - x[3 * i + k];
+    const double *a = x + 3 * i, *b = x + 3 * j;
+    const double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
     const double length = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
     const double q = stiffness * (1 - rest / length);
     for (int k = 0; k < 3; ++k) {
@@ -48,19 +47,20 @@ static void lift(double height)
 {
     const double wave = acos(-1) / (SIDE - 1);
     for (int i = 0; i < BODIES; ++i) {
-        const int column = i % SIDE, row = i / SIDE;
-        x[3 * i] = column * gap - 1;
-        x[3 * i + 1] = row * gap - 1;
-        x[3 * i + 2] = height * sin(wave * column) * sin(wave * row);
-        moves[i] = column % (SIDE - 1) > 0 && row % (SIDE - 1) > 0;
+        double *at = x + 3 * i, column = i % SIDE, row = i / SIDE;
+        at[0] = column * gap - 1;
+        at[1] = row * gap - 1;
+        at[2] = height * sin(wave * column) * sin(wave * row);
+        moves[i] = i % SIDE % (SIDE - 1) > 0 && i / SIDE % (SIDE - 1) > 0;
     }
 }
 
 static void show(void)
 {
-    for (int i = 0; i < BODIES; ++i)
-        printf("%.9g %.9g %.9g\n%s", x[3 * i], x[3 * i + 1], x[3 * i + 2],
-               i % SIDE < SIDE - 1 ? "" : "\n");
+    const double *at = x;
+    for (int i = 1; i <= BODIES; ++i, at += 3)
+        printf("%.9g %.9g %.9g\n%s", at[0], at[1], at[2],
+               i % SIDE > 0 ? "" : "\n");
     printf("\n");
 }
 

@@ -106,9 +106,9 @@ static bool add_kind(struct mixture *m, double count, double mass,
    comment. */
 static void read_kinds(struct mixture *m, const char *path)
 {
-    char line[256];
     FILE *file = fopen(path, "r");
-    if (file == NULL)
+    char line[256];
+    if (!file)
         program_refuse("--species: %s: %s", path, strerror(errno));
     for (size_t number = 1; fgets(line, sizeof line, file); ++number) {
         double count, mass, radius;

@@ -1,5 +1,5 @@
 /* From chapters/06-room.nw: edit there, then run make tangle. */
-/* checksum 3722899298 of the lines below */
+/* checksum 47124569 of the lines below */
 /* Throws four disks into a box: rows of x, its density and the error. */
 #include "toolbox/random.h"
 
@@ -42,7 +42,8 @@ int main(int argc, char *argv[])
             sum[b] += seen[b], squares[b] += seen[b] * seen[b];
     }
     for (int b = 0; b < BINS; ++b) {
-        const double p = sum[b] / samples, q = squares[b] / samples;
-        printf("%g %.9g %.3g\n", b / unit, p, sqrt((q - p * p) / samples));
+        sum[b] /= samples;
+        printf("%g %.9g %.3g\n", b / unit, sum[b],
+               sqrt((squares[b] / samples - sum[b] * sum[b]) / samples));
     }
 }

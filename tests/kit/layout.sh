@@ -181,6 +181,12 @@ printf '%0100d\n%0101d\n' 0 0 >"$work/wide"
 holds 'and one of 101 is seen' \
     test "$(in_width "$work/wide")" = "$work/wide:2: 101"
 
+# Modules have names of their own: who puts all objects into one folder, as
+# tests/programs/bytes.sh does, would lose one of two.
+twice=$(for room in ${rooms%programs*}; do ls src/"$room"/*.c; done |
+    sed 's/.*\///' | sort | uniq -d | tr '\n' ' ')
+holds 'no two modules have one name' sh -c "echo '$twice'; test -z '$twice'"
+
 # Who opens a file reads first what it is: on line 1, or below the two lines of one
 # that is tangled.
 silent() { # FILE...: those that do not say
@@ -233,4 +239,4 @@ ${MAKE:-make} -s compile_commands.json
 holds 'compile_commands.json has every source' \
     test "$(grep -c '"file":' compile_commands.json)" -eq \
     "$(ls src/*/*.c | wc -l)"
-echo 1..25
+echo 1..26

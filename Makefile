@@ -24,8 +24,7 @@ given = EX SUBMISSIONS REPORT JOBS HIDDEN RESULTS SECONDS TEXTS PRESET SCENE \
 	EDITION WITH_CHAPTERS COMMANDS SEED FIRST SYSTEMS
 $(foreach v,$(given),$(if $(filter-out undefined,$(origin $v)),\
 	$(eval override $v := $$(value $v))$(eval export $v)))
-# Recipes read it as "$$seconds", since bash counts in a variable SECONDS of its own. (A
-# comment behind the value would add a blank to it.)
+# Recipes read it as "$$seconds", since bash counts in a variable SECONDS of its own.
 export seconds := $(value SECONDS)
 
 # `make V=1' prints every command; otherwise a short line stands for it.
@@ -122,9 +121,8 @@ help:
 	@echo 'make compile_commands.json   for editors'
 	@echo 'make clean        remove build/'
 
-# The last of the rules for stamps (src/compile.mk): a file depends on its stamp, with a
-# recipe that does nothing; its + makes it run under make -n, too. The stamp of a file that
-# is missing is removed, so that both are made again.
+# Stamps (src/compile.mk): a file depends on its stamp, with a recipe that does nothing, but
+# runs under make -n (+). The stamp of a missing file is removed, so both are made again.
 $(kept): build/%: build/made/%
 	@+:
 lost := $(filter-out $(wildcard $(kept)),$(kept))

@@ -130,12 +130,12 @@ static void read_settings(int argc, char *argv[])
         case 'i':
             if (options_list(&o, given.inverse_masses, 2) != 2)
                 options_fail(&o, "one number found, expected two: a,b");
-            for (int i = 0; i < 2; ++i)
-                if (!is_inverse_mass(given.inverse_masses[i]))
-                    options_fail(&o,
-                                 "'%s', expected two numbers, each 0 or "
-                                 "from 1e-290 to 1e290",
-                                 options_text(&o));
+            if (!(is_inverse_mass(given.inverse_masses[0]) &&
+                  is_inverse_mass(given.inverse_masses[1])))
+                options_fail(&o,
+                             "'%s', expected two numbers, each 0 or from "
+                             "1e-290 to 1e290",
+                             options_text(&o));
             if (given.inverse_masses[0] == 0 &&
                 given.inverse_masses[1] == 0)
                 options_fail(&o, "both are zero: two walls cannot collide");

@@ -153,7 +153,7 @@ for ex; do
     verdict "$ex: three wrong answers or more" "fewer in $folder" \
         [ "$(count "$answers"/wrong-*.c)" -ge 3 ]
     # Names in the suite's lists of mistakes, with no space in them.
-    grep -o '{"[a-z0-9-]*",' "$suite" | tr -d '{",' | sort -u |
+    tr '\n' ' ' <"$suite" | grep -o '{ *"[a-z0-9-]*",' | tr -d '{", ' | sort -u |
         while IFS= read -r mistake; do
             verdict "$ex: [$mistake] has a wrong answer" \
                 "none in $folder makes this mistake" is_made
@@ -176,9 +176,11 @@ done
 # Of each exercise nine checks, one for each answer but the solution, and one
 # for each mistake and each equation that its suite names.
 planned=0
-named() { grep -o "$1" "tests/exercises/$ex/suite.c" | sort -u | wc -l; }
+named() {
+    tr '\n' ' ' <"tests/exercises/$ex/suite.c" | grep -o "$1" | tr -d ' ' | sort -u | wc -l
+}
 for ex; do
-    planned=$((planned + 9 + $(ls build/tests/answers/"$ex" | wc -l) + $(named '{"[a-z0-9-]*",') +
+    planned=$((planned + 9 + $(ls build/tests/answers/"$ex" | wc -l) + $(named '{ *"[a-z0-9-]*",') +
         $(named '"eq:[a-z0-9-]*"')))
 done
 echo "1..$planned"

@@ -73,7 +73,7 @@ holds 'its stub stands a strict compiler' \
 { sed 1q "$work/steps" && cat tests/kit/recipe/method; } >"$work/method"
 sh -u "$work/method" >"$work/out" 2>&1
 holds 'a method is added' sh -c "[ $? -eq 0 ] || { tail -5 '$work/out'; false; }"
-holds 'help lists it' grep -q '^ *ruth3 ' "$work/out"
+holds 'help lists it' grep -q '^ *ruth3[, ]' "$work/out"
 holds 'its limit is said, and then holds' test "$(sed -n \
     's/ stepping_limits: every method has the limit.*//p' "$work/out" | tr '\n' ' ')" = 'not ok ok '
 cd "$root" || exit 1

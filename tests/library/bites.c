@@ -37,10 +37,16 @@ static enum bonkers_stop note_run(struct bonkers *b, double until,
 #undef main
 #undef bonkers_run
 
-/* Runs the program; its words are separated by blanks. */
+/* Runs the program, whose settings begin as they do in a new process; its
+   words are separated by blanks. */
 static void run_program(const char *words)
 {
-    static char text[256];
+    static char text[256], fresh[sizeof given];
+    static bool kept;
+    if (!kept)
+        memcpy(fresh, &given, sizeof given);
+    memcpy(&given, fresh, sizeof given);
+    kept = true;
     char *argument[32];
     int count = 0;
     snprintf(text, sizeof text, "bonkers -o /dev/null %s", words);

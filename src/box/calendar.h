@@ -43,9 +43,9 @@ void calendar_free(struct calendar *c);
    out. Cost: the same for any size. Source: (7.17, eq:day). */
 void calendar_put(struct calendar *c, uint32_t event, double time);
 
-/* Returns the earliest event, CALENDAR_NONE if none has a time. Of two at
-   one time, that whose pair (event, partner) has the smaller lesser
-   number, or else the smaller greater one. */
+/* Returns the earliest event, CALENDAR_NONE if none has a time. Of events
+   at the same time, each with its partner, it returns the first in order of
+   the smaller number of the two, then of the larger. */
 uint32_t calendar_first(struct calendar *c);
 
 #endif

@@ -26,7 +26,7 @@ struct cells {
     struct calendar calendar; /* one event for each disk */
     double skin;              /* how far from its anchor a disk may go, m */
     double inverse[DISKS_AXES]; /* 1/box if that is periodic, or 0, 1/m */
-    size_t lanes;               /* neighbours asked together: 8, 4 or 1 */
+    size_t lanes;               /* neighbours examined at once: 8, 4 or 1 */
     /* The lists: as many seats for each disk, so that none needs a pointer.
        In the free ones it sits itself, which is harmless to ask, since no
        disk meets itself. */
@@ -62,7 +62,8 @@ bool cells_fit(const struct cells *c, size_t *a, size_t *b);
 enum disks_stop cells_run(struct cells *c, double until,
                           uint64_t collisions);
 
-/* Returns how many neighbours this machine can ask together: 8, 4 or 1. */
+/* Returns how many neighbours this processor examines in one instruction:
+   8, 4 or 1. */
 size_t cells_lanes(void);
 
 #endif

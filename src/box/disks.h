@@ -146,10 +146,10 @@ double disks_replan_distance(const struct disks *d);
 bool disks_plan(struct disks *d);
 
 /* Runs until the time `until` (s), or until `collisions` pair collisions
-   have been counted, whichever comes first, looking at all disks after
-   each collision: time in proportion to count. How a run is cut into
-   calls changes no bit of it. Requires disks_plan, and a finite time
-   unless the disks will meet: those that never do run for ever. */
+   have been counted, whichever comes first, looking at all disks after each
+   collision: time in proportion to count. The number of calls does not
+   affect the results. Requires disks_plan, and a finite time unless the
+   disks will meet: those that never do run for ever. */
 enum disks_stop disks_run(struct disks *d, double until,
                           uint64_t collisions);
 

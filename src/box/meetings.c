@@ -54,7 +54,8 @@ VECTOR_LOOP static void meet_all_images(const struct disks *d, size_t i,
     meet_all(d, i, time, true);
 }
 
-/* Disks that fall are asked one by one. */
+/* Fills time[j] with when disk i meets j; disks that fall are done one by
+   one. */
 void meetings_of(const struct disks *d, size_t i, double time[])
 {
     if (d->boundary == DISKS_WALLS && !(d->gravity > 0))

@@ -1,4 +1,4 @@
-/* Means over a time, by a law where one is exact, else by events. */
+/* Computes time averages by an exact law or, failing that, by events. */
 #include "choosing/averages.h"
 
 #include "box/blocks.h"
@@ -189,8 +189,8 @@ static const char *survey(struct search *h)
     return NULL;
 }
 
-/* Rounds x up to two digits, so that who asks for what a refusal offers, as
-   it is printed, gets it. */
+/* Rounds x up to two digits: the value that a refusal suggests, as it is
+   printed, is then large enough. */
 static double round_up(double x)
 {
     const double unit = pow(10, floor(log10(x)) - 1);

@@ -1,4 +1,4 @@
-/* Exact ways, then a reference, and all that is compared with it. */
+/* Tries exact models first, then compares others with a reference. */
 #include "choosing/choose.h"
 
 #include "choosing/task.h"
@@ -132,7 +132,8 @@ static void add_ladder(const struct task *t, struct ladder ladder[],
 static const unsigned left_out[] = {0, MODELS_NO_LIGHT, MODELS_RODS};
 enum { LEFT_OUT = sizeof left_out / sizeof *left_out };
 
-/* The ladders of a model, if its method says that it is to be tried. */
+/* Adds the ladders of a model whose method is one of those to be compared.
+ */
 static void add_model(const struct task *t, struct ladder ladder[],
                       size_t *count, const struct models_model *m,
                       bool adaptive)
@@ -146,8 +147,9 @@ static void add_model(const struct task *t, struct ladder ladder[],
             add_ladder(t, ladder, count, m, left_out[j]);
 }
 
-/* All ladders of methods whose steps are equal, or of all others: their
-   feet first, then one by one as far as it pays. */
+/* Tries all methods with equal steps, or all adaptive ones: first the
+   lowest rung of each ladder, then finer ones, ladder by ladder, as long as
+   one may be cheaper than the best so far. */
 static void race(const struct task *t, bool adaptive)
 {
     struct ladder ladder[STEPPING_MOST + LEFT_OUT];
@@ -274,9 +276,10 @@ static void compare_surely(const struct task *t)
     compare(t);
 }
 
-/* Exact ways come first, as they need no reference; if one holds it is
-   taken: to look for something cheaper would cost more than it could save.
-   A fork that events have seen decides where nothing but events acts. */
+/* Finds the answer. Exact models come first, as they need no reference; if
+   one meets the tolerance it is taken, since a search for a cheaper one
+   would cost more than it could save. Where nothing but collisions acts, a
+   fork that was seen in a run by events is final. */
 static void decide(const struct task *t)
 {
     const struct models_plan *only = t->q->only;

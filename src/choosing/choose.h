@@ -19,7 +19,8 @@ struct choose_request {
     const struct observables *asked; /* NULL: all positions */
     double budget; /* what all of it may cost, s by the price list */
     const struct models_plan *only; /* NULL, or what has to be taken */
-    void (*watch)(void *with, double spent); /* NULL, or told the bill */
+    void (*watch)(void *with, double spent); /* NULL, or called with the
+                                                cost so far */
     void *with;
 };
 

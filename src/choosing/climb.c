@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1291736903 of the lines below */
+/* checksum 31407946 of the lines below */
 /* Finer and finer steps of one method, as long as they may pay. */
 #include "choosing/task.h"
 
@@ -12,7 +12,7 @@ static bool is_lost(double error)
     return error > lost;
 }
 
-/* Are rungs finer than the last in vain, if the next has this error? */
+/* Returns whether finer rungs are useless if the next has this error. */
 static bool is_vain(const struct ladder *l, double error)
 {
     const double before = l->best.error;
@@ -50,13 +50,14 @@ static double order_of_method(const struct ladder *l)
     return m->adaptive ? 1 : m->order;
 }
 
-/* By how many octaves the error has to fall; INFINITY: it is not known. */
+/* Returns by how many octaves the error has to fall; INFINITY: it is not
+   known. */
 static double excess(const struct task *t, const struct ladder *l)
 {
     return log2(l->best.error / t->q->tolerance);
 }
 
-/* What a rung will cost that is so many octaves finer, s. */
+/* Returns the predicted cost, s, of a rung `more` octaves finer. */
 static double price_of(const struct ladder *l, double more)
 {
     return l->best.cost * exp2(l->rise * more);
@@ -70,18 +71,19 @@ static double octaves_up(const struct task *t, const struct ladder *l)
     return fmin(more, FAR);
 }
 
-/* At what price a ladder may hold, after its first run, s. */
+/* Returns, after the first run of a ladder, at what cost, s, it may meet
+   the tolerance. */
 double climb_price(const struct task *t, const struct ladder *l)
 {
     return l->best.plan.model ? price_of(l, fmax(octaves_up(t, l), -FAR))
                               : INFINITY;
 }
 
-/* The next rung that is worth a run; model NULL: none is. */
+/* Returns the next rung that is worth a run; model NULL: none is. */
 static struct models_plan next_rung(const struct task *t,
                                     const struct ladder *l)
 {
-    const double one = 0.125; /* octaves from rung to rung */
+    const double one = 0.125; /* spacing of rungs, octaves */
     const double may = fmin(0.98 * task_best_cost(t), task_budget(t));
     const double now = rung_fineness(&l->best.plan);
     const double more = octaves_up(t, l);

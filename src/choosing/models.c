@@ -60,8 +60,8 @@ static const char *const unborne[ACTS] = {
     "springs act",      "the bodies attract each other",
     "bodies may meet",  "there is friction"};
 
-/* Returns NULL if the model carries the scene, or why not: what it cannot
-   bear, and then what it has to ask itself. */
+/* Returns NULL if the model can compute the scene, or why not: what it
+   cannot bear, and then what it has to ask itself. */
 static const char *refusal(const struct models_run *r)
 {
     const struct models_model *m = r->plan.model;
@@ -215,7 +215,7 @@ bool models_read(struct models_plan *p, const char *text,
 
 /* Copies the scene into the run, without what the plan leaves out; what is
    held does not move there, whatever its velocity may say. Returns NULL, or
-   why the plan cannot carry it. */
+   why the plan cannot compute it. */
 static const char *copy_scene(struct models_run *r, const struct scene *s)
 {
     struct scene *own = &r->scene;
@@ -255,7 +255,7 @@ bool models_begin(struct models_run *r, const struct models_plan *p,
         else if (p->model->begin)
             *why = p->model->begin(r);
     }
-    if (*why) { /* what has been done for it stays on the bill */
+    if (*why) { /* the work done so far remains in the cost */
         double work[MODELS_UNITS];
         memcpy(work, r->work, sizeof work);
         models_end(r);

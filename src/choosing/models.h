@@ -9,7 +9,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* What is counted while a scene is carried. */
+/* The units of work that are counted while a model computes a run. */
 enum models_unit {
     MODELS_EVALUATION, /* of all forces: the calls */
     MODELS_BODY,       /* a pass over a body; in stages more than one */
@@ -19,8 +19,8 @@ enum models_unit {
     MODELS_ROD,        /* one correction of one rod */
     MODELS_CONTACT,    /* a body in a part of a step, with contacts */
     MODELS_OVERLAP,    /* and, for each pair that is looked at */
-    MODELS_CURVE,      /* and, for each product of two coefficients when
-                          the gap is made a polynomial */
+    MODELS_CURVE,      /* and, for each product of two coefficients in
+                          computing the polynomial of a gap */
     MODELS_ROOT,       /* and, for each of these, if it has a root */
     MODELS_LINE_EVENT, /* a collision on a line */
     MODELS_LINE_SCAN,  /* and, for each gap that is looked at */
@@ -80,7 +80,7 @@ struct models_plan {
     const struct models_model *model;
     unsigned cuts;
     uint64_t steps;   /* in each row; 0 for models without steps */
-    double tolerance; /* of a method whose steps choose their length */
+    double tolerance; /* of an adaptive method */
     /* Passages of two bodies count if they move somebody by more than
        `negligible`, m, in the time that is left, s. */
     double negligible, time_left;
@@ -114,8 +114,8 @@ struct models_model {
     enum models_end (*row)(struct models_run *r);
     const char *(*begin)(struct models_run *r); /* NULL, or why not */
     void (*end)(struct models_run *r); /* whatever begin has done */
-    /* Beyond that: why it cannot carry this scene, exactly but for rounding
-       or in steps; NULL: it can. No function: it always can. */
+    /* Beyond that: why it cannot compute this scene, exactly but for
+       rounding or in steps; NULL: it can. No function: it always can. */
     const char *(*refuses)(const struct scene *s,
                            const struct models_acts *a);
     bool approximate; /* not exact even where it does not refuse */
@@ -127,8 +127,8 @@ struct models_model {
 /* A scene under way. To be read: all but engine. */
 struct models_run {
     struct models_plan plan;
-    struct scene scene;  /* its own, as in the last row; springs that are
-                            rods are not in it */
+    struct scene scene;  /* a copy, in the state of the last row; without
+                            the springs that are replaced by rods */
     struct scene origin; /* that at the start */
     struct models_acts acts;
     double start, every; /* s */

@@ -232,10 +232,11 @@ static void end_modes(struct models_run *r)
     free(w->rest);
 }
 
-/* Takes one of Newton's steps towards the place of rest, from w->rest: the
-   modes there tell how springs give way to what pulls. Near it each step
-   doubles the digits that are right, and five or six are enough. Returns
-   how far it has led, or NaN if memory runs out. */
+/* Improves the equilibrium positions w->rest by one Newton step: the modes
+   there give the displacement that cancels the remaining forces. Near
+   equilibrium each step doubles the number of correct digits, and five or
+   six steps are enough. Returns the largest displacement along an axis, m,
+   or NaN if memory runs out. */
 static double approach_rest(struct vibration *w, struct models_run *r)
 {
     const struct modes *m = &w->modes;
@@ -256,8 +257,9 @@ static double approach_rest(struct vibration *w, struct models_run *r)
     return largest(still, n);
 }
 
-/* Would finding the modes once more bring the bill of the start above what
-   it may be? It costs the cube of the coordinates, up to thirty times. */
+/* Returns whether the start would exceed its cost limit if the modes were
+   computed once more. That costs the cube of the number of free
+   coordinates, times 20. */
 static bool is_start_dear(const struct models_run *r)
 {
     double work[MODELS_UNITS], size = 0;

@@ -190,9 +190,9 @@ static bool is_endless(const struct models_run *r, struct box_run *d)
     return models_cost(r->work) + price * d->crossed > r->limit;
 }
 
-/* Runs to the next row. The engines stop early only if the calendar of the
-   cells finds no room to grow. Places in a periodic box are not folded
-   back, as they are not in steps. */
+/* Runs to the next row. The engines stop early only if there is no memory
+   to enlarge the calendar of events. Positions in a periodic box are not
+   folded back into it; nor do the models with steps fold them. */
 static enum models_end row_disks(struct models_run *r)
 {
     struct box_run *d = r->engine;

@@ -11,9 +11,10 @@
 /* Bodies on a line, from left to right. */
 struct row_of_bodies {
     size_t axis;
-    double sign; /* -1: seen from the other side, for weight to be down */
+    double sign; /* -1: the axis is reversed, so that gravity points down */
     double gravity;     /* m/s^2, down */
-    double left, right; /* where what is held, or a wall, begins, m */
+    double left, right; /* m: surfaces of the walls, or of fixed bodies that
+                           act as such */
 };
 
 /* Returns the row of bodies along the axis on which something moves, or
@@ -175,8 +176,8 @@ static void take_from_line(struct models_run *r, const struct line *l)
     r->virial = NAN;
 }
 
-/* Runs to the next row, in pieces, between which the bill is looked at: a
-   run in pieces has the same bits as a run in one. Collapse ends a line for
+/* Runs to the next row, in pieces, between which the cost is checked: a run
+   in pieces has the same bits as a run in one. Collapse ends a line for
    good. */
 static enum models_end row_line(struct models_run *r)
 {
@@ -209,8 +210,8 @@ const struct models_model models_line = {
     .end = end_line,
     .refuses = refuse_line};
 
-/* Returns why the bodies are no line of equal ones, or NULL; what is no
-   line at all is refused first. */
+/* Returns why the bodies are not equal ones on a line, or NULL if they are.
+   The conditions for any line are checked first. */
 static const char *refuse_relabel(const struct scene *s,
                                   const struct models_acts *a)
 {

@@ -1,4 +1,4 @@
-/* What the files of models share: axes, pairs of bodies, bills, rows. */
+/* What the files of models share: axes, pairs of bodies, costs, rows. */
 #ifndef MODELS_PARTS_H
 #define MODELS_PARTS_H
 
@@ -60,11 +60,11 @@ enum {
 
 extern const char models_no_memory[];
 
-/* Is the bill above the limit of the run? */
+/* Returns whether the run has already cost more than its limit. */
 bool models_is_costly(const struct models_run *r);
 
-/* Engines of events are stopped after so many collisions, to look at the
-   bill: a gas can have very many of them until the next row. */
+/* Event-driven engines are stopped after this number of collisions to check
+   the cost so far: a gas can have very many before the next row. */
 enum { AT_A_TIME = 4096 };
 
 /* Counts the comparisons of putting n bodies in order, so many times. */

@@ -11,9 +11,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Returns what no steps can carry. With rods and friction together
-   leapfrog, which alone has rods, would have to know the velocity before it
-   has it. */
+/* Returns why no method with steps can compute the scene, or NULL. With
+   rods and friction together leapfrog, which alone has rods, would have to
+   know the velocity before it has it. */
 static const char *refuse_steps(const struct scene *s,
                                 const struct models_acts *a)
 {
@@ -353,7 +353,7 @@ static void bound_evaluations(const struct models_run *r, struct steps *t)
     own->most = more < 1e15 ? own->evaluations + (uint64_t)more + 100 : 0;
 }
 
-/* Takes the steps of a row, and looks at the bill between some of them. */
+/* Takes the steps of a row, and checks the cost between some of them. */
 static enum models_end run_steps(struct models_run *r, struct steps *t)
 {
     const struct adaptive *own = t->motion.stepping.own;

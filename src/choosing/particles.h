@@ -11,8 +11,8 @@ struct particles_place {
     size_t body;
 };
 
-/* Bodies that pull, and light ones, which only are pulled: each one as if
-   it were alone with all that is nearer to the heavy ones. */
+/* Heavy bodies, and light ones as test particles: each light one moves as
+   if only the heavy ones and the light ones nearer to them existed. */
 struct particles {
     size_t bodies, heavy;
     uint32_t *order; /* [bodies] the heavy ones, by number; then the light

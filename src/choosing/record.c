@@ -66,8 +66,8 @@ struct scales {
     double length, speed, energy, momentum;
 };
 
-/* Returns a, or b where a is no scale, as the energy of bodies that rest
-   where nothing pulls. */
+/* Returns a, or b if a is zero and cannot serve as a scale, as is the
+   energy of bodies that rest without forces. */
 static double or_next(double a, double b)
 {
     return a > 0 ? a : b;
@@ -468,7 +468,7 @@ static bool next_row(struct pass *w, struct record_view *v)
     return true;
 }
 
-/* Ends a run and makes out its bill. */
+/* Ends a run and stores its cost. */
 static void end_pass(struct pass *w)
 {
     memcpy(w->r->work, w->run.work, sizeof w->r->work);

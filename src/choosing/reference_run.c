@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 383263023 of the lines below */
+/* checksum 2109781578 of the lines below */
 /* Reference runs: two that agree, the second finer and a twin. */
 #include "choosing/task.h"
 
@@ -10,7 +10,8 @@ static struct models_plan finer(struct models_plan p)
     return rung_at(p, rung_fineness(&p) + log2(100));
 }
 
-/* Two runs in step, the second one finer, until they part. */
+/* Makes two runs row by row in turn, the second one finer, until they
+   differ. */
 static void run_pair(const struct task *t, struct reference *f,
                      struct models_plan plan)
 {
@@ -23,7 +24,7 @@ static void run_pair(const struct task *t, struct reference *f,
     task_bill(t, &f->run);
 }
 
-/* Do the two agree on the closest of all contacts? */
+/* Returns whether the two runs agree on the closest of all contacts. */
 static bool is_decided(const struct reference *f)
 {
     const double a = f->coarser.least, b = f->run.least;
@@ -96,8 +97,9 @@ static bool find_adaptive(const struct task *t, struct reference *f)
     }
 }
 
-/* Runs one method, two in a row without a common measure of their steps,
-   finer and finer. false: they would need to be finer than that. */
+/* Runs one method with finer and finer steps until two successive runs
+   agree. Their numbers of steps, n and 2n + 1, have no common divisor.
+   Returns false if they do not agree even with the finest steps. */
 static bool find_even(const struct task *t, struct reference *f,
                       const char *name)
 {

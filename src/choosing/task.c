@@ -1,4 +1,4 @@
-/* The chooser's bill, its list of candidates, and how each run is made. */
+/* Adds up the chooser's cost, keeps its candidates, sets up its runs. */
 #include "choosing/task.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* What the parts of the chooser share: the question, the bill, and runs. */
+/* What the parts of the chooser share: the question, the cost, and runs. */
 #ifndef TASK_H
 #define TASK_H
 
@@ -30,9 +30,11 @@ struct ladder {
     struct models_plan foot;
     struct choose_point best; /* the coarsest within the tolerance, or else
                                  the last; model NULL: none was tried */
-    double least, most; /* between these is the next one, in octaves */
-    double rise;        /* octaves of cost to one of fineness */
-    double price;       /* s: at which it may hold, after its first run */
+    double least, most;       /* bounds of the next fineness, in
+                                 octaves */
+    double rise;              /* octaves of cost per octave of fineness */
+    double price; /* s: estimated after the first run, of a run within
+                     the tolerance */
 };
 
 /* Fractions of the tolerance: what is nothing beside it, and how well two
@@ -53,14 +55,14 @@ double task_first_tolerance(const struct task *t);
 struct record_setup task_setup(const struct task *t,
                                struct models_plan plan, double limit);
 
-/* Adds a run to the bill, and tells whoever watches. */
+/* Adds the cost of a run to the total, and calls the request's `watch`. */
 void task_bill(const struct task *t, const struct record *r);
 
-/* Makes a run and bills it; it is to be freed with record_free. */
+/* Makes a run and adds its cost to the total; free it with record_free. */
 void task_run(const struct task *t, struct record *r,
               const struct record_setup *o);
 
-/* Has a run all its rows? Only then it can be compared. */
+/* Returns whether a run has all its rows: only then can it be compared. */
 bool task_complete(const struct task *t, const struct record *r);
 
 /* Returns the largest difference of two runs, as a fraction of the scale,
@@ -72,8 +74,8 @@ double task_difference(const struct task *t, const struct record *a,
    of the scene, and the nearest one seen counts. */
 void task_note_horizon(const struct task *t, size_t held, double every);
 
-/* Does the same for two runs if they differ by more than `most`; their
-   first rows may agree all the same. */
+/* Records the horizon, as task_note_horizon does, of two runs if they
+   differ by more than `most`; their first rows may agree nevertheless. */
 void task_note_parting(const struct task *t, const struct record *a,
                        const struct record *b, double most);
 
@@ -82,7 +84,7 @@ void task_note_parting(const struct task *t, const struct record *a,
 struct choose_candidate *task_candidate(const struct task *t,
                                         struct models_plan plan);
 
-/* Says of a candidate why it is out. */
+/* Stores the reason why a candidate is excluded. */
 void task_explain(struct choose_candidate *k, const char *text);
 
 /* Returns in words how a run ended that has not all its rows. */
@@ -134,8 +136,9 @@ struct choose_point rung_try(const struct task *t, const struct ladder *l,
 
 /* ---- twins.c: what rounding does to a run */
 
-/* A run has so many twins at most. From the largest distance of k of them a
-   factor bounds its error, with the same chance of 6.7e-5 to be wrong. */
+/* The largest number of twins of a run. The largest distance from k of
+   them, times a factor, bounds the error of the run; for each k the chance
+   that it does not is 6.7e-5. */
 enum { TWINS = 6 };
 extern const double twins_margin[TWINS];
 static const double last_margin = 2; /* the last of them, and the least */

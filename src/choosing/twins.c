@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 3532188745 of the lines below */
+/* checksum 2211966322 of the lines below */
 /* What rounding does to a run: twins of it, in other units. */
 #include "choosing/task.h"
 
@@ -38,8 +38,8 @@ double twins_add(const struct task *t, const struct record *r,
     record_free(&twin);
     return far;
 }
-/* How far clocks that are late alike in all units put a run off (12.11,
-   eq:choose-slip). */
+/* Returns the error of a run due to an error of time that all its twins
+   share (12.11, eq:choose-slip). */
 static double error_of_clock(const struct task *t, const struct record *r)
 {
     const double late_by = 0x1p-40;
@@ -55,7 +55,7 @@ static double error_of_clock(const struct task *t, const struct record *r)
 }
 static const double trifle = 1e-3; /* s: not worth being saved */
 
-/* How far a run a may be off that has all its rows, like its twin b. */
+/* Returns a bound of the error of run a; it and its twin b are complete. */
 double twins_bound(const struct task *t, const struct record *a,
                    const struct record *b)
 {

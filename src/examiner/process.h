@@ -9,10 +9,11 @@
 
 /* The limits of a program; RLIM_INFINITY means none. An endless loop is
    stopped when its processor time is used up, which is fair on a busy
-   machine; a program that sleeps or waits uses none, so it is stopped
-   after twice that time on the wall. */
+   machine; a program that sleeps or waits uses none, so it is stopped after
+   twice that time by the wall clock. */
 struct process_limits {
-    int seconds;         /* of processor time; twice that on the wall */
+    int seconds;         /* of processor time; twice that of wall-clock time
+                          */
     rlim_t memory_bytes; /* of address space */
     rlim_t file_bytes;   /* of each file that it writes */
     rlim_t processes;    /* of its user, with threads */
@@ -42,9 +43,9 @@ bool process_run(char *const command[], const char *folder,
                  const struct process_limits *limits,
                  struct process_end *end);
 
-/* Starts a command in the same way and returns at once; two may run at a
-   time. Returns false when no process could be started. Its limits hold,
-   except the time on the wall, which the caller has to watch. */
+/* Starts a command as process_run does, but returns at once; two may run at
+   a time. All limits are enforced except that on wall-clock time, which the
+   caller has to watch. Returns false when no process could be started. */
 bool process_start(char *const command[], const char *folder,
                    const struct process_files *files,
                    const struct process_limits *limits);

@@ -170,10 +170,10 @@ static double seconds_allowed(void)
     return 5.0;
 }
 
-/* Reads the program's output until it ends or is late: after 1.8 times its
-   processor time on the wall, since a program that sleeps uses no
-   processor. If it printed too much that is all that counts, whatever it
-   was killed by. */
+/* Reads the program's output until it ends or exceeds a wall-clock time of
+   1.8 times its limit on processor time, since a program that sleeps uses
+   none. If it printed too much, only that is reported, whatever killed it.
+ */
 static void watch(pid_t pid, struct stream s[2], int how[3])
 {
     const double allowed = seconds_allowed(), start = now();

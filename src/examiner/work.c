@@ -17,9 +17,10 @@ static void remove_folder(void)
                 strerror(errno));
 }
 
-/* The folder lies in build/, since on some machines nothing may be started
-   from /tmp, and its name is new each time, so that two rounds at once do
-   not meet. */
+/* Returns the name of the temporary folder, which the first call makes. It
+   lies in build/, since on some machines programs in /tmp may not be
+   executed; its name is new each time, so that two examiners that run at
+   once do not share it. */
 const char *work_folder(void)
 {
     static bool made;

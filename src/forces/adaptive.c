@@ -417,10 +417,11 @@ static bool settled(const struct adaptive *s, double change, double last)
     return change <= 1e-11 + s->tolerance || !(change < last);
 }
 
-/* Adds `by` and `small` to `from`, compensated, without loss: what the
-   tails of the weights add is less than the last digit of the sum, and
-   would be dropped each time; so it joins what the sum owes, as does the
-   rounding of the large sum, found exactly for terms of any size. */
+/* Sets *to to from + by + small, and *owed to the rounding error. The
+   contribution of the tails of the weights, `small`, is less than the last
+   digit of the sum and would be lost each time. It is therefore added to
+   the exact rounding error of from + by first; that error is found for
+   terms of any size. */
 static void add_tail(double *to, double *owed, double from, double by,
                      double small)
 {
@@ -706,8 +707,8 @@ size_t adaptive_notes(const struct adaptive *s)
     return NOTED + (8 + lists * s->method->stages) * s->forces.size;
 }
 
-/* Copies n numbers to where they are noted, or back; returns what follows
-   there. */
+/* Copies n numbers from own to note or, if back, from note to own; returns
+   the place behind them in note. */
 static double *pass(double *note, double *own, size_t n, bool back)
 {
     memcpy(back ? own : note, back ? note : own, n * sizeof *note);

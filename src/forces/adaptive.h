@@ -20,8 +20,8 @@ struct adaptive {
     double t, h;             /* s: end of the last step, its length */
     double shortest;         /* s, of the steps taken; 0: none */
     /* ---- private */
-    double start, owed, next; /* s; what t is still owed; the length that
-                                 the next step is to have */
+    double start, owed, next; /* s; the rounding error of t; the length
+                                 proposed for the next step */
     uint64_t before;          /* steps taken before start */
     double past, past_owed;   /* s; t and owed before the last step */
     double whole;             /* s; the length to which b belongs */
@@ -85,8 +85,8 @@ bool adaptive_step(struct adaptive *s, double most);
    the first degree + 1 count. Returns the degree. */
 size_t adaptive_path(const struct adaptive *s, double control[]);
 
-/* Replaces the last step by one that is h, s, long, at most as long as it
-   was, and returns where that ends: x, m, and v, m/s. No error is
+/* Replaces the last step by one of length h, s, which must not be longer
+   than it, and sets x, m, and v, m/s, to the state at its end. No error is
    estimated. */
 void adaptive_again(struct adaptive *s, double h, double x[], double v[]);
 

@@ -1,4 +1,4 @@
-/* Writes and reads checkpoints, and the rows of a table in the making. */
+/* Writes and reads checkpoints, and the rows of an unfinished table. */
 #include "forces/checkpoint.h"
 
 #include "forces/adaptive.h"
@@ -66,9 +66,9 @@ static bool lose(struct checkpoint *c)
     return complain(c, c->rows_path, strerror(errno));
 }
 
-/* Whoever changes the scene and goes on with --resume would get the old one
-   otherwise, and the table would not say so. What comes through a pipe can
-   be read only once, and has no sum. */
+/* Returns a checksum of a file, by which --resume notices that the scene
+   has been changed since the run began. Returns 0 for a pipe, which can be
+   read only once. */
 double checkpoint_sum(const char *path)
 {
     static char piece[65536];
@@ -404,8 +404,8 @@ static bool read_head(struct checkpoint *c, struct head *h,
                           "begins anew");
 }
 
-/* Adds so many bytes of the rows to the sum; returns how many there were.
- */
+/* Adds `length` bytes of the rows to the sum, or fewer if they end before;
+   returns their number. */
 static uint64_t read_rows(struct checkpoint *c, uint64_t length)
 {
     static char piece[65536];

@@ -124,9 +124,9 @@ static void lay_out(struct scene *s, size_t nx, size_t ny, double x0,
         }
 }
 
-/* Joins each body to its neighbour so many places to the right and up in
-   the grid, where there is one, by a spring of this rest length. right may
-   be -1. */
+/* Joins each body to the one that is `right` places to the right of it and
+   `up` places above it in the grid, if there is one, by a spring of this
+   rest length. right may be -1. */
 static bool join(struct scene *s, size_t nx, size_t ny, int right, int up,
                  double rest)
 {
@@ -217,8 +217,8 @@ enum {
     C_FRICTION
 };
 
-/* The springs of a truss: along both sides, and so many diagonals of each
-   cell. */
+/* Adds the springs of a truss: along both sides, and 0, 1 or 2 diagonals of
+   each cell. */
 static bool truss(struct scene *s, size_t nx, size_t ny, double dx,
                   double dy, int diagonals)
 {

@@ -76,8 +76,9 @@ static void add_sources(const struct gravity *g, const double x[],
 }
 
 #ifdef VECTOR_AVX512
-/* Returns m / s^(3/2) for eight: a guess of 1/sqrt(s), right to 2^-14, and
-   three terms of the series of its defect e: (9.14, eq:cube). */
+/* Returns m / s^(3/2) for eight pairs of m and s: from an estimate of
+   1/sqrt(s) with a relative error of 2^-14, corrected by three terms of a
+   power series in e, which measures this error: (9.14, eq:cube). */
 VECTOR_AVX512 static inline __m512d weight8(__m512d s, __m512d m)
 {
     const __m512d y = _mm512_rsqrt14_pd(s), y2 = _mm512_mul_pd(y, y);

@@ -56,12 +56,12 @@ struct gravity {
    one mass: below 1/sqrt(3) no body meets itself in such a cell. */
 #define GRAVITY_WIDEST 0.57
 
-/* Prepares the sum over so many bodies, with the kernel auto and in one
+/* Prepares the sum over `bodies` bodies, with the kernel auto and in one
    thread. The pointer mass is kept. Returns true: it takes no memory. */
 bool gravity_create(struct gravity *g, size_t bodies, const double mass[],
                     double k2, double softening);
 
-/* Chooses the kernel tree, which takes a cell for one mass if its width is
+/* Chooses the kernel tree, which treats a cell as one mass if its width is
    less than theta times its distance; theta is 0 to GRAVITY_WIDEST. Returns
    false, with nothing changed, when there is no memory. */
 bool gravity_use_tree(struct gravity *g, double theta);

@@ -19,8 +19,8 @@ static bool create(struct scene *s, size_t bodies, double radius, double dt)
     return true;
 }
 
-/* Frees a body along the first axes, so many of them, and holds it along
-   the others. */
+/* Frees a body along the first `axes` axes and fixes it along the others.
+ */
 static void free_along(struct scene *s, size_t body, size_t axes)
 {
     for (size_t k = 0; k < SCENE_AXES; ++k)
@@ -73,9 +73,9 @@ static void place_in_a_row(struct scene *s, const double value[])
 static const double cradle_stiffness = 1e5, cradle_gravity = 9.81;
 
 /* Hangs each ball on a string, which is a stiff spring from a fixed body
-   above it; those that flew in are pulled aside instead, and at rest. The
-   spring is a little shorter than its ball hangs low, so that a ball which
-   hangs is in equilibrium. */
+   above it. Balls that had a velocity are pulled aside and released at rest
+   instead. The rest length is a little less than the distance to the fixed
+   body, so that a ball that hangs straight down is in equilibrium. */
 static bool hang(struct scene *s, size_t balls, double length)
 {
     const size_t n = s->bodies;

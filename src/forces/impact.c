@@ -17,8 +17,8 @@ _Static_assert((int)DEGREE <= (int)ROOT_DEGREE, "of a pair's gap");
    units in the last place. */
 static const double ROUNDING = 0x1p-50;
 
-/* A gap between two bodies, or, with a == b, between one and a wall; and
-   how it stands to the part of the step that is being looked at. */
+/* A gap between two bodies or, if a == b, between a body and a wall, with
+   its state during the present part of the step. */
 struct impact_gap {
     uint32_t a, b;
     size_t axis;                /* of a wall */
@@ -585,7 +585,8 @@ static void release(struct impact *p)
         }
 }
 
-/* Goes to h; returns whether a wall would have to pull on the way. */
+/* Steps by h; returns whether a wall would have to pull a resting body to
+   keep it during this time. */
 static bool lifts(struct impact *p, double h)
 {
     p->lifted = p->forces.size;

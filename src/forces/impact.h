@@ -19,7 +19,7 @@ struct impact {
                               the gaps whose smallest width in a part is
                               within it of 0, the width nearest to 0 */
     uint64_t parts;        /* of steps, in which contacts were looked for */
-    uint64_t pairs;        /* looked at in them */
+    uint64_t pairs;        /* pairs examined in these parts */
     uint64_t curves;       /* gaps that were followed: for each the products
                               of two control points that it took */
     uint64_t roots;        /* of these, those that had a root */

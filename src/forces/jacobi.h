@@ -23,8 +23,8 @@ struct jacobi {
    is in it, or what is wrong with its bodies. (In planetary.c.) */
 const char *jacobi_refuses(const struct scene *s);
 
-/* Prepares so many bodies; the pointer mass is kept. Returns false, with
-   nothing to free, when there is no memory. */
+/* Prepares for this number of bodies; the pointer mass is kept. Returns
+   false, with nothing to free, when there is no memory. */
 bool jacobi_create(struct jacobi *j, size_t bodies, const double mass[],
                    double k2);
 

@@ -111,7 +111,8 @@ static const double *find_kept(const struct motion *m)
                                                      : NULL;
 }
 
-/* A method for planets takes its drifts and kicks from jacobi.c. */
+/* Prepares jacobi.c if the method drifts along ellipses. Returns false if
+   that fails. */
 static bool begin_orbits(struct motion *m,
                          const struct stepping_method *method)
 {
@@ -514,8 +515,8 @@ bool motion_note(struct motion *m)
            note(&s->kept, keeps ? p->acceleration : NULL, 3 * s->bodies);
 }
 
-/* Returns the energy of the weight, over free coordinates: where held
-   bodies hang changes nothing. */
+/* Returns the potential energy in uniform gravity, J, summed over the free
+   coordinates only: fixed ones would add a constant. */
 static double weigh(const struct scene *s)
 {
     const size_t n = s->bodies;

@@ -26,7 +26,7 @@ struct motion {
     struct springs springs; /* if bound */
     struct spheres spheres; /* if collides */
     struct jacobi jacobi;   /* if orbits: the method wants ellipses */
-    struct impact impact;   /* if located: contacts at their moments */
+    struct impact impact;   /* if located: finds the moments of contacts */
     struct soft soft;       /* if is_soft: contacts are springs */
     bool attracts, bound, collides, orbits, located, is_soft;
     uint64_t collisions; /* of pairs and with walls, so far */
@@ -60,8 +60,8 @@ enum motion_flaw {
 bool motion_begin(struct motion *m, const char *program, struct scene *s,
                   const char *method, double dt);
 
-/* The same for a scene that another engine moves from one collision to the
-   next; then m gives only its energy. Points may be on one line. */
+/* Prepares m, as motion_begin does, for a scene that an event-driven engine
+   moves: m then gives only its energy. Points may be on one line. */
 bool motion_view(struct motion *m, const char *program, struct scene *s);
 void motion_end(struct motion *m);
 
@@ -70,8 +70,9 @@ void motion_end(struct motion *m);
    own and dt > 0. Returns false, with m as it was, if memory runs out. */
 bool motion_locate(struct motion *m);
 
-/* Takes so many steps, with contacts after each, if the scene has any, or
-   within it. How a run is cut into calls changes no bit of it. */
+/* Takes `steps` steps. Contacts, if the scene has any, are resolved after
+   each step or within it. The number of calls into which a run is divided
+   does not affect the results. */
 enum stepping_end motion_run(struct motion *m, uint64_t steps);
 double motion_time(const struct motion *m); /* s */
 

@@ -209,7 +209,8 @@ static void distance(const struct motion *m, const size_t body[],
    to kinds, and a function that computes its columns. */
 struct observables_kind {
     const char *name;
-    size_t bodies, width; /* how many bodies it is asked of; its columns */
+    size_t bodies, width; /* numbers of bodies in its arguments, of its
+                             columns */
     const char *symbol[4], *unit, *meaning;
     void (*values)(const struct motion *m, const size_t body[],
                    double out[]);

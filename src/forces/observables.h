@@ -40,8 +40,9 @@ void observables_head(const struct observables *o, struct table *t);
 void observables_values(const struct observables *o, const struct motion *m,
                         double values[]);
 
-/* The same for the states of n bodies, six columns for each. They are not
-   asked for by name: a table without observables has those of all. */
+/* Adds the lines, or writes the numbers, for the states of n bodies, six
+   columns for each. States have no name among the observables: a table
+   without observables has those of all bodies. */
 void observables_head_states(struct table *t, size_t n,
                              const size_t body[]);
 void observables_states(const struct motion *m, size_t n,

@@ -246,8 +246,8 @@ static bool is_every_pair(const struct spheres *p)
            (p->search == SPHERES_AUTO && p->scene->bodies <= FEW);
 }
 
-/* Returns whether pair i is the one before it once more: sorted, the two
-   stand side by side. */
+/* Returns whether pair i is the same as the one before it: equal pairs are
+   adjacent in the sorted list. */
 static bool is_again(const struct spheres_pair pair[], size_t i)
 {
     return i > 0 && pair[i].a == pair[i - 1].a &&

@@ -28,7 +28,7 @@ struct rods {
     uint64_t evaluations;          /* of the forces */
 };
 
-/* Makes rods of so many springs of a scene, as long as the springs are now.
+/* Makes rods of `count` springs of a scene, as long as the springs are now.
    The forces are those of all else, and must not depend on velocities.
    Returns false, with nothing to free, when there is no memory. */
 bool rods_create(struct rods *p, const struct scene *s,

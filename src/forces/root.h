@@ -17,8 +17,9 @@ enum {
 double root_first(const double q[], size_t m, double rounding,
                   int halvings);
 
-/* Returns the same for a curve that is 0 at 0, rises from there with a
-   slope that is known, and may come down again. Changes q. */
+/* Returns the first place after 0 where a curve with q[0] = 0 goes below 0,
+   as root_first does; the curve rises from 0 with the given slope, and may
+   come down again. Changes q. */
 double root_next(double q[], size_t m, double slope, double rounding);
 
 #endif

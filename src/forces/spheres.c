@@ -1,5 +1,5 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 3535959116 of the lines below */
+/* checksum 3193730706 of the lines below */
 /* Reflects spheres that a step has left in each other, and shifts them. */
 #include "forces/spheres.h"
 
@@ -105,7 +105,8 @@ static void kick(const struct spheres *p, const struct contact *c, size_t i,
         v[k * n + i] += J * c->normal[k] * p->inverse[k * n + i];
 }
 
-/* Returns w of body i times the square of the distance, m^2/kg. */
+/* Returns the inverse mass of body i along the normal, times the square of
+   the distance, m^2/kg. */
 static double inverse_along(const struct spheres *p,
                             const struct contact *c, size_t i)
 {

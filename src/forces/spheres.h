@@ -21,7 +21,7 @@ enum spheres_shift {
     SPHERES_BACK       /* back to where they touched, and on from there */
 };
 
-/* Which pair goes first, of those that a step has left overlapping. */
+/* The order in which pairs that overlap after a step are resolved. */
 enum spheres_order {
     SPHERES_ASCENDING,  /* by the smaller number, then by the larger */
     SPHERES_DESCENDING, /* the other way round */

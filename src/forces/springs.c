@@ -26,9 +26,9 @@ static inline double tension(double stiffness, double length, double rest)
     return stiffness * (length - rest) / length;
 }
 
-/* The same with a dashpot along the axis, (10.3, eq:axial-dashpot); rate is
-   the scalar product of the vector from a to b and its rate of change,
-   m^2/s. */
+/* Returns the tension with a dashpot along the axis, (10.3,
+   eq:axial-dashpot); rate is the scalar product of the vector from a to b
+   and its rate of change, m^2/s. */
 static inline double axial_tension(double stiffness, double damping,
                                    double length, double rest, double rate)
 {
@@ -488,9 +488,9 @@ static void finish(const struct springs *p, const struct task *t, size_t k,
                   t->v + at, n);
 }
 
-/* A membrane on which nothing else acts has two bands, nothing in the list,
-   and no use for a sum that is written down and read again: it gets one
-   loop from the forces of the springs to the accelerations, scale_two. */
+/* Returns whether the springs form two bands and nothing else acts, as in a
+   membrane. Then one loop, scale_two, computes accelerations from the
+   forces of the bands without storing their sum in between. */
 static bool is_plain(const struct springs *p)
 {
     return p->bands == 2 && p->listed == 0 && p->quiet;
@@ -547,7 +547,7 @@ static void gather_block(const struct springs *p, const struct task *t,
             memmove(f, f + n, p->band[b].stride * sizeof *f);
 }
 
-/* Has the bodies from `from` to before end moved by the stepping. */
+/* Calls back the stepping method to move bodies `from` to end - 1. */
 static void get_ready(const struct springs *p, const struct task *t,
                       size_t from, size_t end)
 {
@@ -586,8 +586,7 @@ static void reach_in(const struct springs *p, const struct task *t,
     }
 }
 
-/* Does the task for the bodies from `from` to before end, block by block.
- */
+/* Does the task for bodies `from` to end - 1, block by block. */
 static void gather(const struct springs *p, const struct task *t,
                    size_t from, size_t end, double buffer[])
 {
@@ -598,7 +597,7 @@ static void gather(const struct springs *p, const struct task *t,
     }
 }
 
-/* Takes so many steps of the task, at most depth_of(p), in one sweep
+/* Takes `steps` steps of the task, at most depth_of(p), in one sweep
    through the bodies. Each step has a front up to which bodies have been
    moved, one up to which forces have been summed, and a buffer; it goes on
    by a block whenever the step before has passed the bodies that it has to
@@ -696,7 +695,7 @@ static void act(struct springs *p, const struct task *t)
     finish(p, t, 0, 0, 3 * p->bodies, p->force);
 }
 
-/* Takes so many steps of the task, whose ahead is not NULL. A scatter jumps
+/* Takes `steps` steps of the task, whose ahead is not NULL. A scatter jumps
    about in the list and needs all bodies moved before it, and so does a
    scene of which only a part lies in bands. */
 static void act_ahead(struct springs *p, struct task t, uint64_t steps)

@@ -73,11 +73,11 @@ void springs_add(struct springs *p, const double x[], const double v[],
 void springs_accelerate(void *springs, const double x[], const double v[],
                         double a[]);
 
-/* The same, ready for stepping_begin. */
+/* Returns springs_accelerate in the form that stepping_begin needs. */
 struct stepping_forces springs_forces(struct springs *p);
 
-/* The same in one sweep, for the stepping that has springs_forces; see
-   stepping_sweep. */
+/* Does what springs_accelerate does in one sweep, for the stepping that has
+   springs_forces; see stepping_sweep. */
 void springs_sweep(void *springs, const double x[], const double v[],
                    double a[], const struct stepping_ahead *ahead,
                    uint64_t steps);

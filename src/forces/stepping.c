@@ -209,8 +209,8 @@ bool stepping_anew(struct stepping *s)
     return anew;
 }
 
-/* Lets an adaptive method go on until the time after so many steps of dt,
-   which are only the times at which one looks. */
+/* Lets an adaptive method take its own steps until the time after `steps`
+   steps of dt; these only mark the times at which states are wanted. */
 static enum stepping_end run_own(struct stepping *s, uint64_t steps)
 {
     struct adaptive *const own = s->own;

@@ -29,7 +29,7 @@ struct stepping_ahead {
     void *step;
 };
 
-/* Computes the accelerations of so many steps of leapfrog, and moves the
+/* Computes the accelerations of `steps` steps of leapfrog, and moves the
    coordinates part by part, just before it reads them: a large system is as
    slow as its memory, and a number that is moved in a pass of its own has
    left the cache when the forces need it. It calls ahead->ready for each
@@ -57,12 +57,13 @@ struct stepping_method {
     enum stepping_family family;
     int order;
     bool symmetric, symplectic;
-    size_t stages; /* evaluations of the forces in a step without friction;
-                      of an implicit method at least so many */
+    size_t stages; /* force evaluations in a step without friction; for an
+                      implicit method the least possible number */
     size_t drifts; /* of a splitting */
     const double *drift; /* [drifts], in units of dt */
-    const double *kick;  /* [drifts + 1]: one before, between and after the
-                            drifts; NULL: the means of their neighbours */
+    const double *kick;  /* [drifts + 1]: before, between and after the
+                            drifts; NULL: each kick is the mean of the
+                            adjacent drifts */
     const double *a, *b; /* Runge-Kutta: the tableau by rows, the weights */
     double limit;  /* of omega dt for an oscillator; INFINITY: none, 0: it
                       is never stable */
@@ -146,9 +147,9 @@ void stepping_resume(struct stepping *s, uint64_t steps,
    the forces depend on the velocity: (8.13, eq:leapfrog-damped). */
 bool stepping_keeps(const struct stepping *s);
 
-/* Takes so many steps; how many calls they are divided into changes no bit.
-   Checks whether all numbers are finite at the end, and whenever
-   STEPPING_WATCH steps have been taken in all. */
+/* Takes `steps` steps; the number of calls they are divided into does not
+   affect the results. Checks whether all numbers are finite at the end, and
+   whenever STEPPING_WATCH steps have been taken in all. */
 enum stepping_end stepping_run(struct stepping *s, uint64_t steps);
 
 /* Returns the time of x and v, s. */

@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 4263103777 of the lines below */
+/* checksum 223280849 of the lines below */
 /* The steps of the methods: kicks and drifts, leapfrog, Runge-Kutta. */
 #ifndef STEPS_H
 #define STEPS_H
@@ -113,7 +113,7 @@ static inline void move_as(size_t n, double *restrict x, double *restrict v,
     }
 }
 
-/* The same from coordinate number `from` on. */
+/* Moves n coordinates, from number `from` on, as move_as does. */
 static inline void move(const struct stepping *s, size_t from, size_t n,
                         bool owing)
 {

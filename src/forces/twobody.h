@@ -8,7 +8,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Moves the two bodies of *s by so many steps, but for the last half kick,
+/* Moves the two bodies of *s by `steps` steps, but for the last half kick,
    as a stepping_sweep does; a[6] are the accelerations before and after.
    Nothing else acts than the pull of *g and a weight of weight[3], m/s^2;
    the `fixed` coordinates whose numbers stand in held[] stay. The bits are

@@ -83,10 +83,10 @@ size_t bonkers_start(struct bonkers *b, const double radius[]);
 /* Runs until the time `until` (s, INFINITY allowed), the collision number
    `collisions` or the last collision, whichever comes first, and says
    which. A collision exactly at `until` takes place. Calls may follow each
-   other; how a run is cut into calls changes no bit of it, except in the
+   other; the number of calls does not affect the results, except in the
    naive engine. Under gravity what is at rest on the floor, or on others
-   that are, stays; with restitution below 1 a body comes to rest there
-   when a bounce is too short for the clock. */
+   that are, stays; with restitution below 1 a body comes to rest there when
+   a bounce is too short for the clock. */
 enum bonkers_stop bonkers_run(struct bonkers *b, double until,
                               uint64_t collisions);
 
@@ -110,7 +110,8 @@ bool bonkers_is_still(const struct bonkers *b);
 bool bonkers_is_cold(const struct bonkers *b);
 
 /* Returns the energy of the movers, J, summed from the left: kinetic and,
-   under gravity, potential, none when all of them lie on the floor. */
+   under gravity, potential, which is 0 when all of them lie on the floor.
+ */
 double bonkers_energy(const struct bonkers *b);
 
 /* The engines' names, in the order of enum bonkers_engine, then NULL. */

@@ -31,9 +31,9 @@ static void series_of(size_t n, const double x[], double y[],
     }
 }
 
-/* Sets *error to that of the mean of y, from blocks if the order of the
-   samples means something. Of several numbers the description keeps the
-   worst. Returns false if memory runs out. */
+/* Sets *error to the standard error of the mean of y, estimated from blocks
+   if y is a series in time. The description keeps the worst numbers of all
+   calls. Returns false if memory runs out. */
 static bool error_of(size_t n, const double y[], bool serial,
                      struct statistics_description *d, double *error)
 {

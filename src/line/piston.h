@@ -9,7 +9,8 @@
 struct piston_gas {
     double energy; /* its kinetic energy (J), not negative, ... */
     double length; /* ... when it is so long (m), positive */
-    double mass;   /* kg; a third moves with the piston; 0: none does */
+    double mass;   /* kg; a third of it is added to the inertia of the
+                      piston; may be 0 */
 };
 
 /* A piston between two gases in a box with walls at 0 and length. */

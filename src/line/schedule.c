@@ -1,6 +1,6 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 1893635192 of the lines below */
-/* The earliest event, by looking at all or from the top of a heap. */
+/* checksum 4202076529 of the lines below */
+/* Finds the earliest event by comparing all, or with a heap. */
 #include "line/schedule.h"
 
 #include <stdlib.h>

@@ -75,10 +75,10 @@ bool page_begin(void)
            begin_histogram((size_t)page_number[BEAD]);
 }
 
-/* Estimates again how many samples make one independent one, as histogram
-   does, whenever there is a twentieth more of them than the last time: the
-   error bars hold although neighbouring samples are alike, and the cost
-   stays a small multiple of the last estimate's. */
+/* Estimates how many samples are worth one independent sample, as the
+   program histogram does, again whenever their number has grown by 5 %: so
+   the error bars allow for correlations, and the total cost stays a small
+   multiple of that of the last estimate. */
 static void measure(void)
 {
     struct statistics_description d;

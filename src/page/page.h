@@ -8,8 +8,8 @@
    names. Numbers pass as doubles, because JavaScript has nothing else, and
    through arrays in memory that both sides see, so that the functions have
    the same parameters in every figure. None of them reads a clock: the
-   script asks for as much time as the last picture was shown. How a run is
-   cut into calls of page_run changes no bit of it, so the speed of the
+   script asks for as much time as the last picture was shown. The number of
+   calls of page_run does not affect the results, so the speed of the
    browser does not matter. */
 
 enum { PAGE_NUMBERS = 64 };
@@ -22,10 +22,9 @@ extern double page_number[PAGE_NUMBERS];
    parameters are out of range, or memory is short. */
 bool page_begin(void);
 
-/* Runs until the time `until`, or until so many more events have taken
-   place, whichever comes first; an event is a collision, a step or a
-   record, as the figure says. Returns how many did. Requires
-   events < 2^63. */
+/* Runs until the time `until`, or for this number of events, whichever ends
+   first; an event is a collision, a step or a record, as the figure says.
+   Returns how many there were. Requires events < 2^63. */
 double page_run(double until, double events);
 
 /* Copies the present state into an array and returns it, the time first. */

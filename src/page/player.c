@@ -39,7 +39,7 @@ static char *given, *written; /* texts from the script, and for it */
 static char message[320];
 static size_t line; /* of the text with an error, 0: none */
 
-/* Returns memory for a text of so many bytes, which the script fills before
+/* Returns memory for a text of `size` bytes, which the script fills before
    it calls the function that reads it. Frees the previous text. */
 char *page_text(double size)
 {
@@ -327,9 +327,10 @@ const double *page_array(double which)
     return NULL;
 }
 
-/* Runs the motion again up to the present step, with a row every so many
-   steps: what is observed, or all states if nothing is. The head names the
-   command of step that makes the same table, which the script wrote. */
+/* Runs the motion again up to the present step, with a row after every
+   `every` steps: the observables, or all states if none are chosen. The
+   head names the command of step that makes the same table, which the
+   script wrote. */
 static bool write_rows(struct table *t, struct motion *m, uint64_t every,
                        size_t body[], double row[])
 {

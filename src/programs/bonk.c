@@ -53,7 +53,7 @@ struct run {
     struct scene scene;
     struct observables asked;
     struct choose_request request;
-    size_t judged; /* rows of the choice for each row written, the last */
+    size_t judged; /* rows that are compared for each row written */
     struct choose_choice choice;
     struct models_plan plan; /* of --model */
     struct progress progress;
@@ -367,7 +367,7 @@ static void write_chart_head(const struct run *r, const char *refusal)
 
 /* Writes the chart of error against cost. Consecutive runs of a model with
    the same cuts are one block; two blank lines between blocks make gnuplot
-   begin a new curve. The run that was taken has the last block for itself.
+   begin a new curve. The last block contains only the run that was taken.
    The chart is written after a refusal, too: then it shows how near each
    model came. */
 static void write_chart(const struct run *r, const char *refusal)

@@ -18,7 +18,7 @@
 
 #define PROGRAM "bonkers"
 
-enum { LISTED = 1000 }; /* at most so many bodies in a list */
+enum { LISTED = 1000 }; /* the largest number of bodies in a list */
 
 static struct {
     struct start_request request;
@@ -614,9 +614,9 @@ static void write_summary(struct table *out, const struct totals *t,
         table_count(out, "members", given.members);
 }
 
-/* The seeds of the members are drawn in order, so that a longer ensemble
-   begins with the members of a shorter one. Returns false if it was
-   interrupted. */
+/* Runs the members in batches and writes their rows. Their seeds are drawn
+   in order, so that a longer ensemble begins with the members of a shorter
+   one. Returns false if it was interrupted. */
 static bool run_ensemble(struct table *out, struct ensemble *e,
                          struct totals *t, struct progress *p)
 {

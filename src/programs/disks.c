@@ -363,10 +363,11 @@ static void end_piece(struct run *r)
     blocks_append(&r->pressure, sample);
 }
 
-/* Returns when the present piece ends. How a run is cut into pieces changes
-   no bit of it. Disks that lose energy have no pressure, and their next
-   collision may take twice as long each time, so that their pieces grow as
-   they slow down; a piece without end belongs to disks at rest. */
+/* Returns the time, s, at which the present piece ends; the division into
+   pieces does not affect the results. The pressure of disks that lose
+   energy is not measured, and the interval between their collisions may
+   double each time: their pieces are made longer as they slow down, and
+   infinitely long when they rest. */
 static double end_of_piece(const struct run *r)
 {
     const size_t per = r->pressure.per;
@@ -1106,8 +1107,8 @@ static void summarise_pressure(struct run *r, struct table *out)
     table_real(out, "drift", r->drift);
 }
 
-/* Writes what every run knows. An energy that is meant to change has a key
-   of its own, and a gas that cools has no pressure. */
+/* Writes the results that all kinds of runs have. The energy has another
+   key if it is meant to change, and a gas that cools has no pressure. */
 static void summarise(struct run *r, struct table *out)
 {
     const double time = r->d.now - r->begin;

@@ -684,9 +684,9 @@ static struct statistics_histogram *count_column(
     return h;
 }
 
-/* Law and fit have the probability of the bin over its width, not their
-   value at its centre: in a wide bin these differ, and the arcsine law is
-   infinite at its ends. */
+/* Writes a row for each bin. The densities of law and fit are probabilities
+   of the bin divided by its width, not values at its centre: the two differ
+   in a wide bin, and the arcsine law is infinite at its ends. */
 static void write_histogram(const struct columns *c, size_t i,
                             const struct statistics_description *d)
 {

@@ -1,5 +1,5 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 936542460 of the lines below */
+/* checksum 4231967388 of the lines below */
 /* The first shot at billiards, in steps that go back to each contact. */
 #include <math.h>
 #include <stdio.h>
@@ -60,7 +60,7 @@ static void collide(int i, int j)
     }
 }
 
-/* Takes all pairs, up or down their numbers. */
+/* Collides all pairs, in ascending or descending order of numbers. */
 static void collide_all(int down)
 {
     for (int p = 0; p < BALLS; ++p) {

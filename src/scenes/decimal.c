@@ -144,8 +144,8 @@ static bool round_pair(const struct decimal *d, double *value)
     return head + (tail - doubt) == head + (tail + doubt);
 }
 
-/* Returns what strtod makes of the number, which it gets without its point,
-   12.5e-40 as 125e-41, so that no locale can misread it. */
+/* Returns the number as strtod converts it. Its decimal point is removed
+   first, 12.5e-40 becomes 125e-41, so that no locale can misread it. */
 static double round_by_library(const char *c, size_t length)
 {
     char text[DECIMAL_LONGEST + 16];

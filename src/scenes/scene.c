@@ -232,13 +232,13 @@ static bool fail(struct reader *r, struct piece found, const char *format,
     return false;
 }
 
-/* The form of a line. `fields` names its values, with marks before them: @
-   a body, & a kind of spring, # a whole number, + not negative, > more than
-   0, % from 0 to 1, ! 0 or 1, | the type of a wall, = the word axial. From
-   a ; on values may be left out. */
+/* Describes one kind of line in a scene file. `fields` names the values,
+   each after a mark for its type: @ a body, & a kind of spring, # a whole
+   number, + not negative, > more than 0, % from 0 to 1, ! 0 or 1, | the
+   type of a wall, = the word axial. The values after a ; are optional. */
 struct line {
     const char *word, *fields;
-    int pass; /* of those over the text, the one that reads it */
+    int pass; /* the number of the pass over the text that reads it */
     /* Puts the values into the scene. NULL: they are copied to `offset`
        bytes from its beginning. */
     bool (*store)(struct reader *r, const double value[], size_t count);

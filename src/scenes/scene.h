@@ -27,10 +27,10 @@ struct scene_spring {
     double rest; /* m */
 };
 
-/* Bodies, what acts on them, and where they are. What has three numbers
-   for each body lies axis by axis: coordinate k of body i is at
-   [k * bodies + i]. So a method sees one long row of coordinates, and loops
-   over bodies find neighbours in memory where they need them. */
+/* Bodies, what acts on them, and where they are. Arrays with three numbers
+   per body are ordered by axis: coordinate k of body i is at
+   [k * bodies + i]. Thus a method sees one long array of coordinates, and
+   loops over bodies read memory in sequence. */
 struct scene {
     size_t bodies, kinds, springs;
     double *mass, *charge, *radius; /* [bodies] kg, none, m */
@@ -64,7 +64,7 @@ struct scene_error {
     char text[240]; /* "found this, expected that" */
 };
 
-/* Prepares a scene of so many bodies at the origin, at rest: masses 1, all
+/* Prepares a scene of `bodies` bodies at the origin, at rest: masses 1, all
    free, restitution 1, walls open, all else 0. Returns false, with nothing
    to free, when there is no memory. */
 bool scene_create(struct scene *s, size_t bodies);

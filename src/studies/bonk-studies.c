@@ -627,9 +627,10 @@ static bool is_a_little_finer(const struct models_plan *a,
 /* Returns whether p meets the tolerance by luck, that is, whether a
    slightly finer run of the same way fails. An error that changes its sign
    between steps a little too long and a little too short is zero there, so
-   that 144 steps may meet a tolerance that 160 do not. Only who knows the
-   truth knows that; so a number of steps counts only if larger ones, up to
-   twice as many, meet it as well. */
+   that 144 steps may meet a tolerance that 160 do not. Only a comparison
+   with the true motion shows this; therefore a number of steps is accepted
+   only if all larger ones in the map, up to twice as many, meet the
+   tolerance as well. */
 static bool is_luck(const struct map *m, const struct point *p,
                     double tolerance)
 {
@@ -701,9 +702,9 @@ static bool is_front(const struct map *m, const struct point *p)
     return true;
 }
 
-/* Returns whether nothing is left out and the model is of this family:
-   events where only contacts act, steps elsewhere. The finest of these is
-   what somebody would run who does not choose. */
+/* Returns whether the plan leaves nothing out and its model belongs to this
+   family. A user who does not compare models would take the most accurate
+   of such plans: by events if only contacts act, by steps otherwise. */
 static bool is_plain(const struct point *p, enum models_family family)
 {
     return p->plan.cuts == 0 && p->plan.model->family == family;
@@ -916,14 +917,14 @@ struct price_run {
 };
 
 /* Plans are such that a run takes from half a millisecond to some
-   hundredths of a second: long for a clock of microseconds, short for
-   somebody who waits for all units six times. On 24 bodies of a circle act
-   276 pairs; most springs of a short beam belong to no band; of a hundred
-   balls in a row hardly a pair comes near, of 250 disks many do. Radau's
-   paths have degree nine: with sixty disks they make curves, and on a line
-   most curves have a root. Two balls have one gap between them and thirty
-   have 29; four disks have little to examine for a collision and ninety a
-   lot. */
+   hundredths of a second: long for a clock of microseconds, short enough
+   when all units are measured six times. On 24 bodies of a circle act 276
+   pairs; most springs of a short beam belong to no band; of a hundred balls
+   in a row hardly a pair comes near, of 250 disks many do. Radau's paths
+   have degree nine: with sixty disks they make curves, and on a line most
+   curves have a root. Two balls have one gap between them and thirty have
+   29; four disks have little to examine for a collision and ninety a lot.
+ */
 static const struct price_run price_runs[MODELS_UNITS] = {
     [MODELS_EVALUATION] = {"sun-earth", NULL, 0, "kahan-li8:1000", 10, 10},
     [MODELS_BODY] = {"ring", "particles", 500, "kahan-li8:40", 1, 10},

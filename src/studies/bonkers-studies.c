@@ -412,8 +412,9 @@ static double miss(enum bonkers_engine engine, uint64_t n)
     return worst;
 }
 
-/* The same for a line. It moves all its bodies at every collision, so it
-   can turn round where it stands. */
+/* Returns the largest distance from the start, as `miss` does, for a line.
+   A line moves all bodies at every collision, so that their velocities can
+   be reversed at once. */
 static double line_miss(enum line_kind kind, uint64_t n)
 {
     const struct start_request request = {.kind = START_MIXED};
@@ -520,8 +521,9 @@ static double time_walk(double until, const struct bonkers *b, double dt,
     return seconds / times;
 }
 
-/* The same for an engine. It changes its bodies, so that each repetition
-   needs a new start, which is no part of the run and not timed. */
+/* Returns the processor time of a run by an engine, as time_walk does. A
+   run changes the bodies: each repetition needs a new start, which is not
+   timed. */
 static double time_events(double until, const struct start_request *request,
                           struct bonkers_body body[], uint64_t *collisions)
 {
@@ -631,9 +633,9 @@ static void study_collapse(struct study *s)
 
 static const double pull = 9.81, long_run = 900; /* m/s2, s */
 
-/* Returns a ball let go from 1 m, after long_run in so many leapfrog steps.
-   They are exact for a body that falls; all that they can do wrong is to
-   notice the floor at the end of a step. */
+/* Returns the state of a ball, let go from 1 m, after the time long_run in
+   this number of leapfrog steps. They are exact for a body that falls; all
+   that they can do wrong is to notice the floor at the end of a step. */
 static struct bonkers_body bounce_in_steps(uint64_t steps)
 {
     struct bonkers_body a = {.x = 1};
@@ -859,7 +861,8 @@ static struct {
     size_t hits[SHOWN + 1]; /* of a gap */
 } slab;
 
-/* Stops the scan at every collision, which changes no bit of it. */
+/* Runs the scan with a stop at every collision, which does not affect the
+   results. */
 static void fill_slab(struct bonkers *b, double until)
 {
     for (size_t i = 0; i <= b->gaps; ++i)

@@ -492,10 +492,10 @@ static void study_speed(struct study *s)
         compare_engines(s, n);
 }
 
-/* Returns Z = P V/(N kT) of a run of so many collisions; adds the seconds
-   that it took. Runs that end with a collision have a small preference for
-   what happens before collisions, of the order of one event in all: even in
-   the shortest runs it is below the noise. */
+/* Returns Z = P V/(N kT) of a run of this number of collisions; adds the
+   seconds that it took. Runs that end with a collision have a small
+   preference for what happens before collisions, of the order of one event
+   in all: even in the shortest runs it is below the noise. */
 static double pressure_of(uint64_t collisions, uint64_t seed, bool plan,
                           double *seconds)
 {

@@ -476,7 +476,7 @@ static void study_circumbinary(struct study *s)
 /* Of Kepler-16, AU and days. */
 static const double binary = 0.2243, binary_period = 41.0808939256;
 
-/* Returns how many of 8 phases survive for so many periods of the stars:
+/* Returns how many of 8 phases survive for `periods` periods of the stars:
    massless planets that start at this distance (in units of the stars') and
    come neither within 0.05 of it to the centre nor beyond 5. Without a mass
    they leave the stars' circles as they are. Leapfrog with 100 steps a
@@ -532,9 +532,9 @@ static void study_survival(struct study *s)
                   {"law", law}, {"law_AU", law * binary});
 }
 
-/* Gives the largest relative error of the energy in so many periods of the
-   stars, and the error of the planet's position after 400 days, AU, against
-   one computed in quadruple precision. */
+/* Gives the largest relative error of the energy in `periods` periods of
+   the stars, and the error of the planet's position after 400 days, AU,
+   against one computed in quadruple precision. */
 static void precision(const char *method, double evaluations,
                       double periods, double *energy, double *place)
 {

@@ -300,7 +300,8 @@ static void study_memory(struct study *s)
     free(x);
 }
 
-/* Throws until so many configurations have fitted, or PATIENCE times. */
+/* Measures how many random configurations fit: draws until the number asked
+   for has fitted, or PATIENCE times. */
 static void study_acceptance(struct study *s)
 {
     struct random r;
@@ -563,7 +564,7 @@ static void measure_gauge(enum gauging way, double packing, double step,
     sampling_free(&g.p);
 }
 
-/* Returns Z - 1 from so many chains: the reference. */
+/* Returns the reference value of Z - 1, from this number of chains. */
 static double find_truth(double packing, double step, uint64_t chains,
                          struct random *r)
 {
@@ -609,8 +610,9 @@ static const struct table_key one_way_keys[] = {
     {"Z_x_error", "1", "its standard error"},
     {0}};
 
-/* Makes chains along one axis only, from the lattice on: each disk keeps
-   its row. */
+/* Measures the pressure with event chains along x alone, beginning on a
+   lattice: every disk stays in its row, so that not all configurations are
+   reached. */
 static void study_one_way(struct study *s)
 {
     struct means m;

@@ -140,7 +140,8 @@ static void as_disks(struct disks *d, const struct scene *s)
     program_memory(hard_disks(d, s), "for the disks");
 }
 
-/* Measures a gas by events with the engine of chapter 7, from its sums. */
+/* Measures a gas with the event-driven engine of chapter 7: the values come
+   from the sums that the engine keeps. */
 static void gas_by_events(struct disks *d, double until, double value[])
 {
     struct cells c;

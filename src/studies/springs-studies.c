@@ -318,9 +318,9 @@ static void name_errors(struct table *out, bool timed)
         table_column(out, "cost", "s", "processor time");
 }
 
-/* Halves the step from 0.2 s on until the error comes close to rounding, or
-   the work is too much. Seconds stand only in a table that is timed: the
-   other one is the same on all machines. */
+/* Halves the step, beginning with 0.2 s, until the error is close to
+   rounding or the work becomes too much. Only a timed table has a column of
+   processor time: the other one is the same on all machines. */
 static void write_errors(struct study *s, bool timed)
 {
     name_errors(s->out, timed);
@@ -483,8 +483,8 @@ static bool rod_swing(uint64_t n, double place[4])
     return isfinite(place[0] + place[1] + place[2] + place[3]);
 }
 
-/* Finds where the pendulum with an upper spring so stiff is after 10 s. The
-   step goes with the period of that spring. */
+/* Finds where the double pendulum whose upper spring has this stiffness is
+   after 10 s. The step is proportional to the period of that spring. */
 static void spring_swing(double stiffness, double place[4])
 {
     const uint64_t n = (uint64_t)(10 * 100 * sqrt(stiffness / 100)) + 1000;

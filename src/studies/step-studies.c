@@ -108,7 +108,8 @@ static void orbit_start(double x[], double v[])
     x[1] = v[0] = 0;
 }
 
-/* A harmonic chain; its highest frequency is just below 2. */
+/* Writes the forces of a harmonic chain; its highest frequency is just
+   below 2. */
 static void chain_force(void *friction, const double x[], const double v[],
                         double a[])
 {
@@ -968,7 +969,8 @@ static void three_start(double x[], double v[])
 static const struct system three = {"three", 6, three_force, three_energy,
                                     three_start};
 
-/* A stiff spring, at rest, beside a soft one. */
+/* Writes the forces of two oscillators: one on a stiff spring, at rest, and
+   one on a soft spring. */
 static void stiff_force(void *friction, const double x[], const double v[],
                         double a[])
 {

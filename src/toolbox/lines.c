@@ -33,7 +33,8 @@ void lines_release_head(struct table *t)
     t->head = NULL;
 }
 
-/* At most so many bytes of a head wait in memory: a head may be long. */
+/* The largest part of a head that is kept in memory, bytes: a head may be
+   long. */
 enum { MOST_HEAD = 65536 };
 
 /* Returns whether a text of this format continues the head: as one of its

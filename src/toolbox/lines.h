@@ -22,8 +22,9 @@ struct table {
     const struct table_key *keys; /* of a summary */
     uint64_t written;             /* bit k: keys[k] has a line */
     int error;                    /* errno of the first failure, or 0 */
-    /* While the head waits, `held` is the real stream, and `stream` writes
-       to the memory `head`; afterwards `held` is NULL. */
+    /* While the head is kept in memory, `stream` writes to `head`, and
+       `held` is the stream of the file itself; afterwards `held` is NULL.
+     */
     FILE *held;
     char *head;
     size_t head_size;

@@ -18,7 +18,7 @@ typedef long double quad;
 #define QUAD_DIGITS LDBL_MANT_DIG
 #endif
 
-/* Returns the square root, which no library has with so many digits.
+/* Returns the square root; the C library has none with this precision.
    Newton's iteration doubles those that are right, and from the 53 bits of
    sqrt() two rounds suffice. */
 static inline quad quad_root(quad square)

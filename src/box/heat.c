@@ -81,8 +81,9 @@ static void scale_velocities(struct disks *d, double factor)
             d->disk[i].velocity[k] *= factor;
 }
 
-/* A periodic box that drifts would drift for ever, and the energy of its
-   drift would be taken for temperature. The energy is kept. */
+/* Removes the total momentum along periodic axes and restores the energy.
+   Otherwise the disks would drift for ever, and the energy of this drift
+   would count as heat. */
 static void take_out_momentum(struct disks *d)
 {
     double total[DISKS_AXES] = {0}, mass = 0;

@@ -39,8 +39,8 @@ void disks_free(struct disks *d)
     *d = (struct disks){0};
 }
 
-/* A centre may be nearer to a wall than a radius by what rounding does,
-   1e-9 of the box. */
+/* Returns whether a disk lies within the walls. It may overlap one by 1e-9
+   of the box, an allowance for rounding. */
 static bool within_walls(const struct disks *d, const double place[],
                          double r)
 {

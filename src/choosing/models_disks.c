@@ -175,9 +175,10 @@ static void count_disks(struct models_run *r, const struct box_run *d)
         ((double)r->rows + 1) * (double)(d->view.axes * d->disks.count);
 }
 
-/* Will the crossings alone be too costly, with those of the row that comes?
-   A disk that met nobody would meet a wall, or be planned anew on the other
-   side of a periodic box, |v| t/L times in the time t along each axis. */
+/* Returns whether the crossings of the box alone, with those of the next
+   row, will cost more than the limit. A disk that met nobody would meet a
+   wall, or be planned anew on the other side of a periodic box, |v| t/L
+   times in the time t along each axis. */
 static bool is_endless(const struct models_run *r, struct box_run *d)
 {
     const double time = r->elapsed - d->disks.now;

@@ -84,7 +84,7 @@ struct steps {
     bool has_particles, ordered, rodded;
 };
 
-/* The motion goes before the scene that it moves. */
+/* Frees a run in steps: the motion first, as it refers to the scene. */
 static void end_steps(struct models_run *r)
 {
     struct steps *t = r->engine;

@@ -145,8 +145,8 @@ void particles_to_jacobi(struct particles *l, const struct scene *s,
     to_jacobi(l, s, v, l->drift);
 }
 
-/* The way back begins at the centre of all, which is known, and goes
-   inwards; the heavy ones come last. */
+/* Converts Jacobi's coordinates back to positions or velocities: from the
+   centre of mass, which is known, inwards; the heavy ones come last. */
 static void from_jacobi(const struct particles *l, const struct scene *s,
                         double x[], const double centre[])
 {

@@ -453,7 +453,7 @@ static void begin_pass(struct pass *w, struct record_view *v)
     write_row(r, v, o, &w->run.scene, 0);
 }
 
-/* A row further; false: it ends here. */
+/* Computes and stores the next row; returns false if the run ends here. */
 static bool next_row(struct pass *w, struct record_view *v)
 {
     struct record *r = w->r;
@@ -492,7 +492,8 @@ void record_run(struct record *r, struct record_view *v,
     end_pass(&w);
 }
 
-/* A row further, when another run has spent part of what both may cost. */
+/* Computes the next row, as next_row does, when another run has used part
+   of the cost limit that the two share. */
 static bool next_row_beside(struct pass *w, const struct pass *other,
                             double limit, struct record_view *v)
 {

@@ -83,12 +83,12 @@ static double error_of_coarser(const struct task *t, const struct ladder *l,
     return rung_error(t, r);
 }
 
-/* A number of steps may hold because its errors happen to cancel, and with
-   one step more be ten times as wrong; so one of its neighbours has to
-   hold, too. If that is the finer one, the run stands as it is; if it is
-   the coarser one, which is cheaper, that takes its place. Otherwise the
-   run is as bad as its finer neighbour. Tolerances are spared this: their
-   steps change with every digit. */
+/* Tries the neighbours of a rung that holds. Its errors may happen to
+   cancel, and be ten times as large with one step more; so one of its
+   neighbours has to hold, too. If that is the finer one, the run stands as
+   it is; if it is the coarser one, which is cheaper, that takes its place.
+   Otherwise the run is as bad as its finer neighbour. Tolerances are spared
+   this: their steps change with every digit. */
 static void ask_neighbours(const struct task *t, const struct ladder *l,
                            struct record *r, struct choose_point *seen)
 {

@@ -853,8 +853,9 @@ static void path_of_radau(const struct adaptive *s, size_t i, double q[])
     }
 }
 
-/* A pair's path is Hermite's cubic, raised to degree 4, where the dense
-   weights have their say in the middle: (8.17, eq:dense). */
+/* Writes the path of coordinate i along a step of an embedded pair:
+   Hermite's cubic, raised to degree 4, with a middle control point
+   corrected by the weights for dense output: (8.17, eq:dense). */
 static void path_of_pair(const struct adaptive *s, size_t i, double q[])
 {
     const double h = s->h, *weights = s->weights->dense2;

@@ -57,9 +57,10 @@ static bool complain(struct checkpoint *c, const char *path,
     return false;
 }
 
-/* On a full disk half a row may have been written, and the library forgets
-   what it could not write. So there are no more checkpoints after that: the
-   one before, if there is one, is the last whose rows are all there. */
+/* Reports an error in writing rows. On a full disk half a row may have been
+   written, and the C library drops what it could not write. So there are no
+   more checkpoints after that: the one before, if there is one, is the last
+   whose rows are all there. */
 static bool lose(struct checkpoint *c)
 {
     c->lost = true;
@@ -156,8 +157,8 @@ static bool is_ours(struct checkpoint *c, const char *path,
            complain(c, path, "is not step's and stays: another -o will do");
 }
 
-/* The checkpoint of an older run goes first: it would speak of rows that
-   are no longer there. */
+/* Begins the file of rows. The checkpoint of an older run is removed first:
+   it would refer to rows that no longer exist. */
 static bool start_rows(struct checkpoint *c)
 {
     unlink(c->path);
@@ -351,8 +352,8 @@ bool checkpoint_recall(const struct checkpoint *c, struct motion *m)
     return true;
 }
 
-/* A key that is not known is refused: it was written by a later version, or
-   by somebody else. */
+/* Reads a line of the head. An unknown key is refused: it was written by a
+   later version or by another program. */
 static bool take_line(struct checkpoint *c, struct head *h,
                       struct checkpoint_numbers *n, const char *line)
 {
@@ -421,8 +422,8 @@ static uint64_t read_rows(struct checkpoint *c, uint64_t length)
     return done;
 }
 
-/* The file must have all rows that the checkpoint speaks of, unchanged.
-   What was written later is cut off: it will be computed again. */
+/* Checks that the file has all rows that the checkpoint counts, unchanged,
+   and cuts off what was written later: that will be computed again. */
 static bool open_rows(struct checkpoint *c, const struct head *h)
 {
     if (read_rows(c, h->length) < h->length)

@@ -50,7 +50,8 @@ enum {
 
 static const double cradle_radius = 0.1, cradle_way = 0.5; /* m */
 
-/* The balls that fly in are half a metre away from the row. */
+/* Places the balls of the cradle along x; those that fly in begin half a
+   metre away from the row. */
 static void place_in_a_row(struct scene *s, const double value[])
 {
     const size_t n = (size_t)value[CRADLE_BALLS];
@@ -146,7 +147,8 @@ enum { BREAK_BALLS = 16 }; /* the cue ball is the first */
 static const double ball_radius = 0.028575, ball_mass = 0.17,   /* m, kg */
     cue_place = -1.27, table_length = 2.54, table_width = 1.27; /* m */
 
-/* The rows of the triangle stand sqrt(3/4) of a distance apart. */
+/* Places the balls in a triangle, each displaced by up to jitter; its rows
+   are sqrt(3/4) distance apart. */
 static void rack(struct scene *s, double distance, double jitter,
                  struct random *r)
 {

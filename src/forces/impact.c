@@ -428,8 +428,9 @@ static void sort_along(struct impact *p)
     }
 }
 
-/* The sweep of pairs.c, over paths instead of places. Where all axes are
-   periodic nothing can be put in order, and every pair is looked at. */
+/* Finds pairs whose paths come near each other by a sweep along one axis,
+   as pairs.c does for positions. If all axes are periodic they cannot be
+   sorted, and every pair is examined. */
 static void add_pairs(struct impact *p, double h)
 {
     const size_t n = p->scene->bodies;

@@ -74,8 +74,8 @@ static void centre(const struct motion *m, const size_t body[],
         out[k] /= mass;
 }
 
-/* Component k of x times v takes the two axes that follow k in the circle
-   x, y, z, x. */
+/* Computes the angular momentum. Component k of x times v takes the two
+   axes that follow k in the cyclic order x, y, z, x. */
 static void angular_momentum(const struct motion *m, const size_t body[],
                              double out[])
 {

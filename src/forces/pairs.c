@@ -146,7 +146,8 @@ static int along_axis(const void *a, const void *b, size_t k)
     return p->body < q->body ? -1 : p->body > q->body;
 }
 
-/* qsort can only be told the axis by giving it another function. */
+/* Compares along x. Each axis needs a function of its own, since qsort
+   passes no further argument. */
 static int along_x(const void *a, const void *b)
 {
     return along_axis(a, b, 0);
@@ -181,8 +182,9 @@ static size_t longest_axis(const struct spheres *p)
     return longest;
 }
 
-/* The first time nothing is in order, and insertion would take a time that
-   grows with the square of the bodies. */
+/* Sorts the edges, by insertion if they are nearly in order. The first time
+   they are not, and insertion would take a time that grows with the square
+   of the number of bodies. */
 static void sort_edges(struct spheres *p)
 {
     static int (*const along[SPHERES_AXES])(const void *, const void *) = {

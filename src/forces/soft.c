@@ -68,7 +68,8 @@ static double wall_depth(const struct scene *s, const double x[], size_t i,
                     : s->low[k] - (place - s->radius[i]);
 }
 
-/* A wall is a second body that does not yield. */
+/* Pushes body i off a wall that it overlaps, as off a body that does not
+   yield. */
 static void push_off(const struct scene *s, size_t i, size_t k, int side,
                      const double x[], const double v[], double a[])
 {

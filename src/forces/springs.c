@@ -144,7 +144,8 @@ static bool regular(const struct scene_spring s[], size_t n)
     return true;
 }
 
-/* A hole in the band gets a negative rest length, which no spring has. */
+/* Makes a band of n springs. A missing spring gets a negative rest length,
+   which no spring has. */
 static bool make_band(struct springs *p, const struct scene_spring s[],
                       size_t n)
 {

@@ -104,8 +104,9 @@ struct stretched {
     double a, b, low, high;
 };
 
-/* Both laws of the box are Beta laws, that of velocities with two equal
-   parameters (3.5, eq:velocity-cdf). */
+/* Returns the parameters of a law as those of a Beta law: in a box both
+   are, that of velocities with two equal parameters (3.5, eq:velocity-cdf).
+ */
 static struct stretched beta_of(const struct law *law)
 {
     const double *p = law->parameter;
@@ -238,8 +239,8 @@ static double largest_distance(size_t n, const double below[])
     return distance;
 }
 
-/* Under the law its probabilities of less than x are spread evenly from 0
-   to 1, where bins of equal width are equally probable. */
+/* Returns the bin of a cumulative probability. If the law holds, these are
+   uniform from 0 to 1, so that bins of equal width are equally probable. */
 static size_t bin_of(double below)
 {
     return below < 1 ? (size_t)(below * LAW_CELLS) : LAW_CELLS - 1;

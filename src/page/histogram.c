@@ -47,7 +47,8 @@ static void draw_law(size_t k, double range)
         law[b] /= sum;
 }
 
-/* The range of velocities is that of a bead that has all the energy. */
+/* Begins a histogram for bead k. The range of velocities is that of a bead
+   that has all the energy. */
 static bool begin_histogram(size_t k)
 {
     const double energy = bonkers_energy(&beads);

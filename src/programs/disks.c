@@ -542,8 +542,8 @@ static void sample_positions(struct run *r)
     blocks_add(&counted, sample);
 }
 
-/* The lower end of a bin is given along x; along another axis it is the
-   same fraction of the box. */
+/* Writes the distribution of positions. The lower end of a bin is given
+   along x; along another axis it is the same fraction of the box. */
 static void end_positions(struct run *r, struct table *summary)
 {
     (void)summary;
@@ -604,7 +604,8 @@ static void begin_speeds(struct run *r)
                   {"Maxwell", "", "law of infinitely many"});
 }
 
-/* All axes are alike, so a component is any of them. */
+/* Counts the speeds and the components of the velocities; all components
+   have the same distribution and are counted together. */
 static void sample_speeds(struct run *r)
 {
     static double sample[2 * SPEEDS + 2];
@@ -780,8 +781,9 @@ static struct {
     double (*row)[2 * DISKS_AXES];
 } path;
 
-/* Disk 1 is the heavy one: its position, not folded into the box, and its
-   velocity are kept at each sampling time. */
+/* Begins the table of Brownian motion. Disk 1 is the heavy one: its
+   position, not folded into the box, and its velocity are stored at each
+   sampling time. */
 static void begin_brownian(struct run *r)
 {
     TABLE_COLUMNS(r->out, {"lag", "s", "a time"},

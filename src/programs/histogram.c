@@ -144,8 +144,8 @@ static size_t find_column(struct columns *c, const struct head *h,
               (int)length, name);
 }
 
-/* A column without a name is called c and its number, since the keys of the
-   summary need a name. */
+/* Adds a column. One without a name is called c with its number, since the
+   keys of the summary need a name. */
 static void add_column(struct columns *c, const struct head *h,
                        size_t number)
 {
@@ -248,7 +248,8 @@ static void take_row(struct columns *c, const char *text)
     ++c->rows;
 }
 
-/* Two rows are the fewest that have a standard deviation. */
+/* Reads the columns of the table. At least two rows are required, for a
+   standard deviation. */
 static void read_table(struct columns *c)
 {
     FILE *file =
@@ -548,8 +549,9 @@ static void print_description(const struct column *column,
     table_print(given.out, "\n");
 }
 
-/* Nine digits are plenty for what is uncertain in the third, and they hide
-   that exp and log differ in their last bits between C libraries. */
+/* Writes a row with nine digits. That is plenty for estimates that are
+   uncertain in the third digit, and it hides the last bits of exp and log,
+   which differ between C libraries. */
 static void print_row(struct table *out, size_t n, const double row[])
 {
     for (size_t i = 0; i < n; ++i)
@@ -892,8 +894,9 @@ static void name_cost(void)
                   {"time", "ns", "of the processor, a sample"});
 }
 
-/* The first round warms the caches; its times are overwritten. The ways
-   take turns, so that a disturbance of the machine falls on all of them. */
+/* Measures the cost of each way to estimate an error. The first round fills
+   the caches; its times are overwritten. The ways take turns, so that a
+   disturbance of the machine falls on all of them. */
 static void write_cost(const struct columns *c, size_t i,
                        const struct statistics_description *d)
 {

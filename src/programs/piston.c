@@ -171,8 +171,9 @@ enum way { LEAPFROG, RK4, QUADRATURE, SMALL, ACOUSTIC, WAYS };
 static const char *const way_names[WAYS] = {"leapfrog", "rk4", "quadrature",
                                             "small", "acoustic"};
 
-/* Every way to a period depends on one number: the step of the first two,
-   the points of the quadrature, nothing for the formulas. */
+/* Returns the period, computed in this way. `number` is the time step of
+   the first two ways or the number of points of the quadrature; the
+   formulas need none. */
 static double period_by(enum way way, const struct piston *p, double number)
 {
     switch (way) {
@@ -605,8 +606,9 @@ static void take_option(struct options *o, int letter)
     }
 }
 
-/* Where the piston starts and how long the gases are is known only when all
-   options have been read; the energies are those at the start. */
+/* Completes and checks the settings: the start of the piston and the
+   lengths of the gases are known only when all options have been read. The
+   energies are those at the start. */
 static void check_settings(struct options *o, const char *study)
 {
     const double length = own.piston.length;

@@ -566,8 +566,9 @@ static void write_number(struct table *out, const struct run *run,
         {with, factor * means_error(&run->numbers, quantity)});
 }
 
-/* The acceptance of direct sampling is one over the mean throws per sample:
-   its error is acceptance^2 times that of the mean. */
+/* Writes the acceptance and its error. That of direct sampling is one over
+   the mean number of throws per sample: its error is acceptance^2 times
+   that of the mean. */
 static void write_acceptance(struct table *out, const struct run *run)
 {
     const double acceptance = (double)run->accepted / (double)run->tries;

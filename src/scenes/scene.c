@@ -510,8 +510,8 @@ static bool store_box(struct reader *r, const double value[], size_t count)
     return true;
 }
 
-/* A box may be flat, but an axis with walls must have a length. The box was
-   read in an earlier pass. */
+/* Stores the types of walls. A box may be flat, but an axis with walls must
+   have a length. The box was read in an earlier pass. */
 static bool store_walls(struct reader *r, const double value[],
                         size_t count)
 {

@@ -449,7 +449,8 @@ static const struct table_key reverse_keys[] = {
     {"<line>_<n>", "m", "largest miss after n and back; nan: not run"},
     {0}};
 
-/* The slow lines, which round every operation, stop earlier. */
+/* Measures how far a reversed run misses its start. The slow lines, which
+   round every operation, stop at fewer collisions. */
 static void study_reverse(struct study *s)
 {
     progress_begin(&s->progress, PROGRAM, own.most, "collisions");
@@ -606,8 +607,8 @@ static const struct table_key collapse_keys[] = {
     {"next", "1", "collisions at the one after it"},
     {0}};
 
-/* Theory: half a turn takes pi/phi rounds of two collisions (2.7,
-   eq:collapse). */
+/* Counts the collisions before a collapse for many restitutions. In theory
+   half a turn takes pi/phi rounds of two collisions (2.7, eq:collapse). */
 static void study_collapse(struct study *s)
 {
     const double pi = acos(-1);

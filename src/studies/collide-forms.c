@@ -171,8 +171,9 @@ static const struct table_key drift_keys[] = {
     {"improvement", "1", "error of difference / error of smaller"},
     {0}};
 
-/* Between two rows the forms take turns of a million collisions each, so
-   that a run that is interrupted ends soon. */
+/* Measures how the energy drifts in each form. Between two rows the forms
+   take turns of a million collisions each, so that an interrupted run ends
+   soon. */
 static void study_drift(struct study *s)
 {
     double v[COLLIDE_FORMS][BODIES], error[COLLIDE_FORMS + 1];
@@ -241,7 +242,8 @@ static uint64_t count_galperin(int form, double im_heavy, uint64_t limit)
     return n;
 }
 
-/* The same in single precision, by the best form, smaller. */
+/* Counts the collisions of Galperin's system in single precision, by the
+   form `smaller`, the most accurate one. */
 static uint64_t count_galperin_float(float im_heavy, uint64_t limit)
 {
     float heavy = -1, light = 0;
@@ -343,9 +345,9 @@ static double time_form(const struct bench *b, int form, uint64_t passes)
 static const struct table_key cost_keys[] = {
     {"ns_<form>", "ns", "processor time a collision, median"}, {0}};
 
-/* The forms take turns, so that a machine that slows down for a second
-   slows down all of them. Round -1 is the warm-up: round 0 overwrites its
-   time. */
+/* Measures the time of a collision in each form. The forms take turns, so
+   that a machine that slows down for a second slows down all of them. Round
+   -1 is the warm-up: round 0 overwrites its time. */
 static void study_cost(struct study *s)
 {
     static struct bench b;

@@ -45,8 +45,9 @@ static void begin_four(struct disks *d, double v, uint64_t seed)
 
 enum { BINS = 100 };
 
-/* A disk that an event has left at a wall is on the edge of a bin; rounding
-   must not decide to which side it belongs. */
+/* Returns the bin of a position. A disk at a wall after a collision with it
+   is on the edge of a bin; rounding must not decide to which side it
+   belongs. */
 static int bin_of(double x)
 {
     const double inside = 0.5 + (x - 0.5) * (1 - 1e-9);

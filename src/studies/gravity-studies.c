@@ -1018,7 +1018,8 @@ static double precession(double e, double softening)
     return atan2(x[1], x[0]);
 }
 
-/* The change of a circle's period is known without a run. */
+/* Measures how softening turns an ellipse. The change of a circle's period
+   is known without a run. */
 static void study_softening(struct study *s)
 {
     TABLE_COLUMNS(s->out, {"eps", "AU", "softening"},

@@ -49,7 +49,7 @@ static _Noreturn void end_without_memory(void)
     program_give_up("no memory; use fewer disks or samples");
 }
 
-/* Disks of this radius in the unit box. */
+/* Makes a unit box for disks of this radius. */
 static void make_box(struct sampling *p, double radius)
 {
     if (!sampling_create(p, 2, DISKS_WALLS, (const double[]){1, 1},
@@ -195,8 +195,8 @@ static const struct table_key mistakes_keys[] = {
     {"<way>_pairs_error", "1", "its standard error"},
     {0}};
 
-/* Each way has a run of its own, which begins with a chain that forgets the
-   one before. */
+/* Compares wrong samplers with right ones. Each has a run of its own, which
+   begins with a chain long enough to forget the one before. */
 static void study_mistakes(struct study *s)
 {
     struct means means[WAYS];

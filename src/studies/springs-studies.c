@@ -1194,8 +1194,9 @@ static double speed_of(struct run *r, double (*seconds)(void))
     return (double)(steps * r->scene.bodies) / (seconds() - start);
 }
 
-/* The ways take turns, so that all of them see the same hours of the
-   machine. One round is thrown away; of the others the median counts. */
+/* Measures the speed of each way to step a membrane. The ways take turns,
+   so that disturbances of the machine affect all of them. The first round
+   is discarded; of the others the median is taken. */
 static void measure_speeds(size_t n, double row[1 + SPEEDS])
 {
     double rounds[SPEEDS][BENCH_ROUNDS];

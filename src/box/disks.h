@@ -157,7 +157,8 @@ enum disks_stop disks_run(struct disks *d, double until,
    changing nothing. Source: (5.4, eq:disk-clock). */
 void disks_position(const struct disks *d, size_t i, double place[]);
 
-/* The same for its velocity, m/s, which only gravity changes. */
+/* Fills velocity[DISKS_AXES] with that of disk i at the time d->now, m/s,
+   which only gravity changes between collisions. */
 void disks_velocity(const struct disks *d, size_t i, double velocity[]);
 
 /* Returns the kinetic energy, J; under gravity with that of the heights

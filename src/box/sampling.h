@@ -36,10 +36,10 @@ void sampling_free(struct sampling *s);
    sample of (6.1, eq:throw). */
 size_t sampling_throw(struct sampling *s, struct random *r);
 
-/* Returns an estimate, from so many throws, of the natural logarithm of the
-   fraction of throws in which all fit. Where none got far enough, the last
-   fraction seen is taken for all the rest, which is too hopeful as long as
-   disks do not overlap. */
+/* Returns an estimate, from this number of throws, of the natural logarithm
+   of the fraction of throws in which all fit. Where none got far enough,
+   the last fraction seen is taken for all the rest, which is too hopeful as
+   long as disks do not overlap. */
 double sampling_log_acceptance(struct sampling *s, uint64_t throws,
                                struct random *r);
 

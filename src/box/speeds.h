@@ -31,7 +31,7 @@ struct speeds_law speeds_maxwell(size_t dimensions, bool component);
 double speeds_bins(const struct speeds_law *l, double width, size_t bins,
                    double density[]);
 
-/* The mean of u^4 of a speed in so many dimensions. */
+/* The mean of u^4 of a speed under this law. */
 double speeds_fourth(const struct speeds_law *l);
 
 #endif

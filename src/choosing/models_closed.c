@@ -258,8 +258,8 @@ static double approach_rest(struct vibration *w, struct models_run *r)
 }
 
 /* Returns whether the start would exceed its cost limit if the modes were
-   computed once more. That costs the cube of the number of free
-   coordinates, times 20. */
+   computed once more. That costs 20 times the cube of the number of free
+   coordinates, and may be needed MOST_TRIES times. */
 static bool is_start_dear(const struct models_run *r)
 {
     double work[MODELS_UNITS], size = 0;

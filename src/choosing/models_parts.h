@@ -67,7 +67,7 @@ bool models_is_costly(const struct models_run *r);
    the cost so far: a gas can have very many before the next row. */
 enum { AT_A_TIME = 4096 };
 
-/* Counts the comparisons of putting n bodies in order, so many times. */
+/* Counts the comparisons in sorting n bodies `times` times. */
 void models_count_sorting(struct models_run *r, size_t n, double times);
 
 /* ---- models_acts.c */

@@ -256,7 +256,7 @@ static double body_passes(const struct stepping_method *m, double n)
    long. */
 enum { LISTED = 10 };
 
-/* Counts so many evaluations, with all that belongs to them. */
+/* Counts the work of `asked` force evaluations. */
 static void count_evaluations(const struct models_run *r,
                               const struct steps *t, double asked,
                               double work[MODELS_UNITS])

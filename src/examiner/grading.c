@@ -219,10 +219,10 @@ static int later_seconds(const struct job *job)
 }
 
 /* Counts a test that timed out. After three the remaining tests are not
-   run. Only what the clock on the wall has stopped is tried again, since
-   only that clock goes on while other programs run; for a project that is
-   every late run, because there a program of ours has started the one that
-   is late. */
+   run. Only tests stopped by the limit on wall-clock time are tried again,
+   since only that time passes while other programs run; for a project these
+   are all late runs, because there a program of ours has started the late
+   one. */
 static void note_late(struct job *job, bool by_the_wall)
 {
     const int later = later_seconds(job);

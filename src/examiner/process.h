@@ -51,9 +51,9 @@ bool process_start(char *const command[], const char *folder,
                    const struct process_limits *limits);
 
 /* Has the process that process_start has started copy itself, through the
-   socket `orders', and tells the copy what to do. The copy is our child,
-   in a group of its own: this waits for it as process_run does, for twice
-   so many seconds, and also kills it when it uses more than memory_bytes.
+   socket `orders', and tells the copy what to do. The copy is our child, in
+   a group of its own: this waits for it as process_run does, for twice this
+   number of seconds, and also kills it when it uses more than memory_bytes.
    Returns false when there was no copy. */
 bool process_copy(int orders, const void *order, size_t length, int seconds,
                   rlim_t memory_bytes, struct process_end *end);

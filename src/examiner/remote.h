@@ -23,9 +23,9 @@ void remote_bools(bool x[], size_t count);
    frees it. Ends the program when there is none. */
 void *remote_memory(size_t bytes);
 
-/* The same for count elements of this size. A count from the other side
-   may be any number: if the product does not fit a size_t the program
-   ends. */
+/* Returns such memory for count elements of this size. A count from the
+   other side may be any number: if the product does not fit a size_t the
+   program ends. */
 void *remote_array(size_t count, size_t size);
 
 /* Returns that product, or ends the program. */
@@ -74,7 +74,8 @@ void remote_serve(void);
    writes outside of it is told the name. */
 void *remote_output(const char *name, size_t bytes);
 
-/* The same, filled with the next numbers received. */
+/* Return such memory for count numbers, filled with the next ones received.
+ */
 double *remote_output_doubles(const char *name, size_t count);
 size_t *remote_output_sizes(const char *name, size_t count);
 int *remote_output_ints(const char *name, size_t count);

@@ -131,8 +131,8 @@ struct stream {
 };
 
 /* Reads what the program has printed since the last time; returns whether
-   there was any. It goes through pipes that are read while it runs: no
-   file has to hold 16 MiB, and a child that goes on printing is not waited
+   there was any. It goes through pipes that are read while it runs: no file
+   has to hold 16 MiB, and a child that continues to print is not waited
    for. */
 static bool take_down(struct stream *s)
 {

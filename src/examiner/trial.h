@@ -21,7 +21,7 @@ struct trial {
     const char *source; /* path of the file, as given to the compiler */
     bool sanitized;     /* compiled with the address sanitizer */
     bool leaks;         /* look for leaks as well */
-    int seconds;        /* of processor time; twice that on the wall */
+    int seconds;        /* of processor time; of wall-clock time: twice */
     const char *runner; /* path of the runner from folder/desk */
     const char *seed;   /* of the inputs; NULL: that of all students */
     long user;          /* user that a judge becomes, or 0 */
@@ -48,8 +48,8 @@ enum state trial_run(const struct trial *trial, int number, FILE *story);
 void trial_open(const struct trial *trial);
 void trial_close(void);
 
-/* Returns whether the last test was stopped by the clock on the wall; it
-   may have been late because the machine had other work. */
+/* Returns whether the last test was stopped by the limit on wall-clock
+   time; it may have been late because the machine had other work. */
 bool trial_waited(void);
 
 /* Returns whether a sanitizer ended the last test because it found a

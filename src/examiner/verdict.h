@@ -14,7 +14,8 @@ struct verdict_rules {
 /* Judges an exercise: fills in its state, points and story. */
 void verdict_reach(struct exercise *e, const struct verdict_rules *rules);
 
-/* The same, if that needs no compiler; otherwise e->judged stays false. */
+/* Judges an exercise if that needs no compiler; otherwise e->judged stays
+   false. */
 void verdict_from_cache(struct exercise *e,
                         const struct verdict_rules *rules);
 

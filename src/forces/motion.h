@@ -81,7 +81,7 @@ double motion_time(const struct motion *m); /* s */
 bool motion_shorten(struct motion *m, double dt);
 
 /* Takes m, before its first step, for a run that began at the time start,
-   s, and has come so many steps far. */
+   s, and has taken `steps` steps. */
 void motion_resume(struct motion *m, double start, uint64_t steps);
 
 /* Puts time, step (that of the beginning), rounding errors and the

@@ -48,8 +48,8 @@ void observables_head_states(struct table *t, size_t n,
 void observables_states(const struct motion *m, size_t n,
                         const size_t body[], double values[]);
 
-/* Returns the name of kind k, NULL if there are not so many, and of how
-   many bodies it is asked. */
+/* Returns the name of kind k, NULL if there are fewer kinds. Sets *bodies
+   to the number of bodies in its arguments. */
 const char *observables_name(size_t k, size_t *bodies);
 
 #endif

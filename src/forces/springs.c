@@ -26,9 +26,9 @@ static inline double tension(double stiffness, double length, double rest)
     return stiffness * (length - rest) / length;
 }
 
-/* Returns the tension with a dashpot along the axis, (10.3,
-   eq:axial-dashpot); rate is the scalar product of the vector from a to b
-   and its rate of change, m^2/s. */
+/* Returns the tension of a spring with a dashpot along its axis: see
+   (10.3, eq:axial-dashpot). rate is the scalar product of the vector from a
+   to b and its rate of change, m^2/s. */
 static inline double axial_tension(double stiffness, double damping,
                                    double length, double rest, double rate)
 {

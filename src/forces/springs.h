@@ -36,7 +36,7 @@ struct springs {
     size_t bodies, count;
     struct scene_spring *spring; /* in the order of the sums; a < b */
     struct scene_kind *kind;
-    size_t listed; /* so many springs, the first ones, are in no band */
+    size_t listed; /* number of springs in no band: the first ones */
     size_t bands;
     struct springs_band *band;
     double *inverse; /* [3 * bodies] of the mass; 0 where it is held */

@@ -8,8 +8,9 @@
    infinite. Source: (5.13, eq:fall-floor). */
 double fall_to_floor(double x, double v, double g);
 
-/* The same for a roof that is x above it; INFINITY if the body does not
-   get there or only just touches it. Source: (5.14, eq:fall-roof). */
+/* The time, s, until the body reaches a roof at a distance x above it;
+   INFINITY if it does not get there or only just touches it.
+   Source: (5.14, eq:fall-roof). */
 double fall_to_roof(double x, double v, double g);
 
 /* The speed, m/s, at which it is then at the floor; with -x at the roof.

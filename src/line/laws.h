@@ -71,8 +71,8 @@ bool laws_test(const struct law *law, size_t n, const double x[], double g,
    number of samples, many, is more than lambda. */
 double laws_kolmogorov(double lambda);
 
-/* Returns the probability that chi-square of so many degrees of freedom is
-   more than chi2. */
+/* Returns the probability that chi-square with this number of degrees of
+   freedom exceeds chi2. */
 double laws_chi2(double chi2, double degrees);
 
 #endif

@@ -43,8 +43,8 @@ double piston_inertia(const struct piston *p);
    it was too long. Only + - * / are used. Source: (4.5, eq:leapfrog). */
 bool piston_step(const struct piston *p, struct piston_state *s, double dt);
 
-/* The same by the classical fourth-order Runge-Kutta step, for
-   comparison. */
+/* Moves the piston as piston_step does, but by a classical fourth-order
+   Runge-Kutta step, for comparison. */
 bool piston_step_rk4(const struct piston *p, struct piston_state *s,
                      double dt);
 

@@ -64,8 +64,9 @@ struct motion {
 struct bonkers_slab {
     double width;         /* of the next slabs, s; 0: not known */
     size_t slabs, count;  /* to be under way next, and now */
-    size_t alone;         /* so many more go alone */
-    size_t after_failure; /* so many went alone after the last failure */
+    size_t alone;         /* number of slabs still to be run alone */
+    size_t after_failure; /* number of slabs run alone after the last
+                             failure */
     struct slab slab[SLABS + 2];
     struct motion *saved;
     uint32_t *repeats; /* saved, too */

@@ -143,9 +143,9 @@ static void fill_thermal(struct start *s, struct random *r)
     warm(r, s, 0, n, (double)n / 2);
 }
 
-/* The same gas with masses spread evenly from 1 kg to 9 kg, in random
-   order: the inside-out form of the shuffle of Fisher and Yates puts the
-   i-th mass at a random place k <= i, and what was there at place i. */
+/* The gas of fill_thermal with masses spread evenly from 1 kg to 9 kg, in
+   random order: the inside-out form of the shuffle of Fisher and Yates puts
+   the i-th mass at a random place k <= i, and what was there at place i. */
 static void fill_random(struct start *s, struct random *r)
 {
     const size_t n = s->movers;

@@ -70,7 +70,7 @@ struct disks {
     struct disks_plan *plan; /* of disks_run */
 };
 
-/* Prepares count disks (2 or 3 dimensions): masses 1, restitution 1, all
+/* Prepares count >= 1 disks (2 or 3 dimensions): masses 1, restitution 1, all
    else 0. Returns false, with nothing to free, when there is no memory. */
 bool disks_create(struct disks *d, size_t dimensions, size_t count);
 

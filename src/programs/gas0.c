@@ -1,5 +1,5 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 3135711665 of the lines below */
+/* checksum 1190074923 of the lines below */
 /* A gas of disks: rows of speed, its density and error, and two laws. */
 #include "box/disks.h"
 #include "box/speeds.h"
@@ -54,6 +54,10 @@ int main(int argc, char *argv[])
     const size_t n = argc > 2 ? strtoul(argv[2], NULL, 10) : 1000;
     const double a = argc > 3 ? atof(argv[3]) : 7.5;
     const double b = argc > 4 ? atof(argv[4]) : 5;
+    if (count < 2 || n < 2 || !(a > 0 && b > 0)) {
+        fprintf(stderr, "gas0: expected disks, samples, width, height\n");
+        return 2;
+    }
     double *p = calloc(BINS * n, sizeof *p), exact[BINS], Maxwell[BINS];
     struct speeds_law law = speeds_exact(2, count, false, false);
     speeds_bins(&law, width, BINS, exact);

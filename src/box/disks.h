@@ -70,8 +70,9 @@ struct disks {
     struct disks_plan *plan; /* of disks_run */
 };
 
-/* Prepares count >= 1 disks (2 or 3 dimensions): masses 1, restitution 1, all
-   else 0. Returns false, with nothing to free, when there is no memory. */
+/* Prepares count >= 1 disks (2 or 3 dimensions): masses 1, restitution 1,
+   all else 0. Returns false, with nothing to free, when there is no memory.
+ */
 bool disks_create(struct disks *d, size_t dimensions, size_t count);
 
 /* Frees the disks and makes *d empty. */

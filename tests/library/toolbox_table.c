@@ -10,6 +10,7 @@
 #include "toolbox/version.h"
 
 #include <dirent.h>
+#include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/resource.h>
@@ -409,6 +410,21 @@ static int sum_of_pipe(void *unused)
 TEST(test_no_sum, "what cannot be read has no sum")
 {
     UNIT_EQUAL(child_run(sum_of_pipe, NULL, NULL).status, 0);
+}
+
+TEST(test_cancel, "cancelling a file keeps errno")
+{
+    for (int removed = 0; removed < 2; ++removed) {
+        char *temporary;
+        const int file = replace_begin("out", REPLACE_USUAL, &temporary);
+        UNIT_TRUE(file > STDERR_FILENO);
+        close(file);
+        UNIT_TRUE(!removed || unlink(temporary) == 0);
+        errno = EDOM; /* nothing in here sets that */
+        replace_cancel(temporary);
+        UNIT_EQUAL(errno, EDOM);
+        UNIT_EQUAL(sweep(), 0);
+    }
 }
 
 static int replaces_input(void *path)

@@ -95,8 +95,10 @@ shift $(($(grep -ho 'livefigure{[a-z]*}' chapters/*.nw | sort -u | wc -l) - 1))
 holds "and $1 figures move" sh -c "tr '\n' ' ' <README.md |
     grep -q 'where $1 of the figures move'"
 first=$(sed -n 's/.*| \([0-9]*, [0-9]*\) minutes |$/\1/p' "$work/rows" | sed 1q)
-equal 'the week has the time of the first chapter' "5, $(number \
-    'an hour to read, N minutes for its five')" "$first"
+set -- one two three four five six seven eight nine ten
+shift $((${first%,*} - 1))
+equal 'the week has the time of the first chapter' "${first#*, }" \
+    "$(number "an hour to read, N minutes for its $1 exercises")"
 holds 'which takes an hour to read, and one in the laboratory' \
     grep -q '^.boxline{Time}{60 minutes to read; .* one lab hour' chapters/01-collide.nw
 # Another test makes the course anew, perhaps just now.
@@ -122,7 +124,7 @@ for file in README.md CONTRIBUTING.md SECURITY.md CHANGELOG.md; do
             [ -n "$(find src tests plots chapters -path "*/${name%/}")" ] ||
             echo "$file: $name"
     done
-done | grep -v 'tests/exercises/01f/$' >"$work/out"
+done | grep -v 'tests/exercises/01f/$\|^CHANGELOG.md: src/enough$' >"$work/out"
 equal 'each goal and each path that is named is there' '' "$(cat "$work/out")"
 holds 'the film of README is one that can be made' env SCENE=ring \
     KEYS='--factor 1000' VIEW=tilted plots/show movie --wanted
@@ -177,4 +179,4 @@ END
 done
 holds 'and ends so' grep -q "\"$(json endsPattern .vscode/tasks.json |
     sed 's/^^/.n/')" src/examiner/watch.c
-echo 1..35
+echo 1..33

@@ -1,9 +1,5 @@
 /* A right answer in plain C, with which wrong.diff begins. */
 
-#include "exercise.h"
-#include <math.h>
-#include <stdbool.h>
-
 bool measure_collision(double u1, double u2, double v1, double v2,
                        double *mass_ratio, double *restitution)
 {

@@ -1,9 +1,5 @@
 /* A right answer: sit on the second body, which is then at rest before. */
 
-#include "exercise.h"
-#include <math.h>
-#include <stdbool.h>
-
 bool measure_collision(double u1, double u2, double v1, double v2,
                        double *mass_ratio, double *restitution)
 {

@@ -1,9 +1,5 @@
 /* A right answer: each inverse mass in units of the impulse. */
 
-#include "exercise.h"
-#include <math.h>
-#include <stdbool.h>
-
 static bool is_a_mass(double inverse)
 {
     return inverse >= 0.0;

@@ -1,8 +1,5 @@
 /* A right answer: on the ground, pair by pair, both velocities kept. */
 
-#include "exercise.h"
-#include <stddef.h>
-
 double top_velocity(size_t n, const double masses[], double speed,
                     double restitution)
 {

@@ -1,8 +1,5 @@
 /* A right answer: a stack is a ball thrown at a smaller stack. */
 
-#include "exercise.h"
-#include <stddef.h>
-
 static double climb(size_t left, const double *ball, double speed, double e,
                     double up)
 {

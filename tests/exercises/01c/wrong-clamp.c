@@ -1,8 +1,6 @@
 /* mistake: never-downwards */
 
-#include "exercise.h"
 #include <math.h>
-#include <stddef.h>
 
 double top_velocity(size_t n, const double masses[], double speed,
                     double restitution)

@@ -1,8 +1,5 @@
 /* mistake: masses-exchanged */
 
-#include "exercise.h"
-#include <stddef.h>
-
 double top_velocity(size_t n, const double masses[], double speed,
                     double restitution)
 {

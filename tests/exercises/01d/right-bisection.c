@@ -1,6 +1,5 @@
 /* A right answer: the blow carried out, and bisection to take aim. */
 
-#include "exercise.h"
 #include <math.h>
 
 static double turn(double phi, double ratio)

@@ -1,9 +1,5 @@
 /* A right answer: energy, momentum, and that something has happened. */
 
-#include "exercise.h"
-#include <math.h>
-#include <stdbool.h>
-
 static bool one(void (*collide)(double, double, double *, double *),
                 const double of[4])
 {

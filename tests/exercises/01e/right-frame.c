@@ -1,10 +1,6 @@
 /* A right answer: in the frame of the centre of mass both turn round, and
    in any other frame it is the same. */
 
-#include "exercise.h"
-#include <math.h>
-#include <stdbool.h>
-
 bool passes(void (*collide)(double m1, double m2, double *v1, double *v2))
 {
     double heavier, w, c;

@@ -1,9 +1,5 @@
 /* mistake: second-at-rest */
 
-#include "exercise.h"
-#include <math.h>
-#include <stdbool.h>
-
 bool passes(void (*collide)(double m1, double m2, double *v1, double *v2))
 {
     static const double t[][4] = {

@@ -1,9 +1,5 @@
 /* A right answer in plain C, with which wrong.diff begins. */
 
-#include "exercise.h"
-#include <math.h>
-#include <stddef.h>
-
 double next_meeting(size_t n, double length, const double x[],
                     const double v[], size_t *left)
 {

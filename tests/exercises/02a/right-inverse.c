@@ -1,9 +1,5 @@
 /* A right answer: the largest inverse time, bead by bead; the seam last. */
 
-#include "exercise.h"
-#include <math.h>
-#include <stddef.h>
-
 static double closing(double a, double b, double va, double vb)
 {
     if (va <= vb)

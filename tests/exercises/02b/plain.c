@@ -1,12 +1,5 @@
 /* A right answer in plain C, with which wrong.diff begins. */
 
-#include "exercise.h"
-#include <stddef.h>
-
-struct event {
-    double t, x, v;
-};
-
 void sample(size_t events, const struct event path[], double tick,
             size_t samples, double x[])
 {

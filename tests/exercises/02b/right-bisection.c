@@ -1,13 +1,6 @@
 /* A right answer: the event after each tick by bisection, and the straight
    line between the events on both sides. */
 
-#include "exercise.h"
-#include <stddef.h>
-
-struct event {
-    double t, x, v;
-};
-
 static double between(struct event a, struct event b, double t)
 {
     double part = (t - a.t) / (b.t - a.t);

@@ -1,9 +1,5 @@
 /* A right answer: each ghost counts those to its left. */
 
-#include "exercise.h"
-#include <math.h>
-#include <stddef.h>
-
 /* From -length to length; negative on the way back. */
 static double mirrored(double way, double length)
 {

@@ -1,8 +1,5 @@
 /* A right answer: a hundred halvings of the whole range for each edge. */
 
-#include "exercise.h"
-#include <stddef.h>
-
 void equal_bins(double (*distribution)(double x), double low, double high,
                 size_t bins, double edge[])
 {

@@ -1,8 +1,5 @@
 /* mistake: stops-early */
 
-#include "exercise.h"
-#include <stddef.h>
-
 void equal_bins(double (*distribution)(double x), double low, double high,
                 size_t bins, double edge[])
 {

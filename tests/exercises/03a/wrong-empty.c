@@ -1,8 +1,5 @@
 /* mistake: left-empty */
 
-#include "exercise.h"
-#include <stddef.h>
-
 static double search(double (*f)(double x), double a, double b,
                      double target)
 {

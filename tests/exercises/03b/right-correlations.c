@@ -1,10 +1,6 @@
 /* A right answer: the correlations, summed with weights that fall to zero
    at two hundredths of the series. */
 
-#include "exercise.h"
-#include <math.h>
-#include <stddef.h>
-
 double mean_and_error(size_t n, const double x[], double *error)
 {
     double mean = 0, sum = 0;

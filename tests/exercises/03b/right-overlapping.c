@@ -1,8 +1,6 @@
 /* A right answer: blocks that overlap, each one place further, from running
    sums. */
 
-#include "exercise.h"
-#include <math.h>
 #include <stdlib.h>
 
 double mean_and_error(size_t n, const double x[], double *error)

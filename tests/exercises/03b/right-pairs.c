@@ -1,7 +1,5 @@
 /* A right answer: neighbours are averaged until fifty or so are left. */
 
-#include "exercise.h"
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

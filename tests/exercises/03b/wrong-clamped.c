@@ -1,9 +1,5 @@
 /* mistake: clamped-at-independent */
 
-#include "exercise.h"
-#include <math.h>
-#include <stddef.h>
-
 double mean_and_error(size_t n, const double x[], double *error)
 {
     size_t b, i, m = 32, length = n / m;

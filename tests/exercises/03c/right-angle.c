@@ -1,8 +1,5 @@
 /* A right answer: u is the sine of an angle, and Simpson does the rest. */
 
-#include "exercise.h"
-#include <math.h>
-
 enum { PANELS = 20000 };
 
 static double simpson(int power, double to)

@@ -1,8 +1,5 @@
 /* A right answer: each law from the one before, called by name. */
 
-#include "exercise.h"
-#include <math.h>
-
 static double constant(int n)
 {
     return exp(lgamma(0.5 * n) - lgamma(0.5 * n - 0.5)) / sqrt(acos(-1));

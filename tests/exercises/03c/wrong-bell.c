@@ -1,8 +1,5 @@
 /* mistake: bell-for-the-law */
 
-#include "exercise.h"
-#include <math.h>
-
 double velocity_below(int n, double u)
 {
     if (u <= -1)

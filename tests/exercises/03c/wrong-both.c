@@ -1,8 +1,5 @@
 /* mistake: both-sides */
 
-#include "exercise.h"
-#include <math.h>
-
 static double law(int n, double u)
 {
     double pi = acos(-1), w = 1 - u * u, f, t;

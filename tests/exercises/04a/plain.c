@@ -1,8 +1,5 @@
 /* A right answer in plain C, with which wrong.diff begins. */
 
-#include "exercise.h"
-#include <math.h>
-
 void piston_slopes(int f, double length, double mass, double gas,
                    const double energy[2], const double state[2],
                    double slope[2])

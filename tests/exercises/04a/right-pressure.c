@@ -1,8 +1,5 @@
 /* A right answer: the pressure of the textbooks, with an exponent gamma. */
 
-#include "exercise.h"
-#include <math.h>
-
 static double pressed(double in_the_middle, double gamma, double part)
 {
     return in_the_middle * exp(-gamma * log(2 * part));

@@ -1,13 +1,5 @@
 /* A right answer in plain C, with which wrong.diff begins. */
 
-#include "exercise.h"
-#include <math.h>
-#include <stddef.h>
-
-struct sort {
-    double m, v, left, right;
-};
-
 double rain_force(size_t n, const struct sort rain[], double im, double V,
                   double *friction)
 {

@@ -1,12 +1,5 @@
 /* A right answer: the two sides one after the other, with masses. */
 
-#include "exercise.h"
-#include <stddef.h>
-
-struct sort {
-    double m, v, left, right;
-};
-
 double rain_force(size_t n, const struct sort rain[], double im, double V,
                   double *friction)
 {

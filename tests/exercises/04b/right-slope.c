@@ -2,13 +2,6 @@
    a wall at 1 m/s and one at -1 m/s have as their half difference; the
    particles that they would overtake are no matter for a parabola. */
 
-#include "exercise.h"
-#include <stddef.h>
-
-struct sort {
-    double m, v, left, right;
-};
-
 static double at(size_t n, const struct sort *s, double im, double V)
 {
     double all = 0;

@@ -1,9 +1,6 @@
 /* A right answer: from where the path is nearest to the centre of the box
    the distance only grows, so halving finds where it is reached. */
 
-#include "exercise.h"
-#include <math.h>
-
 double round_wall_time(double box, double radius, const double r[2],
                        const double v[2])
 {

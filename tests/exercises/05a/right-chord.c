@@ -1,8 +1,5 @@
 /* A right answer: half a chord, less the way along it made already. */
 
-#include "exercise.h"
-#include <math.h>
-
 double round_wall_time(double box, double radius, const double r[2],
                        const double v[2])
 {

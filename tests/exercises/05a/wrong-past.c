@@ -1,8 +1,5 @@
 /* mistake: time-in-the-past */
 
-#include "exercise.h"
-#include <math.h>
-
 double round_wall_time(double box, double radius, const double r[2],
                        const double v[2])
 {

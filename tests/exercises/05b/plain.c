@@ -1,12 +1,5 @@
 /* A right answer in plain C, with which wrong.diff begins. */
 
-#include "exercise.h"
-#include <math.h>
-
-struct thrown {
-    double x, y, vx, vy, radius;
-};
-
 double falling_pair_time(double g, const struct thrown *a,
                          const struct thrown *b, double *height)
 {

@@ -1,12 +1,6 @@
 /* A right answer: places and velocities as complex numbers. */
 
-#include "exercise.h"
 #include <complex.h>
-#include <math.h>
-
-struct thrown {
-    double x, y, vx, vy, radius;
-};
 
 double falling_pair_time(double g, const struct thrown *a,
                          const struct thrown *b, double *height)

@@ -1,13 +1,6 @@
 /* A right answer: how far along the line of relative motion, and how far
    beside it. */
 
-#include "exercise.h"
-#include <math.h>
-
-struct thrown {
-    double x, y, vx, vy, radius;
-};
-
 static double drop(double g, double y, double v, double t)
 {
     return y + v * t - g * t * t / 2;

@@ -1,15 +1,6 @@
 /* A right answer: asks anew after each flight, and remembers nothing but
    the time of the disks. */
 
-#include "exercise.h"
-#include <stddef.h>
-
-struct box;
-double box_next(struct box *box);
-void box_fly(struct box *box, double time);
-void box_collide(struct box *box);
-void box_record(struct box *box, double t);
-
 static void go_to(struct box *box, double from, double to)
 {
     double wait;

@@ -1,15 +1,6 @@
 /* A right answer: no clock, only what is left of the tick and of the way
    to the collision. */
 
-#include "exercise.h"
-#include <stddef.h>
-
-struct box;
-double box_next(struct box *box);
-void box_fly(struct box *box, double time);
-void box_collide(struct box *box);
-void box_record(struct box *box, double t);
-
 void box_run(struct box *box, double tick, size_t samples)
 {
     double left = tick, wait = box_next(box);

@@ -1,14 +1,5 @@
 /* mistake: one-collision-a-tick */
 
-#include "exercise.h"
-#include <stddef.h>
-
-struct box;
-double box_next(struct box *box);
-void box_fly(struct box *box, double time);
-void box_collide(struct box *box);
-void box_record(struct box *box, double t);
-
 void box_run(struct box *box, double tick, size_t samples)
 {
     double t = 0.0, event = box_next(box);

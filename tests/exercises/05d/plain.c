@@ -1,16 +1,6 @@
 /* A right answer in plain C, with which wrong.diff begins. */
 
-#include "exercise.h"
 #include <math.h>
-#include <stddef.h>
-
-enum wall { LEFT, RIGHT, BOTTOM, TOP };
-
-struct wall_hit {
-    double t;
-    enum wall wall;
-    double mass, v;
-};
 
 void wall_z(size_t n, const struct wall_hit hits[], const double size[2],
             size_t disks, double energy, double from, double until,

@@ -1,14 +1,5 @@
 /* A right answer: a zigzag is the arccosine of a cosine. */
 
-#include "exercise.h"
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
-
-struct state {
-    double x, y, vx, vy;
-};
-
 static bool there(double x, double from, double v, double size, double t)
 {
     double pi = acos(-1), at = acos(cos(pi * (from + v * t) / size));

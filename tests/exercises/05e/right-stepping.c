@@ -1,15 +1,6 @@
 /* A right answer: the way of a tick, and what is beyond a wall comes back.
  */
 
-#include "exercise.h"
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
-
-struct state {
-    double x, y, vx, vy;
-};
-
 static void on(double *x, double *v, double size, double t)
 {
     *x += *v * t;

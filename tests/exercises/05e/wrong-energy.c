@@ -1,14 +1,5 @@
 /* mistake: energy-only */
 
-#include "exercise.h"
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
-
-struct state {
-    double x, y, vx, vy;
-};
-
 static double at(double x, double v, double size, double t)
 {
     double boxes = fmod(fabs(x + v * t) / size, 2);

@@ -1,15 +1,7 @@
 /* A right answer: one event after the other in the order of time. The next
    one is the earliest whose parent has been seen. */
 
-#include "exercise.h"
 #include <math.h>
-#include <stddef.h>
-
-struct event {
-    double time;
-    size_t i, j;
-    unsigned count_i, count_j;
-};
 
 static size_t following(size_t n, const struct event heap[], double now)
 {

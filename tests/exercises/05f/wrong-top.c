@@ -1,14 +1,5 @@
 /* mistake: top-unchecked */
 
-#include "exercise.h"
-#include <stddef.h>
-
-struct event {
-    double time;
-    size_t i, j;
-    unsigned count_i, count_j;
-};
-
 size_t next_valid(size_t n, const struct event heap[],
                   const unsigned counts[], size_t *stale)
 {

@@ -1,10 +1,5 @@
 /* A right answer in plain C, with which wrong.diff begins. */
 
-#include "exercise.h"
-#include <stddef.h>
-
-double uniform(void);
-
 static int hits(size_t i, size_t j, const double r[], const double x[],
                 const double y[])
 {

@@ -1,12 +1,6 @@
 /* A right answer: all disks are thrown, and then every pair is looked at.
  */
 
-#include "exercise.h"
-#include <stdbool.h>
-#include <stddef.h>
-
-double uniform(void);
-
 static double place(double size, double r)
 {
     double u = uniform();

@@ -1,10 +1,6 @@
 /* A right answer: one loop, and back to the first disk at an overlap. */
 
-#include "exercise.h"
 #include <math.h>
-#include <stddef.h>
-
-double uniform(void);
 
 size_t throw_disks(size_t n, const double radius[], double width,
                    double height, double x[], double y[])

@@ -1,10 +1,5 @@
 /* A right answer in plain C, with which wrong.diff begins. */
 
-#include "exercise.h"
-#include <stddef.h>
-
-double uniform(void);
-
 static int allowed(size_t n, double radius, double dish, const double x[],
                    const double y[], size_t i, double a, double b)
 {

@@ -1,11 +1,6 @@
 /* A right answer: the disk is moved, and put back where it may not be; the
    average is kept up to date by the change of one disk. */
 
-#include "exercise.h"
-#include <stddef.h>
-
-double uniform(void);
-
 static double far(double x, double y)
 {
     return x * x + y * y;

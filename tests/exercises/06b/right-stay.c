@@ -1,11 +1,6 @@
 /* A right answer: each placing is weighed with the tries that it lasts. */
 
-#include "exercise.h"
 #include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
-
-double uniform(void);
 
 static double squares(size_t n, const double x[], const double y[])
 {

@@ -1,8 +1,5 @@
 /* A right answer in plain C, with which wrong.diff begins. */
 
-#include "exercise.h"
-#include <math.h>
-
 static double piece(int dimensions, double z, double c)
 {
     if (dimensions == 2)

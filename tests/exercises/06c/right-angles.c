@@ -1,8 +1,5 @@
 /* A right answer: two sectors less a kite; two balls by one formula. */
 
-#include "exercise.h"
-#include <math.h>
-
 static double flat(double a, double b, double r)
 {
     double u = (r * r + a * a - b * b) / (2 * r * a);

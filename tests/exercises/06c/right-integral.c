@@ -1,9 +1,6 @@
 /* A right answer: the overlap is the integral of the chord, by Gauss with
    20 points; a substitution takes away the root at the far end. */
 
-#include "exercise.h"
-#include <math.h>
-
 static double section(int dimensions, double a, double b, double r)
 {
     double c = (r * r + a * a - b * b) / (2 * r);

@@ -1,9 +1,5 @@
 /* A right answer: with comparisons instead of remainders. */
 
-#include "exercise.h"
-#include <math.h>
-#include <stddef.h>
-
 size_t push_chain(size_t n, double sigma, double width, double height,
                   double x[], const double y[], size_t first, double length)
 {

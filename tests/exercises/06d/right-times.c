@@ -1,9 +1,5 @@
 /* A right answer: the touches of a disk with all images of the others. */
 
-#include "exercise.h"
-#include <math.h>
-#include <stddef.h>
-
 static double touch(double dx, double dy, double sigma)
 {
     double q = sigma * sigma - dy * dy;

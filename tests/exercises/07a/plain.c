@@ -1,8 +1,5 @@
 /* A right answer in plain C, with which wrong.diff begins. */
 
-#include "exercise.h"
-#include <math.h>
-
 double speed_below(int n, double mean_square, double v, double *fourth)
 {
     double x = v * v / (n * mean_square), m = mean_square;

@@ -1,8 +1,5 @@
 /* A right answer: the exponent bit by bit, and never 1 minus it. */
 
-#include "exercise.h"
-#include <math.h>
-
 double speed_below(int n, double mean_square, double v, double *fourth)
 {
     double s = v / sqrt(mean_square) * (v / sqrt(mean_square)) / n;

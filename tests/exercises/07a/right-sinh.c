@@ -1,8 +1,5 @@
 /* A right answer: a logarithm from atanh, and a hyperbolic sine. */
 
-#include "exercise.h"
-#include <math.h>
-
 double speed_below(int n, double mean_square, double v, double *fourth)
 {
     double most = n * mean_square, q = v * v, y;

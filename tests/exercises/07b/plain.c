@@ -1,16 +1,5 @@
 /* A right answer in plain C, with which wrong.diff begins. */
 
-#include "exercise.h"
-#include <math.h>
-#include <stddef.h>
-
-struct collision {
-    double mass[2];
-    double apart[3];
-    double first[3];
-    double second[3];
-};
-
 double compressibility(int dimensions, const double box[3], size_t n,
                        double energy, double time, size_t count,
                        const struct collision collisions[],

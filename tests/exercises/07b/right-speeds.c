@@ -1,16 +1,5 @@
 /* A right answer: speed of approach and distance, backwards. */
 
-#include "exercise.h"
-#include <math.h>
-#include <stddef.h>
-
-struct collision {
-    double mass[2];
-    double apart[3];
-    double first[3];
-    double second[3];
-};
-
 static double length(const double r[], int d)
 {
     return d == 2 ? hypot(r[0], r[1]) : hypot(hypot(r[0], r[1]), r[2]);

@@ -1,10 +1,5 @@
 /* A right answer in plain C, with which wrong.diff begins. */
 
-#include "exercise.h"
-#include <stddef.h>
-
-void acceleration(const double x[], double a[]);
-
 void drift_kick_drift(size_t n, double x[], double v[], double dt,
                       size_t steps)
 {

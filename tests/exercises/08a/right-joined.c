@@ -1,10 +1,5 @@
 /* Half drifts that meet are one. */
 
-#include "exercise.h"
-#include <stddef.h>
-
-void acceleration(const double x[], double a[]);
-
 void drift_kick_drift(size_t n, double x[], double v[], double dt,
                       size_t steps)
 {

@@ -1,10 +1,5 @@
 /* A middle of its own, and the mean of the two velocities. */
 
-#include "exercise.h"
-#include <stddef.h>
-
-void acceleration(const double x[], double a[]);
-
 static void leap(int n, double *x, double *v, double dt)
 {
     double middle[60] = {0}, a[60], old;

@@ -1,9 +1,6 @@
 /* Stage after stage, each a call; the end is one stage more. */
 
-#include "exercise.h"
 #include <stdlib.h>
-
-void slope(double t, const double y[], double dy[]);
 
 void three_eighths(double a[], double b[])
 {

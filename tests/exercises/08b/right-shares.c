@@ -1,11 +1,7 @@
 /* Each slope is handed out to the later stages and to the end as soon as it
    is known; the last row of sums is the end. */
 
-#include "exercise.h"
-#include <stddef.h>
 #include <string.h>
-
-void slope(double t, const double y[], double dy[]);
 
 void three_eighths(double a[], double b[])
 {

@@ -1,10 +1,7 @@
 /* The runs of use are copied out first; then one looks at the last ones. */
 
-#include "exercise.h"
 #include <math.h>
 #include <stdlib.h>
-
-enum verdict { TOO_FEW, NOT_YET, MEASURED };
 
 struct run {
     double log_h, log_error;

@@ -1,10 +1,6 @@
 /* From the largest step on; the last two slopes are kept. */
 
-#include "exercise.h"
 #include <math.h>
-#include <stddef.h>
-
-enum verdict { TOO_FEW, NOT_YET, MEASURED };
 
 enum verdict measure_order(size_t n, const double h[], const double error[],
                            double rounding, double *order)

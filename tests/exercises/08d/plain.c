@@ -1,9 +1,6 @@
 /* A right answer in plain C, with which wrong.diff begins. */
 
-#include "exercise.h"
 #include <math.h>
-
-void step(double h, double y[2]);
 
 static double growth(double h)
 {

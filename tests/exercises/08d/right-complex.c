@@ -1,10 +1,7 @@
 /* The eigenvalues as complex numbers; a hundred halvings. */
 
-#include "exercise.h"
 #include <complex.h>
 #include <math.h>
-
-void step(double h, double y[2]);
 
 static int grows(double h)
 {

@@ -1,10 +1,7 @@
 /* Without a root: both eigenvalues of l^2 - T l + D lie within a circle of
    the radius r if D <= r^2 and |T| r <= r^2 + D. Halving is recursive. */
 
-#include "exercise.h"
 #include <math.h>
-
-void step(double h, double y[2]);
 
 static int good(double h)
 {

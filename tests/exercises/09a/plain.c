@@ -1,8 +1,6 @@
 /* A right answer in plain C, with which wrong.diff begins. */
 
-#include "exercise.h"
 #include <math.h>
-#include <stddef.h>
 
 double potential_energy(size_t n, const double mass[], const double x[],
                         double k2, double softening, double potential[])

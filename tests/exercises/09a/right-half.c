@@ -1,8 +1,6 @@
 /* Every body looks at all others; half of the sum is the energy. */
 
-#include "exercise.h"
 #include <math.h>
-#include <stddef.h>
 
 double potential_energy(size_t n, const double mass[], const double x[],
                         double k2, double softening, double potential[])

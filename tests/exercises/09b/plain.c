@@ -1,8 +1,6 @@
 /* A right answer in plain C, with which wrong.diff begins. */
 
-#include "exercise.h"
 #include <math.h>
-#include <stddef.h>
 
 void binary_speeds(double k2, double m1, double m2, double d, double *v1,
                    double *v2)

@@ -1,9 +1,7 @@
 /* Circles and their periods; for the choreography the pull of each body,
    part by part. */
 
-#include "exercise.h"
 #include <math.h>
-#include <stddef.h>
 
 #define PI 3.14159265358979323846
 

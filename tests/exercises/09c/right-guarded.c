@@ -1,7 +1,6 @@
 /* Newton's rule for what is added to M, from the middle; whenever it leaves
    what is known, the interval is halved instead. */
 
-#include "exercise.h"
 #include <math.h>
 
 double eccentric_anomaly(double e, double mean)

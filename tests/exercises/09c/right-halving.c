@@ -1,6 +1,5 @@
 /* Halving, until there is no number between. */
 
-#include "exercise.h"
 #include <math.h>
 
 double eccentric_anomaly(double e, double mean)

@@ -1,6 +1,5 @@
 /* mistake: cosine-for-sine */
 
-#include "exercise.h"
 #include <math.h>
 
 double eccentric_anomaly(double e, double mean)

@@ -1,6 +1,5 @@
 /* mistake: mean-for-eccentric */
 
-#include "exercise.h"
 #include <math.h>
 
 double eccentric_anomaly(double e, double mean)

@@ -1,12 +1,7 @@
 /* A right answer: accelerations in an array of their own, and the three
    parts of the step in a loop. */
 
-#include "exercise.h"
-#include <math.h>
-#include <stddef.h>
 #include <stdlib.h>
-
-void drift(double sun, double dt, double x[3], double v[3]);
 
 void ellipses_and_kicks(size_t n, const double gm[], double sun, double dt,
                         double x[][3], double v[][3])

@@ -1,11 +1,5 @@
 /* A right answer: each planet asks all others. */
 
-#include "exercise.h"
-#include <math.h>
-#include <stddef.h>
-
-void drift(double sun, double dt, double x[3], double v[3]);
-
 static void pulls(size_t n, const double gm[], double sun, double t,
                   double x[][3], double v[][3])
 {

@@ -1,9 +1,6 @@
 /* A right answer: each addition leaves its error in place of the number,
    and these are added up in the same way, four times. */
 
-#include "exercise.h"
-#include <math.h>
-#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 

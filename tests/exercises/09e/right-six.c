@@ -1,9 +1,5 @@
 /* A right answer: the error of an addition by six, whichever is larger. */
 
-#include "exercise.h"
-#include <math.h>
-#include <stddef.h>
-
 double sum_up(size_t n, const double part[])
 {
     double s = 0, lost = 0;

@@ -1,8 +1,5 @@
 /* mistake: one-after-another */
 
-#include "exercise.h"
-#include <math.h>
-#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 

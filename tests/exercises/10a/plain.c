@@ -1,12 +1,6 @@
 /* A right answer in plain C, with which wrong.diff begins. */
 
-#include "exercise.h"
 #include <math.h>
-
-struct body {
-    double x[3];
-    double v[3];
-};
 
 double dashpot(double c, const struct body *a, const struct body *b,
                double on_a[3], double on_b[3])

@@ -1,13 +1,7 @@
 /* A right answer: a vector of length 1, and hypot for its length. */
 
-#include "exercise.h"
 #include <math.h>
 #include <string.h>
-
-struct body {
-    double x[3];
-    double v[3];
-};
 
 double dashpot(double c, const struct body *a, const struct body *b,
                double on_a[3], double on_b[3])

@@ -1,16 +1,5 @@
 /* A right answer in plain C, with which wrong.diff begins. */
 
-#include "exercise.h"
-#include <math.h>
-
-struct oscillator {
-    double mass;
-    double damping;
-    double stiffness;
-    double x;
-    double v;
-};
-
 double oscillate(const struct oscillator *o, double t, double *velocity)
 {
     double g = o->damping / 2 / o->mass, k = o->stiffness / o->mass;

@@ -1,17 +1,7 @@
 /* A right answer: complex rates for all, and a divided difference that is a
    series where the two rates come together. */
 
-#include "exercise.h"
 #include <complex.h>
-#include <math.h>
-
-struct oscillator {
-    double mass;
-    double damping;
-    double stiffness;
-    double x;
-    double v;
-};
 
 /* (e^z - 1)/z */
 static double complex mean(double complex z)

@@ -1,16 +1,5 @@
 /* A right answer: one formula for each regime, and a series between. */
 
-#include "exercise.h"
-#include <math.h>
-
-struct oscillator {
-    double mass;
-    double damping;
-    double stiffness;
-    double x;
-    double v;
-};
-
 double oscillate(const struct oscillator *o, double t, double *velocity)
 {
     double w = sqrt(o->stiffness / o->mass);

@@ -1,17 +1,6 @@
 /* A right answer: column by column, with a step for each mode and the
    smallest of them kept. */
 
-#include "exercise.h"
-#include <math.h>
-
-struct grid {
-    int nx, ny;
-    double mass;
-    double stiffness;
-    double dx, dy;
-    double restx, resty;
-};
-
 double membrane_modes(const struct grid *g, double omega[])
 {
     double step = INFINITY, t[2];

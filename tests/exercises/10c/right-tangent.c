@@ -1,17 +1,7 @@
 /* A right answer: the sines of one axis after the other, from the last
    mode to the first, and the highest frequency on its own. */
 
-#include "exercise.h"
-#include <math.h>
 #include <stdlib.h>
-
-struct grid {
-    int nx, ny;
-    double mass;
-    double stiffness;
-    double dx, dy;
-    double restx, resty;
-};
 
 static void axis(int n, double k, double q[])
 {

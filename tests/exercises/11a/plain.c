@@ -1,14 +1,5 @@
 /* A right answer in plain C, with which wrong.diff begins. */
 
-#include "exercise.h"
-#include <math.h>
-
-struct sphere {
-    double mass;
-    double radius;
-    double x[3];
-};
-
 double part_spheres(struct sphere *a, struct sphere *b)
 {
     double d[3], r = 0, h, p, q, s = a->radius + b->radius;

@@ -2,9 +2,7 @@
    found anew only beside the pair that collided; a ball knows where it was
    at its last collision. */
 
-#include "exercise.h"
 #include <math.h>
-#include <stddef.h>
 
 struct ball {
     double m, v, x, t;

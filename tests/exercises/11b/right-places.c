@@ -1,9 +1,7 @@
 /* A right answer: places, which are moved from one collision to the next,
    and the momentum that is exchanged. */
 
-#include "exercise.h"
 #include <math.h>
-#include <stddef.h>
 
 size_t cradle(size_t n, const double mass[], double v[])
 {

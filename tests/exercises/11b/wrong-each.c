@@ -1,8 +1,6 @@
 /* mistake: each-pair-once */
 
-#include "exercise.h"
 #include <math.h>
-#include <stddef.h>
 
 size_t cradle(size_t n, const double mass[], double v[])
 {

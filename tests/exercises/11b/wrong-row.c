@@ -1,8 +1,6 @@
 /* mistake: order-of-the-row */
 
-#include "exercise.h"
 #include <math.h>
-#include <stddef.h>
 
 size_t cradle(size_t n, const double mass[], double v[])
 {

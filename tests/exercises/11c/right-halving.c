@@ -1,13 +1,6 @@
 /* A right answer: the moment is found by halving the step, and the impulse
    from the energy in the frame of the centre of mass. */
 
-#include "exercise.h"
-#include <math.h>
-
-struct sphere {
-    double im, r, x[3], v[3];
-};
-
 static double gap(const struct sphere *a, const struct sphere *b, double t)
 {
     double s = 0;

@@ -1,12 +1,5 @@
 /* A right answer: back, collide, forward, one after the other. */
 
-#include "exercise.h"
-#include <math.h>
-
-struct sphere {
-    double im, r, x[3], v[3];
-};
-
 static double along(const double *p, const double *q)
 {
     double sum = *p * *q;

@@ -1,13 +1,6 @@
 /* Down the stairs: the next one is the cheapest of those that err less. */
 
-#include "exercise.h"
 #include <math.h>
-#include <stddef.h>
-
-struct choice {
-    double cost;
-    double error;
-};
 
 size_t pareto_front(size_t n, const struct choice choice[], size_t front[])
 {

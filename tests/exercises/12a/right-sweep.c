@@ -1,14 +1,7 @@
 /* All are sorted; then one walks from the cheapest to the dearest. */
 
-#include "exercise.h"
 #include <math.h>
-#include <stddef.h>
 #include <stdlib.h>
-
-struct choice {
-    double cost;
-    double error;
-};
 
 static int in_order(const void *p, const void *q)
 {

@@ -1,12 +1,5 @@
 /* A right answer in plain C, with which wrong.diff begins. */
 
-#include "exercise.h"
-#include <math.h>
-
-struct world {
-    double g, k, q;
-};
-
 double apart(void (*step)(struct world w, double h, double *x, double *v),
              struct world w, double h, int n, double x, double v,
              double *end)

@@ -2,13 +2,6 @@
    points in a trial of the second edition) to those of atoms and of
    planets. */
 
-#include "exercise.h"
-#include <math.h>
-
-struct world {
-    double g, k, q;
-};
-
 static const double units[][2] = {
     {3.0, 7.0},     {0.9144, 60.0},   {0.3048, 1.0},
     {1.0, 0.7},     {1609.344, 3600}, {149597870700, 86400.0},

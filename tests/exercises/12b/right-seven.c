@@ -2,13 +2,6 @@
    than once when they are converted. Found by a trial of the second
    edition, when it lost points. */
 
-#include "exercise.h"
-#include <math.h>
-
-struct world {
-    double g, k, q;
-};
-
 static const double L = 3.0, T = 7.0;
 
 double apart(void (*step)(struct world w, double h, double *x, double *v),

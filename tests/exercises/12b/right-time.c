@@ -1,13 +1,6 @@
 /* A right answer: yards and a second of another length, step by step beside
    the first run. */
 
-#include "exercise.h"
-#include <math.h>
-
-struct world {
-    double g, k, q;
-};
-
 double apart(void (*step)(struct world w, double h, double *x, double *v),
              struct world w, double h, int n, double x, double v,
              double *end)

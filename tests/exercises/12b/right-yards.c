@@ -2,13 +2,6 @@
    than once when it is converted, which makes more of the distance than the
    steps do. Found by a trial of the second edition, when it lost points. */
 
-#include "exercise.h"
-#include <math.h>
-
-struct world {
-    double g, k, q;
-};
-
 static const double L = 0.9144, T = 60.0;
 
 double apart(void (*step)(struct world w, double h, double *x, double *v),

@@ -1,8 +1,6 @@
 /* exp(x) - 1 and 1 - exp(-x): their product is twice what is needed. */
 
-#include "exercise.h"
 #include <math.h>
-#include <stdbool.h>
 
 bool leave_out(double push, double stretch, double time, double *budget,
                double *bound)

@@ -1,8 +1,6 @@
 /* The series where it is short, and the cosine where it is not. */
 
-#include "exercise.h"
 #include <math.h>
-#include <stdbool.h>
 
 bool leave_out(double push, double stretch, double time, double *budget,
                double *bound)

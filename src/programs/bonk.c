@@ -447,8 +447,8 @@ static const struct options_entry entries[] = {
     {"explain", 'x' | OPTIONS_SILENT, NULL,
      "say what was looked at, and why; with -o FILE\n"
      "to standard output, else to standard error"},
-    OPTIONS_OUTPUT("table"),
-    OPTIONS_SUMMARY,
+    {OPTIONS_OUTPUT("table")},
+    {OPTIONS_SUMMARY},
     {"chart", 'c' | OPTIONS_SILENT | OPTIONS_WRITES, "FILE",
      "write the candidates: error and cost"},
     {0}};

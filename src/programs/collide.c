@@ -43,8 +43,8 @@ static const struct options_entry entries[] = {
     {"form", 'f', "NAME",
      "cm, difference, impulse, complement\n"
      "or smaller (smaller)"},
-    OPTIONS_OUTPUT("report"),
-    OPTIONS_SUMMARY,
+    {OPTIONS_OUTPUT("report")},
+    {OPTIONS_SUMMARY},
     {"", 0, NULL, "--velocities"},
     {"normal", 'n', "nx,ny[,nz]", "line of centres, of any length"},
     {"", 0, NULL, "no --velocities"},

@@ -933,8 +933,8 @@ static const struct options_entry entries[] = {
      "states, positions, speeds, pressure,\n"
      "relaxation or brownian (states)"},
     {"engine", 'g' | OPTIONS_SILENT, "NAME", "auto, pairs or cells (auto)"},
-    OPTIONS_OUTPUT("table"),
-    OPTIONS_SUMMARY,
+    {OPTIONS_OUTPUT("table")},
+    {OPTIONS_SUMMARY},
     {"", 0, NULL, "--start lattice, random"},
     {"dimensions", 'D', "D", "2: disks, 3: spheres (2)"},
     {"packing", 'p', "ETA",

@@ -226,9 +226,9 @@ static const struct options_entry entries[] = {
     {"dimensions", 'd', "D", "2 or 3 (2)"},
     {"steps", 'x', NULL, "time what each step of the chapter has bought"},
     {"collisions", 'c', "C", "of a round, unmelted (as many as in 0.2 s)"},
-    OPTIONS_OUTPUT("table"),
+    {OPTIONS_OUTPUT("table")},
     {"", 0, NULL, "no --steps"},
-    OPTIONS_SUMMARY,
+    {OPTIONS_SUMMARY},
     {0}};
 
 static const struct table_key keys[] = {

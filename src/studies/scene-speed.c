@@ -123,8 +123,8 @@ static void write_table(struct table *out, const char *command)
 
 int main(int argc, char *argv[])
 {
-    static const struct options_entry entries[] = {OPTIONS_OUTPUT("table"),
-                                                   {0}};
+    static const struct options_entry entries[] = {
+        {OPTIONS_OUTPUT("table")}, {0}};
     struct options o;
     const char *output = NULL;
     options_begin(&o, PROGRAM, "Time the reading of numbers and scenes.",

@@ -42,16 +42,13 @@ enum {
 };
 
 /* The two outputs that most programs have. */
+#define OPTIONS_WRITTEN (OPTIONS_SILENT | OPTIONS_WRITES)
 #define OPTIONS_OUTPUT(what)                                               \
-    {                                                                      \
-        "output", 'o' | OPTIONS_SILENT | OPTIONS_WRITES, "FILE",           \
-            "for the " what " (standard output)"                           \
-    }
+    "output", 'o' | OPTIONS_WRITTEN, "FILE",                               \
+        "for the " what " (standard output)"
 #define OPTIONS_SUMMARY                                                    \
-    {                                                                      \
-        "summary", 'S' | OPTIONS_SILENT | OPTIONS_WRITES, "FILE",          \
-            "for the results as lines: key value"                          \
-    }
+    "summary", 'S' | OPTIONS_WRITTEN, "FILE",                              \
+        "for the results as lines: key value"
 
 /* A command line being read. The fields are private. */
 struct options {

@@ -157,8 +157,10 @@ bool replace_file(const char *path, const void *bytes, size_t length,
     const char *rest = bytes, *end = rest + length;
     const int file = replace_begin(path, mode, &temporary);
     ssize_t written = file == -1 ? -1 : 0;
-    for (; written >= 0 && rest<end; rest += written> 0 ? written : 0)
+    while (written >= 0 && rest < end) {
         written = write(file, rest, (size_t)(end - rest));
+        rest += written > 0 ? written : 0;
+    }
     if (file != -1 && close(file) != 0)
         written = -1;
     if (written >= 0)

@@ -7,7 +7,7 @@
 #include <sys/types.h>
 
 /* As the mode of a new file: what the process's mask leaves of 0666. */
-#define REPLACE_USUAL ((mode_t)-1)
+#define REPLACE_USUAL ((mode_t)(-1))
 
 /* Makes a file with these permissions in the folder of path, under a name
    of its own, bonkers.XXXXXX. Returns its descriptor, above the standard

@@ -52,7 +52,7 @@ static void list_options(const struct study_program *p, const char *help,
         *entries++ = (struct options_entry){"seed", 's', "S",
                                             "of the random numbers (1)"};
     *entries++ = (struct options_entry){"", 0, NULL, NULL};
-    *entries++ = (struct options_entry)OPTIONS_OUTPUT("table");
+    *entries++ = (struct options_entry){OPTIONS_OUTPUT("table")};
     *entries = (struct options_entry){
         "summary", 'S' | OPTIONS_SILENT | OPTIONS_WRITES, "FILE",
         "for the results as lines: key value;\n"

@@ -59,6 +59,18 @@ static inline void unit_add(const char *name, void (*run)(void))
 /* Passes when the two numbers are equal. */
 #define UNIT_EQUAL(got, expected) UNIT_NEAR(got, expected, 0.0)
 
+/* Passes when the list begins with these numbers, each to within the
+   tolerance. */
+#define UNIT_LIST(got, tolerance, ...)                                     \
+    unit_list(__FILE__, __LINE__, #got, (got),                             \
+              (const double[]){__VA_ARGS__},                               \
+              sizeof((const double[]){__VA_ARGS__}) / sizeof(double),      \
+              (tolerance))
+
+/* Passes when the text is the expected one; says both when not. */
+#define UNIT_SAYS(got, expected)                                           \
+    unit_says(__FILE__, __LINE__, (got), (expected))
+
 /* Passes when the condition holds. */
 #define UNIT_TRUE(condition)                                               \
     CU_assertImplementation((condition) ? CU_TRUE : CU_FALSE, __LINE__,    \
@@ -83,6 +95,14 @@ static inline void unit_must(bool holds, const char *condition,
    `struct scene s;` and, there, `scene_free(&s);`. */
 #define FREED(type) __attribute__((cleanup(type##_free))) struct type
 
+/* One that ends instead: `ENDED(motion) m;` calls motion_end. */
+#define ENDED(type) __attribute__((cleanup(type##_end))) struct type
+
+/* Gives the first numbers of a list these values. */
+#define PUT(list, ...)                                                     \
+    memcpy((double *){list}, (const double[]){__VA_ARGS__},                \
+           sizeof((const double[]){__VA_ARGS__}))
+
 /* A generator of this name, which has been given its seed. */
 #define SEEDED(name, seed)                                                 \
     struct random name;                                                    \
@@ -100,6 +120,28 @@ static inline void unit_near(const char *file, unsigned line,
     CU_assertImplementation(fabs(got - expected) <= tolerance ? CU_TRUE
                                                               : CU_FALSE,
                             line, text, file, "", CU_FALSE);
+}
+
+static inline void unit_list(const char *file, unsigned line,
+                             const char *what, const double got[],
+                             const double expected[], size_t count,
+                             double tolerance)
+{
+    char number[128];
+    for (size_t i = 0; i < count; ++i) {
+        snprintf(number, sizeof number, "(%s)[%zu]", what, i);
+        unit_near(file, line, number, got[i], expected[i], tolerance);
+    }
+}
+
+static inline void unit_says(const char *file, unsigned line,
+                             const char *got, const char *expected)
+{
+    const bool same = got && strcmp(got, expected) == 0;
+    if (!same)
+        printf("# %s\n# not %s\n", got ? got : "nothing", expected);
+    CU_assertImplementation(same ? CU_TRUE : CU_FALSE, line,
+                            "the text is another one", file, "", CU_FALSE);
 }
 
 /* Runs these tests under CUnit, a line each; returns what main returns. */

@@ -152,8 +152,7 @@ TEST(test_nodes, "Radau's nodes are zeros of their polynomial")
         quad sum = 0;
         for (int i = 7; i >= 0; --i)
             sum = sum * m->node[k] + c[i];
-        UNIT_NEAR((double)sum, 0,
-                  (QUAD_DIGITS > 64 ? 2 : 100) * DBL_EPSILON);
+        UNIT_NEAR(sum, 0, (QUAD_DIGITS > 64 ? 2 : 100) * DBL_EPSILON);
         UNIT_TRUE(m->node[k] > (k ? m->node[k - 1] : 0) && m->node[k] < 1);
     }
 }
@@ -175,8 +174,8 @@ TEST(test_weights, "the weights of the end have tails")
             once += ((quad)w[0] + w[1]) * power;
             twice += ((quad)w[2] + w[3]) * power;
         }
-        UNIT_NEAR((double)once, 0, enough);
-        UNIT_NEAR((double)twice, 0, enough);
+        UNIT_NEAR(once, 0, enough);
+        UNIT_NEAR(twice, 0, enough);
     }
 }
 
@@ -258,7 +257,7 @@ static double error_of(const char *name, double c, int n)
                                       NULL};
     begin(&s, name, f, 8.0 / n, 0, &x, &v);
     UNIT_TRUE(stepping_run(&s, (uint64_t)n) == STEPPING_DONE);
-    UNIT_EQUAL((double)s.own->taken, (double)n);
+    UNIT_EQUAL(s.own->taken, n);
     stepping_free(&s);
     const double w = sqrt(1 - c * c), b = (0.3 + c) / w;
     const double p = cos(8 * w), q = sin(8 * w), size = exp(-8 * c);
@@ -325,7 +324,7 @@ static double error_inside(const char *name, double h)
         worst = fmax(worst, fabs(cos(t) + 0.3 * sin(t) - x));
         worst = fmax(worst, fabs(0.3 * cos(t) - sin(t) - v));
     }
-    UNIT_EQUAL((double)a->taken, 1);
+    UNIT_EQUAL(a->taken, 1);
     adaptive_free(a);
     return worst;
 }
@@ -568,7 +567,7 @@ TEST(test_middle, "where there is no force, steps are long")
     adaptive_turn(a, &middle, &speed);
     UNIT_TRUE(adaptive_reach(a, t + 10, &x, &v));
     UNIT_NEAR(x, sin(10), 1e-13);
-    UNIT_NEAR((double)a->refused, refused, 2);
+    UNIT_NEAR(a->refused, refused, 2);
     adaptive_free(a);
 }
 

@@ -269,7 +269,7 @@ TEST(test_times, "times are sums of steps")
             t += n % 3 == 0 ? s->h / 2 : s->h;
             if (n % 3 == 0)
                 adaptive_again(s, s->h / 2, x, v);
-            UNIT_NEAR((double)(t - s->t - s->owed), 0, 300 * 16 * 6e-20);
+            UNIT_NEAR(t - s->t - s->owed, 0, 300 * 16 * 6e-20);
             UNIT_NEAR(s->owed, 0, DBL_EPSILON * s->t);
         }
         UNIT_EQUAL(s->shortest, shortest);

@@ -330,12 +330,12 @@ TEST(test_read, "names are read, and others refused")
     FREED(scene) s;
     make(&s, "four-disks", NULL, 0);
     UNIT_TRUE(averages_read(&q, "y:3", &s, message));
-    UNIT_EQUAL((double)q.body, 3);
-    UNIT_EQUAL((double)q.axis, 1);
-    UNIT_TRUE(strcmp(averages_name(&q, symbol), "length") == 0);
-    UNIT_TRUE(strcmp(symbol, "y:3") == 0);
+    UNIT_EQUAL(q.body, 3);
+    UNIT_EQUAL(q.axis, 1);
+    UNIT_SAYS(averages_name(&q, symbol), "length");
+    UNIT_SAYS(symbol, "y:3");
     UNIT_TRUE(averages_read(&q, "pressure", &s, message));
-    UNIT_TRUE(strcmp(averages_name(&q, symbol), "") == 0);
+    UNIT_SAYS(averages_name(&q, symbol), "");
     static const char *const wrong[] = {"x:4",  "x:",   "x",      "z:1",
                                         "x:1,", "x:-1", "energy", ""};
     for (size_t k = 0; k < sizeof wrong / sizeof wrong[0]; ++k)
@@ -430,11 +430,10 @@ static struct scene locked(void)
    they keep their places is known long before the price is paid. */
 TEST(test_locked, "disks that are locked in are refused at little cost")
 {
-    struct scene s = locked();
+    FREED(scene) s = locked();
     const struct averages_found f = ask(&s, "x:0", 1e9, 0.1, NULL);
     UNIT_TRUE(refused(&f) && strstr(f.refusal, "far from where"));
     UNIT_TRUE(f.cost < 0.5); /* of 5 */
-    scene_free(&s);
 }
 
 /* The tolerance that a refusal offers is held when it is asked for. */
@@ -551,7 +550,8 @@ TEST(test_scatter, "errors cover what two runs differ by")
 {
     enum { STARTS = 200 };
     const double T = 300;
-    struct scene s, t;
+    struct scene t;
+    FREED(scene) s;
     double sum = 0, squares = 0;
     make(&s, "four-disks", NULL, 0);
     for (int k = 0; k < STARTS; ++k) {
@@ -572,7 +572,6 @@ TEST(test_scatter, "errors cover what two runs differ by")
     f = ask(&s, "pressure", T, 0.03, NULL);
     UNIT_TRUE(taken(&f, "events") && f.error > sure);
     UNIT_TRUE(f.time > 0.9 * T);
-    scene_free(&s);
 }
 
 /* Two disks in a periodic box: one of them, seen from the other, is a point

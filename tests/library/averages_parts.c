@@ -48,7 +48,7 @@ static struct search begin(const struct scene *s, enum averages_kind kind,
    7/4 m each. */
 TEST(test_line, "rods on a line")
 {
-    struct scene s = rods();
+    FREED(scene) s = rods();
     struct search h = begin(&s, AVERAGES_PLACE, 0, 0);
     UNIT_TRUE(h.n == 3 && h.axis == 0 && h.dimensions == 1 && !h.periodic);
     UNIT_TRUE(h.energy == 22 && h.mass == 8 && h.radii == 1.5 && !h.equal);
@@ -68,13 +68,12 @@ TEST(test_line, "rods on a line")
               w.body[2] == 1);
     UNIT_NEAR(relaxation(&h, s.velocity),
               (16 * 16 + 8 * 8 + 20 * 20) / (44.0 * 44) * 5 / 3, 1e-15);
-    scene_free(&s);
 }
 
 /* Tonks: (10 - 0.5 - 0.25)/7, off by at most 7 sqrt(8/44)/t. */
 TEST(test_tonks, "Tonks's law")
 {
-    struct scene s = rods();
+    FREED(scene) s = rods();
     struct search h = begin(&s, AVERAGES_PRESSURE, 0, 0);
     UNIT_EQUAL(scale_of(&h, 3), 3);
     UNIT_EQUAL(scale_of(&h, -3), 3);
@@ -90,7 +89,6 @@ TEST(test_tonks, "Tonks's law")
     UNIT_TRUE(strcmp(found.refusal,
                      "a run of 100 s may be off by 0.03 from the law that "
                      "long runs obey; ask for that, or for 110 s") == 0);
-    scene_free(&s);
 }
 
 TEST(test_rounded_up, "two digits, upwards")
@@ -129,7 +127,7 @@ static struct scene disks(enum scene_wall wall)
    7 and 2 kg m/s, 49/5 and 4/5. */
 TEST(test_plane, "disks in the plane")
 {
-    struct scene s = disks(SCENE_HARD);
+    FREED(scene) s = disks(SCENE_HARD);
     struct search h = begin(&s, AVERAGES_PRESSURE, 0, 0);
     UNIT_TRUE(h.dimensions == 2 && h.box[0] == 4 && h.box[1] == 9);
     UNIT_EQUAL(h.energy, 20.5);
@@ -140,7 +138,7 @@ TEST(test_plane, "disks in the plane")
                ceil(1000 / (sqrt(12) / 4) * sqrt(41 / 6.0 / (5 / 3.0))));
     struct measurement w = {.h = &h};
     choose_witnesses(&w);
-    UNIT_EQUAL((double)w.places, 0);
+    UNIT_EQUAL(w.places, 0);
     h = begin(&s, AVERAGES_PLACE, 1, 1);
     UNIT_EQUAL(scale_of(&h, 7), 9);
     UNIT_EQUAL(settled_place(&h, 1), 3.5);
@@ -165,7 +163,6 @@ TEST(test_plane, "disks in the plane")
     h = begin(&s, AVERAGES_KINETIC, 0, 0);
     answer_conserved(&h);
     UNIT_EQUAL(found.value, 20.5);
-    scene_free(&s);
 }
 
 /* A watch that has seen a share of all samples, for an error by hand. */
@@ -185,7 +182,7 @@ static struct measurement watch_of(const struct search *h, double share)
    (1 - q)^2 + 3 q^2 + 3 s/4 for q = s/4. */
 TEST(test_concluded, "what a run says of all the time")
 {
-    struct scene s = rods();
+    FREED(scene) s = rods();
     struct search h = begin(&s, AVERAGES_PRESSURE, 0, 0);
     static const double shares[] = {1, 0.5, 0.125};
     for (size_t k = 0; k < 3; ++k) {
@@ -200,7 +197,6 @@ TEST(test_concluded, "what a run says of all the time")
                       found.value,
                   1e-15);
     }
-    scene_free(&s);
 }
 
 /* Two standard errors are 0.01 of the value. An error that falls with the
@@ -209,7 +205,7 @@ TEST(test_concluded, "what a run says of all the time")
    settled. */
 TEST(test_lengthened, "how much longer it takes")
 {
-    struct scene s = rods();
+    FREED(scene) s = rods();
     struct search h = begin(&s, AVERAGES_PRESSURE, 0, 0);
     struct measurement w = watch_of(&h, 0.125);
     const double square = 1e-4, scatter = 0.75 * 0.125 * square;
@@ -222,13 +218,12 @@ TEST(test_lengthened, "how much longer it takes")
     UNIT_NEAR(longer_by(&w, 0.005), 4, 1e-12);
     UNIT_EQUAL(longer_by(&w, 0.05), 2);
     UNIT_NEAR(longer_by(&w, 1e-4), 1e4, 1e-8);
-    scene_free(&s);
 }
 
 /* Refusals: with what would fit, or without. */
 TEST(test_refusals, "why it is not enough")
 {
-    struct scene s = rods();
+    FREED(scene) s = rods();
     struct search h = begin(&s, AVERAGES_PRESSURE, 0, 0);
     struct measurement w = watch_of(&h, 0.5);
     char text[AVERAGES_REFUSAL];
@@ -265,7 +260,6 @@ TEST(test_refusals, "why it is not enough")
     UNIT_TRUE(strcmp(text, "it does not settle in 32 s: it moves; to go on "
                            "costs at least 4 s by the price list, of 60 "
                            "that are reasonable") == 0);
-    scene_free(&s);
 }
 
 /* Fills blocks of one sample with a value in column 0 and another one in
@@ -324,7 +318,7 @@ static double long_memory(size_t i) /* sixteen samples are alike */
 /* What a run of 256 samples says of itself. */
 TEST(test_settled, "when a run has settled")
 {
-    struct scene s = disks(SCENE_HARD);
+    FREED(scene) s = disks(SCENE_HARD);
     struct search h = begin(&s, AVERAGES_PRESSURE, 0, 0);
     struct measurement w = {
         .h = &h, .most = 1000, .columns = 2, .why = "no run"};
@@ -360,14 +354,13 @@ TEST(test_settled, "when a run has settled")
     UNIT_TRUE(judge(&w) && w.why &&
               strcmp(w.why, "velocities still remember the start") == 0);
     blocks_free(&w.blocks);
-    scene_free(&s);
 }
 
 /* Without memory for the error of the mean a look fails. It is the third
    request: the first two are for errors that nobody asks for. */
 TEST(test_look_without_memory, "no memory for a look")
 {
-    struct scene s = disks(SCENE_HARD);
+    FREED(scene) s = disks(SCENE_HARD);
     struct search h = begin(&s, AVERAGES_PRESSURE, 0, 0);
     struct measurement w = {.h = &h, .most = 1000, .columns = 2};
     UNIT_TRUE(blocks_create(&w.blocks, 2));
@@ -378,14 +371,13 @@ TEST(test_look_without_memory, "no memory for a look")
     UNIT_TRUE(well != refused);
     UNIT_TRUE(judge(&w));
     blocks_free(&w.blocks);
-    scene_free(&s);
 }
 
 /* Places have to come to where they end up: what is asked for, and all that
    are alike in the root of the mean square. */
 TEST(test_places, "places come to their own")
 {
-    struct scene s = disks(SCENE_HARD);
+    FREED(scene) s = disks(SCENE_HARD);
     struct search h = begin(&s, AVERAGES_PLACE, 0, 0); /* to 1 m */
     struct measurement w = {.h = &h, .most = 1000};
     choose_witnesses(&w);
@@ -400,5 +392,4 @@ TEST(test_places, "places come to their own")
         blocks_add(&w.blocks, (double[]){0.6, 0.9, 1});
     UNIT_NEAR(distance_from_law(&w, 2), 0.4, 1e-14);
     blocks_free(&w.blocks);
-    scene_free(&s);
 }

@@ -15,9 +15,9 @@ TEST(test_joined, "blocks that are joined keep their sums")
     UNIT_TRUE(blocks_create(&b, 2));
     for (size_t n = 0; n < 5000; ++n)
         blocks_add(&b, (double[]){(double)n, 1});
-    UNIT_EQUAL((double)b.per, 16); /* 256 to 511 blocks */
-    UNIT_EQUAL((double)b.count, 5000 / 16);
-    UNIT_EQUAL((double)b.filled, 5000 % 16);
+    UNIT_EQUAL(b.per, 16); /* 256 to 511 blocks */
+    UNIT_EQUAL(b.count, 5000 / 16);
+    UNIT_EQUAL(b.filled, 5000 % 16);
     for (size_t i = 0; i < b.count; ++i) {
         UNIT_EQUAL(b.sum[2 * i], 16 * 16 * (double)i + 120);
         UNIT_EQUAL(b.sum[2 * i + 1], 16);
@@ -60,7 +60,7 @@ TEST(test_appended, "whole blocks can be appended")
         total += (double)b.per;
         blocks_append(&b, &sum);
     }
-    UNIT_EQUAL((double)(b.count * b.per), total);
+    UNIT_EQUAL(b.count * b.per, total);
     UNIT_EQUAL(blocks_average(&b, 0).mean, 7);
     UNIT_TRUE(b.count < BLOCKS_MOST);
 }

@@ -24,7 +24,7 @@ static void begin(struct bonkers *b, size_t movers, double restitution,
     UNIT_MUST(bonkers_create(b, movers, restitution, engine));
     memcpy(b->body, body, (movers + 2) * sizeof body[0]);
     const size_t wrong = bonkers_start(b, rods ? radius : NULL);
-    UNIT_EQUAL((double)wrong, (double)movers + 1);
+    UNIT_EQUAL(wrong, (double)movers + 1);
 }
 
 /* Points, or rods of up to 0.3 m in their place, with masses from 1 to 9,
@@ -296,7 +296,7 @@ TEST(test_long_row, "a touching row of 100000 is struck")
         bonkers_run(&slab, k, UINT64_MAX);
         UNIT_TRUE(differs(&heap, &slab) == NULL);
         if (k == 1) {
-            UNIT_EQUAL((double)slab.collisions, ROW - 1);
+            UNIT_EQUAL(slab.collisions, ROW - 1);
             UNIT_EQUAL(slab.body[ROW].v, 1);
             UNIT_EQUAL(slab.body[1].v, 0);
         }
@@ -478,8 +478,7 @@ TEST(test_naive_agrees, "the naive engine differs by rounding")
                 UNIT_TRUE(bonkers_run(&naive, k * size, UINT64_MAX) ==
                           BONKERS_TIME);
                 bonkers_run(&scan, k * size, UINT64_MAX);
-                UNIT_EQUAL((double)naive.collisions,
-                           (double)scan.collisions);
+                UNIT_EQUAL(naive.collisions, scan.collisions);
                 differs(&naive, &scan);
                 for (size_t i = 0; i <= naive.gaps; ++i)
                     worst =
@@ -528,7 +527,7 @@ TEST(test_symmetries, "mirrored and in other units, every bit is the same")
                         p->v == 4 * s->v && p->since * 4096 == s->since;
             }
             UNIT_TRUE(a.collisions > 20);
-            UNIT_EQUAL((double)same, (double)last + 1);
+            UNIT_EQUAL(same, (double)last + 1);
         }
 }
 
@@ -561,8 +560,8 @@ TEST(test_order_and_walls, "bodies stay in order and walls stand")
                            radius[i] + radius[i + 1] -
                                (rods ? 4 * DBL_EPSILON * length : 0);
         }
-        UNIT_EQUAL((double)crossed, 0);
-        UNIT_EQUAL((double)b.disorder, 0);
+        UNIT_EQUAL(crossed, 0);
+        UNIT_EQUAL(b.disorder, 0);
     }
 }
 
@@ -592,13 +591,13 @@ TEST(test_rods_are_points, "rods are points in a smaller box")
             begin(&rods, movers, 1, (enum bonkers_engine)e, true);
             bonkers_run(&points, 30, UINT64_MAX);
             bonkers_run(&rods, 30, UINT64_MAX);
-            UNIT_EQUAL((double)rods.collisions, (double)points.collisions);
+            UNIT_EQUAL(rods.collisions, points.collisions);
             UNIT_TRUE(rods.collisions > 5);
             differs(&points, &rods);
             for (size_t i = 0; i <= movers + 1; ++i)
                 same += state[1][0][i] == state[0][0][i] + shift[i] &&
                         state[1][1][i] == state[0][1][i];
-            UNIT_EQUAL((double)same, (double)movers + 2);
+            UNIT_EQUAL(same, (double)movers + 2);
         }
 }
 
@@ -655,8 +654,8 @@ TEST(test_threes, "three that meet at once stay in order")
                 wrong += x[0] != offset || x[movers + 1] != right;
             }
         }
-        UNIT_EQUAL((double)wrong, 0);
-        UNIT_EQUAL((double)b.disorder, 0);
+        UNIT_EQUAL(wrong, 0);
+        UNIT_EQUAL(b.disorder, 0);
         /* a random walk of 1500 steps of eps/2, and ten times as much */
         UNIT_NEAR(bonkers_energy(&b) / energy, 1, 200 * DBL_EPSILON);
         bonkers_free(&b);
@@ -668,7 +667,7 @@ TEST(test_threes, "three that meet at once stay in order")
             bonkers_run(&b, INFINITY, b.collisions + 1);
             wrong += b.now < now;
         }
-        UNIT_EQUAL((double)wrong, 0);
+        UNIT_EQUAL(wrong, 0);
         bonkers_free(&b);
     }
 }
@@ -772,7 +771,7 @@ TEST(test_cradle, "Newton's cradle")
                 begin(&b, 5, 1, (enum bonkers_engine)e, touching);
                 UNIT_TRUE(bonkers_run(&b, INFINITY, UINT64_MAX) ==
                           BONKERS_STILL);
-                UNIT_EQUAL((double)b.collisions, cradle[k].collisions);
+                UNIT_EQUAL(b.collisions, cradle[k].collisions);
                 /* 10 collisions, 4 roundings of a number up to 2 each */
                 for (size_t i = 0; i < 5; ++i)
                     UNIT_NEAR(b.body[i + 1].v, cradle[k].after[i],
@@ -799,10 +798,10 @@ TEST(test_galperin, "Galperin's counts")
                                                    .ratio = runs[k].ratio});
             UNIT_TRUE(
                 bonkers_begin(&b, &s, 1, (enum bonkers_engine)e, &wrong));
-            UNIT_EQUAL((double)wrong, 3);
+            UNIT_EQUAL(wrong, 3);
             UNIT_TRUE(bonkers_run(&b, INFINITY, UINT64_MAX) ==
                       BONKERS_STILL);
-            UNIT_EQUAL((double)b.collisions, runs[k].count);
+            UNIT_EQUAL(b.collisions, runs[k].count);
         }
 }
 
@@ -852,11 +851,11 @@ TEST(test_collapse, "two balls and a wall collapse below 0.1716")
         }
         UNIT_TRUE(collapse(&b, 0.174, (enum bonkers_engine)e) ==
                   BONKERS_STILL);
-        UNIT_EQUAL((double)b.collisions, 31);
+        UNIT_EQUAL(b.collisions, 31);
         bonkers_free(&b);
         UNIT_TRUE(collapse(&b, 0.2, (enum bonkers_engine)e) ==
                   BONKERS_STILL);
-        UNIT_EQUAL((double)b.collisions, 9);
+        UNIT_EQUAL(b.collisions, 9);
     }
 }
 
@@ -957,7 +956,7 @@ TEST(test_start, "starts are checked")
         }
         free(b.shift);
         b.shift = malloc(5 * sizeof *b.shift);
-        UNIT_EQUAL((double)bonkers_start(&b, a), (double)starts[k].wrong);
+        UNIT_EQUAL(bonkers_start(&b, a), starts[k].wrong);
     }
     bonkers_free(&b);
     /* tenths do not add up, but touch: 0.1 + 0.2 is not 0.3 */
@@ -969,7 +968,7 @@ TEST(test_start, "starts are checked")
     body[31].x = 0.2 * 30;
     begin(&b, 30, 1, BONKERS_AUTO, true);
     UNIT_TRUE(bonkers_run(&b, 10, UINT64_MAX) == BONKERS_TIME);
-    UNIT_EQUAL((double)b.collisions, 0);
+    UNIT_EQUAL(b.collisions, 0);
 }
 
 /* The scan for a few movers, slabs for more. */
@@ -983,7 +982,7 @@ TEST(test_auto, "the engine chosen")
     UNIT_TRUE(b.engine == BONKERS_SLAB);
     bonkers_free(&b);
     bonkers_free(&b); /* twice is harmless */
-    UNIT_TRUE(strcmp(bonkers_engine_names[BONKERS_SLAB], "slab") == 0);
+    UNIT_SAYS(bonkers_engine_names[BONKERS_SLAB], "slab");
     UNIT_TRUE(bonkers_engine_names[BONKERS_ENGINES] == NULL);
 }
 
@@ -999,13 +998,13 @@ TEST(test_exact_end, "a collision exactly at the end takes place")
         body[3].x = 4;
         begin(&b, 2, 1, (enum bonkers_engine)e, false);
         bonkers_run(&b, 1, UINT64_MAX);
-        UNIT_EQUAL((double)b.collisions, 1);
+        UNIT_EQUAL(b.collisions, 1);
         bonkers_free(&b);
         begin(&b, 2, 1, (enum bonkers_engine)e, false);
         bonkers_run(&b, nextafter(1, 0), UINT64_MAX);
-        UNIT_EQUAL((double)b.collisions, 0);
+        UNIT_EQUAL(b.collisions, 0);
         UNIT_TRUE(bonkers_run(&b, 1, UINT64_MAX) == BONKERS_TIME);
-        UNIT_EQUAL((double)b.collisions, 1);
+        UNIT_EQUAL(b.collisions, 1);
         bonkers_state(&b, x, v);
         UNIT_TRUE(x[1] == 2 && x[2] == 2 && v[1] == -1 && v[2] == 1);
         UNIT_EQUAL(b.now, 1);
@@ -1027,7 +1026,7 @@ TEST(test_settle, "a settled run goes on")
             bonkers_run(&b, 5, UINT64_MAX);
             bonkers_settle(&b);
             UNIT_TRUE(b.now == 0 && b.collisions == 0);
-            UNIT_EQUAL((double)bonkers_start(&b, rods ? radius : NULL), 21);
+            UNIT_EQUAL(bonkers_start(&b, rods ? radius : NULL), 21);
             differs(&a, &b);
             double worst = 0;
             for (size_t i = 0; i <= 21; ++i)
@@ -1055,17 +1054,16 @@ TEST(test_disorder, "what is out of order is put right and counted")
     b.body[4].x = 4;
     for (int i = 1; i <= 3; ++i)
         b.body[i] = (struct bonkers_body){i, 0, 0, 1};
-    UNIT_EQUAL((double)bonkers_start(&b, NULL), 4);
+    UNIT_EQUAL(bonkers_start(&b, NULL), 4);
     b.body[2].x = 1 - DBL_EPSILON / 2;
     bonkers_state(&b, x, v);
-    UNIT_EQUAL((double)b.disorder, 0);
+    UNIT_EQUAL(b.disorder, 0);
     UNIT_EQUAL(x[2], 1);
     b.body[2].x = 0.5;
     b.body[3].x = 4 + 8 * DBL_EPSILON;
     bonkers_state(&b, x, v);
-    UNIT_EQUAL((double)b.disorder, 1);
-    UNIT_EQUAL(x[2], 1);
-    UNIT_EQUAL(x[3], 4);
+    UNIT_EQUAL(b.disorder, 1);
+    UNIT_LIST(x + 2, 0, 1, 4);
     UNIT_EQUAL(b.body[2].x, 0.5); /* the run is not touched */
 }
 
@@ -1084,7 +1082,7 @@ static void fall(struct bonkers *b, size_t movers, const double x[],
     for (size_t i = 0; i < movers; ++i)
         b->body[i + 1] = (struct bonkers_body){x[i], v[i], 0, 1};
     b->body[movers + 1].x = INFINITY;
-    UNIT_EQUAL((double)bonkers_start(b, NULL), (double)movers + 1);
+    UNIT_EQUAL(bonkers_start(b, NULL), (double)movers + 1);
 }
 
 /* The height at time t of an elastic ball thrown from x with velocity v. */
@@ -1317,8 +1315,7 @@ TEST(test_pile, "what lies on the floor is part of it")
     UNIT_TRUE(!bonkers_is_still(&b));
     bonkers_run(&b, 100, UINT64_MAX);
     bonkers_state(&b, got, u);
-    UNIT_EQUAL(got[1], 0);
-    UNIT_EQUAL(got[2], 0);
+    UNIT_LIST(got + 1, 0, 0, 0);
     UNIT_NEAR(got[3], thrown(1, 0, 100), 1e-12);
     UNIT_TRUE(b.collisions > 5 * 100);
 }
@@ -1390,7 +1387,7 @@ TEST(test_free_fall, "without a floor weight changes nothing")
         UNIT_TRUE(bonkers_run(which, 8, UINT64_MAX) == BONKERS_TIME);
         bonkers_state(which, x[k], v[k]);
     }
-    UNIT_EQUAL((double)b.collisions, (double)c.collisions);
+    UNIT_EQUAL(b.collisions, c.collisions);
     UNIT_TRUE(b.collisions > 5);
     for (int i = 1; i <= 6; ++i) {
         UNIT_NEAR(x[1][i], x[0][i] - 64, 1e-12);

@@ -21,7 +21,7 @@ static void begin(struct bonkers *b, size_t movers, const double x[],
         b->body[i].v = v[i];
         b->body[i].im = 1;
     }
-    UNIT_EQUAL((double)bonkers_start(b, NULL), (double)b->gaps);
+    UNIT_EQUAL(bonkers_start(b, NULL), b->gaps);
 }
 
 /* 2 m/s for 1 m and then for 2 m: when nothing more comes, the clock stands
@@ -37,7 +37,7 @@ TEST(test_last_collision, "the clock stands at the last collision")
         UNIT_TRUE(bonkers_run(&b, INFINITY, 2) == BONKERS_COLLISIONS);
         UNIT_TRUE(bonkers_is_still(&b));
         UNIT_TRUE(bonkers_run(&b, INFINITY, 3) == BONKERS_STILL);
-        UNIT_EQUAL((double)b.collisions, 2);
+        UNIT_EQUAL(b.collisions, 2);
         UNIT_EQUAL(b.now, 1.5);
         UNIT_TRUE(bonkers_run(&b, 4, 3) == BONKERS_TIME);
         UNIT_EQUAL(b.now, 4);
@@ -68,7 +68,7 @@ TEST(test_patience, "how many collisions at one time are a collapse")
             const double patience = 100 + (n < 200 ? (double)n + 1 : 200);
             UNIT_TRUE(bonkers_run(&b, INFINITY, UINT64_MAX) ==
                       BONKERS_COLLAPSE);
-            UNIT_EQUAL((double)b.collisions,
+            UNIT_EQUAL(b.collisions,
                        2 * patience + (e == BONKERS_NAIVE ? 1 : 2));
             UNIT_EQUAL(b.now, 3);
             UNIT_TRUE(!bonkers_is_cold(&b));
@@ -86,7 +86,7 @@ TEST(test_cold, "a body too slow for numbers ends a run")
         UNIT_TRUE(bonkers_run(&b, INFINITY, 451) == BONKERS_COLLISIONS);
         UNIT_EQUAL(fabs(b.body[1].v), 0x1p-451);
         UNIT_TRUE(bonkers_run(&b, INFINITY, 1000) == BONKERS_COLLAPSE);
-        UNIT_EQUAL((double)b.collisions, 452);
+        UNIT_EQUAL(b.collisions, 452);
         UNIT_TRUE(bonkers_is_cold(&b));
     }
 }
@@ -129,7 +129,7 @@ TEST(test_rods, "points and rods")
         if (with < 3)
             s.radius[with] = 0.5;
         UNIT_TRUE(bonkers_begin(&b, &s, 1, BONKERS_HEAP, &wrong));
-        UNIT_EQUAL((double)wrong, 4);
+        UNIT_EQUAL(wrong, 4);
         UNIT_TRUE((b.shift == NULL) == (with == 3));
         UNIT_EQUAL(b.gravity, 0.25);
         UNIT_EQUAL(b.extent, 8);
@@ -162,7 +162,7 @@ TEST(test_falling_order, "order in a fall, but for rounding")
         const double allowed = 8 * DBL_EPSILON * 2 * (5000 + 100 * 100);
         b.body[2].x = 1 - (more ? 1.1 : 0.9) * allowed;
         bonkers_state(&b, at, u);
-        UNIT_EQUAL((double)b.disorder, more);
+        UNIT_EQUAL(b.disorder, more);
         UNIT_EQUAL(at[2], at[1]);
         UNIT_NEAR(at[1], 1 - 5000, 1e-11);
         UNIT_EQUAL(u[1], -100);
@@ -205,7 +205,7 @@ TEST(test_last_bit, "equal masses, in the last bit")
         FREED(bonkers) b;
         begin(&b, 2, x, v, 0, (enum bonkers_engine)e);
         bonkers_run(&b, INFINITY, 1);
-        UNIT_EQUAL((double)b.collisions, 1);
+        UNIT_EQUAL(b.collisions, 1);
         UNIT_EQUAL(b.body[1].v, 0);
         UNIT_EQUAL(b.body[2].v, 0);
     }

@@ -201,13 +201,13 @@ TEST(test_partners, "walls and the event itself are partners")
     put(&c, &p, 1, 1, 5); /* a wall */
     put(&c, &p, 2, 1, 1);
     put(&c, &p, 0, 2, 1);
-    UNIT_EQUAL((double)calendar_first(&c), 2); /* 1, 2 before 1, wall */
+    UNIT_EQUAL(calendar_first(&c), 2); /* 1, 2 before 1, wall */
     put(&c, &p, 2, 3, 1);
-    UNIT_EQUAL((double)calendar_first(&c), 1);
+    UNIT_EQUAL(calendar_first(&c), 1);
     put(&c, &p, 1, INFINITY, 5);
-    UNIT_EQUAL((double)calendar_first(&c), 3);
+    UNIT_EQUAL(calendar_first(&c), 3);
     put(&c, &p, 3, INFINITY, 5);
-    UNIT_EQUAL((double)calendar_first(&c), 0);
+    UNIT_EQUAL(calendar_first(&c), 0);
 }
 
 /* Bursts: many events at one time, then silence, then another burst. */
@@ -240,15 +240,15 @@ TEST(test_overdue, "what is overdue comes first")
     FREED(calendar) c;
     begin(&c, &p, 5, 10, 0.5);
     put(&c, &p, 0, 1000, 1);
-    UNIT_EQUAL((double)calendar_first(&c), 0);
+    UNIT_EQUAL(calendar_first(&c), 0);
     put(&c, &p, 1, 20, 0);
-    UNIT_EQUAL((double)calendar_first(&c), 1);
+    UNIT_EQUAL(calendar_first(&c), 1);
     put(&c, &p, 2, -1e300, 0);
-    UNIT_EQUAL((double)calendar_first(&c), 2);
+    UNIT_EQUAL(calendar_first(&c), 2);
     put(&c, &p, 3, -INFINITY, 0);
-    UNIT_EQUAL((double)calendar_first(&c), 3);
+    UNIT_EQUAL(calendar_first(&c), 3);
     put(&c, &p, 3, 1e300, 0);
-    UNIT_EQUAL((double)calendar_first(&c), 2);
+    UNIT_EQUAL(calendar_first(&c), 2);
     UNIT_EQUAL(drain(&c, &p), 0);
 }
 
@@ -260,16 +260,16 @@ TEST(test_edges, "taken out, put again, freed twice")
     begin(&c, &p, 3, 0, 1);
     UNIT_TRUE(calendar_first(&c) == CALENDAR_NONE);
     put(&c, &p, 2, INFINITY, 0);
-    UNIT_EQUAL((double)c.count, 0);
+    UNIT_EQUAL(c.count, 0);
     put(&c, &p, 2, 5, 0);
     put(&c, &p, 2, 4, 0);
-    UNIT_EQUAL((double)c.count, 1);
+    UNIT_EQUAL(c.count, 1);
     put(&c, &p, 2, INFINITY, 0);
     put(&c, &p, 2, INFINITY, 0);
-    UNIT_EQUAL((double)c.count, 0);
+    UNIT_EQUAL(c.count, 0);
     UNIT_TRUE(calendar_first(&c) == CALENDAR_NONE);
     put(&c, &p, 1, 1e9, 0);
-    UNIT_EQUAL((double)calendar_first(&c), 1);
+    UNIT_EQUAL(calendar_first(&c), 1);
     calendar_free(&c);
     calendar_free(&c);
     UNIT_TRUE(c.event == NULL && c.day == NULL);
@@ -319,22 +319,22 @@ TEST(test_years, "a year begins with its first event")
         static struct plain p;
         FREED(calendar) c;
         begin(&c, &p, 1, 100, 2);
-        UNIT_EQUAL((double)c.days, 65);
+        UNIT_EQUAL(c.days, 65);
         put(&c, &p, 0, 100.5, 0);
         for (int i = 0; i < years[k].asked; ++i)
-            UNIT_EQUAL((double)calendar_first(&c), 0);
-        UNIT_EQUAL((double)c.asked, years[k].asked);
+            UNIT_EQUAL(calendar_first(&c), 0);
+        UNIT_EQUAL(c.asked, years[k].asked);
         put(&c, &p, 0, nextafter(230, 0), 0);
-        UNIT_EQUAL((double)c.day[64], 0);
+        UNIT_EQUAL(c.day[64], 0);
         put(&c, &p, 0, 230, 0);
-        UNIT_EQUAL((double)c.day[64], 1);
-        UNIT_EQUAL((double)c.day[65], 0);
+        UNIT_EQUAL(c.day[64], 1);
+        UNIT_EQUAL(c.day[65], 0);
         put(&c, &p, 0, 230 + 1000 * (double)k, 0);
-        UNIT_EQUAL((double)calendar_first(&c), 0);
+        UNIT_EQUAL(calendar_first(&c), 0);
         UNIT_EQUAL(c.begin, 230 + 1000 * (double)k);
         UNIT_NEAR(c.width, 2 * years[k].factor, 1e-15);
-        UNIT_EQUAL((double)c.today, 0);
-        UNIT_EQUAL((double)c.asked, 1);
+        UNIT_EQUAL(c.today, 0);
+        UNIT_EQUAL(c.asked, 1);
     }
 }
 
@@ -350,19 +350,19 @@ TEST(test_shorter_days, "a crowded day becomes shorter")
         const double width = last ? 0x1p-52 : 8, start = last ? 1 : 16;
         begin(&c, &p, CROWD, start, width);
         const uint64_t days = c.days;
-        UNIT_EQUAL((double)days, CROWD + 64);
+        UNIT_EQUAL(days, CROWD + 64);
         for (size_t i = 0; i < CROWD; ++i)
             put(&c, &p, i,
                 start + width * (3 + (last ? 0 : (double)i / 128)), 0);
         uint64_t asked = 0;
         for (; 100 * asked <= 8 * (asked + days); ++asked) {
-            UNIT_EQUAL((double)calendar_first(&c), 0);
-            UNIT_EQUAL((double)c.looked, 100 * ((double)asked + 1));
-            UNIT_EQUAL((double)c.today, 3);
+            UNIT_EQUAL(calendar_first(&c), 0);
+            UNIT_EQUAL(c.looked, 100 * ((double)asked + 1));
+            UNIT_EQUAL(c.today, 3);
         }
         UNIT_EQUAL(c.width, width);
-        UNIT_EQUAL((double)calendar_first(&c), 0);
-        UNIT_EQUAL((double)c.asked, 1);
+        UNIT_EQUAL(calendar_first(&c), 0);
+        UNIT_EQUAL(c.asked, 1);
         UNIT_EQUAL(c.width, last ? width : width / 4);
         UNIT_EQUAL(c.begin, last ? start : start + 3 * width);
         UNIT_TRUE(is_whole(&c, &p));

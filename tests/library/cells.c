@@ -395,8 +395,8 @@ static void make_square(struct disks *d, size_t side,
     d->box[0] = d->box[1] = (double)side + (radius < 0.5 ? 0 : 1);
     for (size_t i = 0; i < d->count; ++i) {
         struct disk *a = &d->disk[i];
-        a->position[0] = (double)(i % side) + 0.5;
-        a->position[1] = (double)(i / side) + 0.5;
+        PUT(a->position, (double)(i % side) + 0.5,
+            (double)(i / side) + 0.5);
         a->radius = radius;
         a->velocity[random_below(&r, 2)] = random_below(&r, 2) ? 1 : -1;
         if (diagonal)
@@ -488,8 +488,7 @@ TEST(test_suit, "a box too narrow does not suit")
     for (size_t i = 0; i < 4; ++i)
         d.disk[i].radius = 0.5;
     d.boundary = DISKS_PERIODIC;
-    d.box[0] = 100;
-    d.box[1] = 2.9;
+    PUT(d.box, 100, 2.9);
     UNIT_TRUE(!cells_suit(&d));
     d.boundary = DISKS_WALLS;
     UNIT_TRUE(cells_suit(&d));

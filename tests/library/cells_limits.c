@@ -88,14 +88,13 @@ TEST(test_skin, "skin and cells have the sizes of the rules")
         scatter(&d, 1);
         begin(&c, &d);
         for (size_t k = 0; k < 3; ++k) {
-            UNIT_EQUAL((double)c.grid[k], (double)boxes[b].grid[k]);
+            UNIT_EQUAL(c.grid[k], boxes[b].grid[k]);
             longest = fmax(longest, boxes[b].box[k]);
             UNIT_EQUAL(c.inverse[k], disks_wraps(&d, k) ? 1 / d.box[k] : 0);
         }
         UNIT_NEAR(c.skin, boxes[b].skin, 1e-5 * boxes[b].skin);
         UNIT_EQUAL(c.slack, 1e-6 * longest);
-        UNIT_EQUAL((double)c.cells,
-                   (double)(c.grid[0] * c.grid[1] * c.grid[2]));
+        UNIT_EQUAL(c.cells, c.grid[0] * c.grid[1] * c.grid[2]);
     }
 }
 
@@ -218,8 +217,8 @@ TEST(test_neighbours, "all neighbours are listed, and no others")
             if (k % 6 == 0)
                 wrong += wrong_neighbours(&c);
         }
-        UNIT_EQUAL((double)wrong, 0);
-        UNIT_EQUAL((double)away, 0);
+        UNIT_EQUAL(wrong, 0);
+        UNIT_EQUAL(away, 0);
         UNIT_TRUE(c.renewed > 0 || (n % 5 == 0 && !crowd));
     }
 }
@@ -236,14 +235,12 @@ static void begin_lonely(struct cells *c, struct disks *d, double gravity,
     d->gravity = gravity;
     d->now = gravity;
     d->disk[0].radius = 0.125;
-    d->disk[0].position[0] = x;
-    d->disk[0].position[1] = 128;
+    PUT(d->disk[0].position, x, 128);
     memcpy(d->disk[0].velocity, v, 2 * sizeof *v);
     for (size_t i = 0; i < MANY; ++i)
         d->disk[i].since = d->now;
     for (size_t i = 1; i < MANY; ++i) {
-        d->disk[i].position[0] = 199;
-        d->disk[i].position[1] = 199 - 0.01 * (double)i;
+        PUT(d->disk[i].position, 199, 199 - 0.01 * (double)i);
     }
     begin(c, d);
 }
@@ -270,9 +267,9 @@ TEST(test_straight_end, "a straight flight ends a skin from the anchor")
         double end = c.skin / speed;
         if (ways[w].wall > 0) {
             UNIT_EQUAL(e->time, ways[w].wall);
-            UNIT_EQUAL((double)e->partner, (double)d.count); /* across x */
+            UNIT_EQUAL(e->partner, d.count); /* across x */
             cells_run(&c, ways[w].wall, UINT64_MAX);
-            UNIT_EQUAL((double)d.wall_collisions, 1);
+            UNIT_EQUAL(d.wall_collisions, 1);
             /* Where the skin ends, found by halving. */
             double low = ways[w].wall, high = 1e3;
             for (int k = 0; k < 60; ++k) {
@@ -285,9 +282,9 @@ TEST(test_straight_end, "a straight flight ends a skin from the anchor")
             end = low;
         }
         UNIT_NEAR(e->time, end, 1e-6 * end);
-        UNIT_EQUAL((double)e->partner, 0); /* itself */
+        UNIT_EQUAL(e->partner, 0); /* itself */
         cells_run(&c, end * (1 + 1e-5), UINT64_MAX);
-        UNIT_EQUAL((double)c.renewed, 1);
+        UNIT_EQUAL(c.renewed, 1);
         UNIT_TRUE(c.calendar.event[1].time == INFINITY);
     }
 }
@@ -304,11 +301,11 @@ TEST(test_beyond, "beyond the skin an anchor is renewed at once")
     c.place[(3 * a->cell + 1) * c.room + a->spot] +=
         (float)(1.001 * c.skin);
     cells_run(&c, 0.5, 0);
-    UNIT_EQUAL((double)runaways(&c), 1);
+    UNIT_EQUAL(runaways(&c), 1);
     cells_run(&c, 0.5, UINT64_MAX);
-    UNIT_EQUAL((double)d.wall_collisions, 1);
-    UNIT_EQUAL((double)c.renewed, 1);
-    UNIT_EQUAL((double)runaways(&c), 0);
+    UNIT_EQUAL(d.wall_collisions, 1);
+    UNIT_EQUAL(c.renewed, 1);
+    UNIT_EQUAL(runaways(&c), 0);
 }
 
 /* Under gravity a quarter of the skin is for falling, which takes at most
@@ -331,10 +328,10 @@ TEST(test_falling_end, "a fall stays within the skin")
         v[k % 3 > 0] = -speed;
         begin_lonely(&c, &d, g, 100, v);
         UNIT_NEAR(c.calendar.event[0].time, g + end, 1e-5 * end);
-        UNIT_EQUAL((double)c.calendar.event[0].partner, 0);
+        UNIT_EQUAL(c.calendar.event[0].partner, 0);
         cells_run(&c, g + end * (1 - 1e-4), UINT64_MAX);
-        UNIT_EQUAL((double)c.renewed, 0);
-        UNIT_EQUAL((double)runaways(&c), 0);
+        UNIT_EQUAL(c.renewed, 0);
+        UNIT_EQUAL(runaways(&c), 0);
         cells_run(&c, g + end * (1 + 1e-4), UINT64_MAX);
         UNIT_TRUE(c.renewed > 0);
     }
@@ -363,7 +360,7 @@ TEST(test_many, "many disks, for which memory is fetched early")
             last[all] += d.disk[i].position[0] * (double)(i % 7);
         }
         UNIT_NEAR(disks_energy(&d), 2500, 1e-9);
-        UNIT_EQUAL((double)runaways(&c), 0);
+        UNIT_EQUAL(runaways(&c), 0);
         cells_free(&c);
         cells_free(&c); /* twice is harmless */
         disks_free(&d);

@@ -118,7 +118,8 @@ TEST(test_comes_back, "a run comes back to the last bit")
     static const char *const methods[] = {"leapfrog", "radau15", "dopri5"};
     for (size_t k = 0; k < 3; ++k) {
         FREED(scene) s, t;
-        struct motion m, n;
+        struct motion m;
+        ENDED(motion) n;
         struct checkpoint c, d;
         struct checkpoint_numbers known = {0};
         clear();
@@ -145,7 +146,6 @@ TEST(test_comes_back, "a run comes back to the last bit")
         checkpoint_row(&d, 3, rows[1]);
         checkpoint_end(&d, true);
         motion_end(&m);
-        motion_end(&n);
     }
     char text[256];
     get(ROWS, text, sizeof text);
@@ -218,7 +218,7 @@ TEST(test_end, "a checkpoint goes before its rows")
               strcmp(removed[1], ROWS) == 0);
     UNIT_TRUE(!there(SAVED) && !there(ROWS));
     checkpoint_end(&c, false); /* nothing is left to do */
-    UNIT_EQUAL((double)removals, 2);
+    UNIT_EQUAL(removals, 2);
     UNIT_MUST(checkpoint_begin(&c, "checkpoint", command, OUTPUT));
     checkpoint_end(&c, true); /* no checkpoint: the rows go */
     UNIT_TRUE(!there(SAVED) && !there(ROWS));
@@ -330,7 +330,7 @@ TEST(test_foreign, "what is not ours stays")
     clear();
     put(SAVED, "# rows of step\n", 15);
     says(begins, NULL, TAKEN, SAVED ": is not step's and stays");
-    UNIT_EQUAL((double)get(SAVED, text, 64), 15);
+    UNIT_EQUAL(get(SAVED, text, 64), 15);
     clear();
     put(ROWS, "", 0);
     put(SAVED, "", 0);
@@ -411,7 +411,7 @@ TEST(test_flushed, "rows are written before what counts on them")
     get(SAVED, text, sizeof text);
     const char *at = strstr(text, "#= length ");
     const double length = at ? strtod(at + 10, NULL) : NAN;
-    UNIT_EQUAL((double)get(ROWS, line, sizeof line), length);
+    UNIT_EQUAL(get(ROWS, line, sizeof line), length);
     UNIT_TRUE(length > 50);
     checkpoint_end(&c, false);
     motion_end(&m);
@@ -541,7 +541,7 @@ TEST(test_sum, "the sum of a file")
         for (size_t i = 0; i < lengths[k]; ++i)
             sum = (sum ^ (unsigned char)text[i]) * 1099511628211u;
         put(OUTPUT, text, lengths[k]);
-        UNIT_EQUAL(checkpoint_sum(OUTPUT), (double)(sum >> 11));
+        UNIT_EQUAL(checkpoint_sum(OUTPUT), sum >> 11);
     }
     syscall(SYS_unlinkat, AT_FDCWD, OUTPUT, 0);
     UNIT_EQUAL(checkpoint_sum(OUTPUT), 0);

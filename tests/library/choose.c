@@ -3,24 +3,10 @@
    it refuses it refuses for the reason that it says. */
 #include "choosing/choose.h"
 #include "library/plans.h"
-#include "scenes/gallery.h"
+#include "library/galleries.h"
 #include "unit.h"
 
 #include <stdlib.h>
-
-/* A scene of the gallery with its usual values, but for one. */
-static struct scene made(const char *name, const char *key, double value)
-{
-    const struct gallery_scene *const lists[] = {
-        celestial_scenes, elastic_scenes, hard_scenes};
-    struct scene s = {0};
-    for (size_t j = 0; j < 3; ++j) {
-        const struct gallery_scene *g = gallery_find(lists[j], name);
-        if (g)
-            UNIT_TRUE(gallery_make(&s, g, key, value) == NULL);
-    }
-    return s;
-}
 
 static struct choose_request asked(const struct scene *s, double until,
                                    double tolerance)
@@ -117,9 +103,9 @@ TEST(test_exact, "what has a closed form is carried so")
     for (size_t j = 0; j < sizeof exact_trials / sizeof *exact_trials;
          ++j) {
         const struct trial *t = &exact_trials[j];
-        struct scene s = made(t->name, NULL, 0);
+        FREED(scene) s = made(t->name, NULL, 0);
         const struct choose_request q = asked(&s, t->until, 1e-6);
-        struct choose_choice c = chosen(&q, true);
+        CHOICE c = chosen(&q, true);
         UNIT_TRUE(takes(&c, t->truth));
         UNIT_EQUAL(c.candidate[c.taken].error, c.rounding);
         UNIT_TRUE(c.rounding > 0 && c.rounding < 1e-7);
@@ -128,8 +114,6 @@ TEST(test_exact, "what has a closed form is carried so")
         UNIT_TRUE(few || c.run.clock > 0 ? c.rounding > 2 * apart
                                          : c.rounding == 2 * apart);
         UNIT_TRUE(c.reference.model == NULL && c.doubt == 0);
-        choose_free(&c);
-        scene_free(&s);
     }
 }
 
@@ -150,7 +134,7 @@ static double chance(unsigned k, double margin)
  */
 TEST(test_floor, "near the floor of rounding more twins are asked")
 {
-    struct scene s = made("gas", NULL, 0);
+    FREED(scene) s = made("gas", NULL, 0);
     struct choose_request q = asked(&s, 2, 1e-3);
     struct choose_choice c = chosen(&q, true);
     double apart[TWINS + 1], cost = c.run.cost;
@@ -172,7 +156,6 @@ TEST(test_floor, "near the floor of rounding more twins are asked")
         most = c.run.value ? k : 0;
         choose_free(&c);
     }
-    scene_free(&s);
 }
 
 static const struct trial stepped_trials[] = {
@@ -271,32 +254,28 @@ static void check_pick(const struct trial *t, const struct scene *s,
                        double tolerance)
 {
     const struct choose_request q = asked(s, t->until, tolerance);
-    struct choose_choice c = chosen(&q, true);
+    CHOICE c = chosen(&q, true);
     FREED(record_view) v;
     UNIT_TRUE(record_view_create(&v, "choose", s, NULL, t->until));
-    struct record truth = recorded(&v, &q, plan(t->truth), INFINITY);
+    FREED(record) truth = recorded(&v, &q, plan(t->truth), INFINITY);
     const double error = record_difference(&v, &c.run, &truth, 1, 16);
     UNIT_TRUE(same_plan(&c.run.plan, &c.candidate[c.taken].plan));
     UNIT_EQUAL(c.run.cost, c.candidate[c.taken].cost);
     const double found = c.candidate[c.taken].error;
     UNIT_TRUE(error <= found && found <= tolerance);
     UNIT_NEAR(error, found, 2.1 * c.doubt + 1e-12);
-    struct record reference = recorded(&v, &q, c.reference, INFINITY);
+    FREED(record) reference = recorded(&v, &q, c.reference, INFINITY);
     const double off = record_difference(&v, &reference, &truth, 1, 16);
     UNIT_TRUE(off <= c.doubt + 1e-12 && c.doubt <= 0.2 * tolerance);
     check_price(&v, &q, &c, &truth);
-    record_free(&reference);
-    record_free(&truth);
-    choose_free(&c);
 }
 
 TEST(test_stepped, "picks hold, and none is 1.13 times cheaper")
 {
     for (size_t j = 0; j < STEPPED; ++j) {
-        struct scene s = made(stepped_trials[j].name, NULL, 0);
+        FREED(scene) s = made(stepped_trials[j].name, NULL, 0);
         for (size_t k = 0; k < 3; ++k)
             check_pick(&stepped_trials[j], &s, tolerances[k]);
-        scene_free(&s);
     }
 }
 
@@ -306,18 +285,16 @@ TEST(test_stepped, "picks hold, and none is 1.13 times cheaper")
 TEST(test_luck, "no number of steps holds by luck")
 {
     static const double odd[] = {1e-4, 1e-5, 1e-7};
-    struct scene s = made("solar-system", NULL, 0);
+    FREED(scene) s = made("solar-system", NULL, 0);
     for (size_t k = 0; k < 3; ++k) {
         struct choose_request q = asked(&s, 4383, odd[k]);
-        struct choose_choice c = chosen(&q, true);
+        CHOICE c = chosen(&q, true);
         const struct models_plan next = after(c.run.plan);
         UNIT_TRUE(next.steps > 0 && next.tolerance == 0);
         choose_free(&c);
         q.only = &next;
         c = chosen(&q, true);
-        choose_free(&c);
     }
-    scene_free(&s);
 }
 
 /* A reference is sure to a twentieth of what is asked for, in the problem
@@ -326,16 +303,14 @@ TEST(test_luck, "no number of steps holds by luck")
    than need be: for the shortest time the first one will do. */
 TEST(test_doubt, "a reference is sure to a twentieth")
 {
-    struct scene s = made("pythagorean", NULL, 0);
+    FREED(scene) s = made("pythagorean", NULL, 0);
     for (double until = 22; until < 60; until += 3) {
         const struct choose_request q = asked(&s, until, 1e-3);
-        struct choose_choice c = chosen(&q, true);
+        CHOICE c = chosen(&q, true);
         UNIT_TRUE(c.doubt > 0 &&
                   c.doubt <= (until < 37 ? 0.05 : 0.2) * q.tolerance);
         UNIT_TRUE(until > 22 || c.reference.tolerance > 5e-6);
-        choose_free(&c);
     }
-    scene_free(&s);
 }
 
 /* Four disks forget their start: at t = 20 nobody knows where they are, and
@@ -343,9 +318,9 @@ TEST(test_doubt, "a reference is sure to a twentieth")
    so). A shorter time is carried. */
 TEST(test_horizon, "beyond the horizon nothing is carried")
 {
-    struct scene s = made("four-disks", NULL, 0);
+    FREED(scene) s = made("four-disks", NULL, 0);
     struct choose_request q = asked(&s, 20, 1e-3);
-    struct choose_choice c = chosen(&q, false);
+    CHOICE c = chosen(&q, false);
     UNIT_TRUE(strstr(c.refusal, "horizon: after t = ") != NULL);
     UNIT_TRUE(strstr(c.refusal, "rounding or the order") != NULL);
     UNIT_NEAR(c.horizon, 6, 2);
@@ -354,8 +329,6 @@ TEST(test_horizon, "beyond the horizon nothing is carried")
     choose_free(&c);
     c = chosen(&q, true);
     UNIT_TRUE(isinf(c.horizon));
-    choose_free(&c);
-    scene_free(&s);
 }
 
 /* Three equal bodies on their circle. */
@@ -381,17 +354,15 @@ static struct scene circle(void)
    ln(1.145e13)/0.537 = 56. A factor of ten more or less is 4.3. */
 TEST(test_circle, "three bodies on a circle are known to t = 56")
 {
-    struct scene s = circle();
+    FREED(scene) s = circle();
     struct choose_request q = asked(&s, 80, 1e-3);
     q.every = 1;
-    struct choose_choice c = chosen(&q, false);
+    CHOICE c = chosen(&q, false);
     UNIT_NEAR(c.scale, sqrt(5.25), 1e-12);
     UNIT_NEAR(c.horizon, 56, 5);
     choose_free(&c);
     q.until = 45;
     c = chosen(&q, true);
-    choose_free(&c);
-    scene_free(&s);
 }
 
 /* A ball that hits two at once, or nearly: which of the two it meets first
@@ -413,10 +384,9 @@ TEST(test_fork, "two collisions at once that share a body are a fork")
         s.position[5] = k == 2 ? -0.51 : -0.5;
         s.contact = true;
         const struct choose_request q = asked(&s, 2, 1e-6);
-        struct choose_choice c = chosen(&q, k == 2);
+        CHOICE c = chosen(&q, k == 2);
         if (k < 2)
             UNIT_NEAR(c.horizon, 1, 0.13);
-        choose_free(&c);
     }
 }
 
@@ -433,9 +403,8 @@ TEST(test_no_fork, "two that share nobody are not")
     }
     s.contact = true;
     const struct choose_request q = asked(&s, 2, 1e-9);
-    struct choose_choice c = chosen(&q, true);
+    CHOICE c = chosen(&q, true);
     UNIT_NEAR(c.run.value[16 * c.columns], -1.2, 1e-15);
-    choose_free(&c);
 }
 
 /* Observables have scales of their own: the energy of the figure eight,
@@ -451,25 +420,22 @@ TEST(test_scales, "observables have scales of their own")
                  {"vx:1", "velocities", 1.272},
                  {"collisions", "counts", 1},
                  {"y:2,energy", "positions", 0}};
-    struct scene s = made("figure-eight", NULL, 0);
+    FREED(scene) s = made("figure-eight", NULL, 0);
     struct choose_request q = asked(&s, 20, 1e-6);
-    struct choose_choice places = chosen(&q, true);
-    UNIT_TRUE(strcmp(places.judged, "positions") == 0);
+    CHOICE places = chosen(&q, true);
+    UNIT_SAYS(places.judged, "positions");
     for (size_t j = 0; j < sizeof cases / sizeof *cases; ++j) {
         struct observables o;
         char message[OBSERVABLES_MESSAGE];
         UNIT_TRUE(observables_read(&o, cases[j].asked, 3, message));
         q.asked = &o;
-        struct choose_choice c = chosen(&q, true);
-        UNIT_TRUE(strcmp(c.judged, cases[j].judged) == 0);
+        CHOICE c = chosen(&q, true);
+        UNIT_SAYS(c.judged, cases[j].judged);
         const double is =
             cases[j].scale > 0 ? cases[j].scale : places.scale;
         UNIT_NEAR(c.scale, is, 0.005 * is);
         UNIT_TRUE(j > 0 || c.run.cost < places.run.cost);
-        choose_free(&c);
     }
-    choose_free(&places);
-    scene_free(&s);
 }
 
 /* The same scene in other units, of length, mass and time: powers of two,
@@ -589,12 +555,12 @@ static struct choose_choice seen_as(int kind, const struct scene *s,
    far apart where steps are few. */
 static void check_same(const char *name, double until, double tolerance)
 {
-    struct scene s = made(name, NULL, 0);
+    FREED(scene) s = made(name, NULL, 0);
     set_free(&s);
     const struct choose_request q = asked(&s, until, tolerance);
-    struct choose_choice first = chosen(&q, true);
+    CHOICE first = chosen(&q, true);
     for (int kind = 0; kind < KINDS; ++kind) {
-        struct choose_choice c = seen_as(kind, &s, &q, first.scale);
+        CHOICE c = seen_as(kind, &s, &q, first.scale);
         const struct models_plan *a = &c.run.plan, *b = &first.run.plan;
         const double rungs =
             0.26 + (b->steps > 0 ? log1p(0.5 / (double)b->steps) : 0);
@@ -611,10 +577,7 @@ static void check_same(const char *name, double until, double tolerance)
                                        first.candidate[first.taken].error);
         UNIT_TRUE(kind != UNITS ||
                   fabs(c.spent - first.spent) < 0.01 * first.spent);
-        choose_free(&c);
     }
-    choose_free(&first);
-    scene_free(&s);
 }
 
 TEST(test_same, "units, directions and order do not matter")
@@ -633,7 +596,7 @@ static const double grain = 5e-3; /* s */
 /* No more is spent than is reasonable; the refusal says what has been. */
 static void check_reason(struct choose_request *q)
 {
-    struct choose_choice c;
+    CHOICE c;
     char spent[40];
     UNIT_TRUE(choose(&c, q));
     UNIT_TRUE(c.spent <= 1.1 * q->budget + grain);
@@ -648,7 +611,6 @@ static void check_reason(struct choose_request *q)
             !strstr(c.refusal, spent))
             printf("# %s: %s\n", spent, c.refusal);
     }
-    choose_free(&c);
 }
 
 /* Asked with less and less of what it takes, and with next to nothing. */
@@ -664,7 +626,7 @@ TEST(test_reason, "no more is spent than is reasonable")
                  {"figure-eight", "pefrl:40", 20, 1e-3},
                  {"cantilever", NULL, 20, 1e-8}};
     for (size_t j = 0; j < sizeof cases / sizeof *cases; ++j) {
-        struct scene s = made(cases[j].scene, NULL, 0);
+        FREED(scene) s = made(cases[j].scene, NULL, 0);
         struct models_plan p;
         struct choose_request q =
             asked(&s, cases[j].until, cases[j].tolerance);
@@ -672,11 +634,9 @@ TEST(test_reason, "no more is spent than is reasonable")
             p = plan(cases[j].only);
             q.only = &p;
         }
-        struct choose_choice all = chosen(&q, true);
+        CHOICE all = chosen(&q, true);
         for (q.budget = 0.95 * all.spent; q.budget > 1e-7; q.budget *= 0.6)
             check_reason(&q);
-        choose_free(&all);
-        scene_free(&s);
     }
 }
 
@@ -714,15 +674,13 @@ TEST(test_patience, "exact ways are run with some patience")
    that is less than twice what was granted; without it, 39 times. */
 TEST(test_first_look, "a first look among many contacts is bounded")
 {
-    struct scene s = made("gas", NULL, 0);
+    FREED(scene) s = made("gas", NULL, 0);
     const struct choose_request q = asked(&s, 1e4, 1e-3);
     FREED(record_view) v;
     UNIT_TRUE(record_view_create(&v, "choose", &s, NULL, 1e4));
-    struct record r = recorded(&v, &q, plan("radau15:1e-3"), 0.2);
+    FREED(record) r = recorded(&v, &q, plan("radau15:1e-3"), 0.2);
     UNIT_TRUE(r.end == MODELS_COSTLY);
     UNIT_TRUE(r.cost < 0.4);
-    record_free(&r);
-    scene_free(&s);
 }
 
 /* What looking may spend, and what is then taken: the first asks for too
@@ -742,7 +700,7 @@ TEST(test_looking, "looking is short, and finds what is cheap")
         {"cradle", "string", NULL, 10, 1e-6, 0.101, 0.0115},
         {"double-pendulum", NULL, "leapfrog,rods", 8, 1e-6, 0.02, 0}};
     for (size_t j = 0; j < sizeof cases / sizeof *cases; ++j) {
-        struct scene s = made(cases[j].scene, cases[j].key, 1);
+        FREED(scene) s = made(cases[j].scene, cases[j].key, 1);
         struct choose_request q =
             asked(&s, cases[j].until, cases[j].tolerance);
         struct models_plan p;
@@ -751,14 +709,12 @@ TEST(test_looking, "looking is short, and finds what is cheap")
             p = plan(cases[j].only);
             q.only = &p;
         }
-        struct choose_choice c = chosen(&q, !cases[j].only);
+        CHOICE c = chosen(&q, !cases[j].only);
         UNIT_TRUE(c.spent <= cases[j].spent);
         UNIT_TRUE(c.run.cost <= cases[j].cost);
         if (c.spent > cases[j].spent || c.run.cost > cases[j].cost)
             printf("# %s at %g: %g, %g\n", cases[j].scene, q.tolerance,
                    c.spent, c.run.cost);
-        choose_free(&c);
-        scene_free(&s);
     }
 }
 
@@ -773,14 +729,12 @@ TEST(test_fine, "a tolerance below all roundings is answered at once")
                  {"double-pendulum", 10}, {"circumbinary", 300},
                  {"cantilever", 5},       {"cradle", 20}};
     for (size_t j = 0; j < sizeof cases / sizeof *cases; ++j) {
-        struct scene s = made(cases[j].scene, NULL, 0);
+        FREED(scene) s = made(cases[j].scene, NULL, 0);
         const struct choose_request q = asked(&s, cases[j].until, 1e-15);
-        struct choose_choice c;
+        CHOICE c;
         UNIT_TRUE(choose(&c, &q));
         UNIT_TRUE(c.run.value || strstr(c.refusal, " rounding"));
         UNIT_TRUE(c.spent < 0.5);
-        choose_free(&c);
-        scene_free(&s);
     }
 }
 
@@ -789,7 +743,7 @@ TEST(test_fine, "a tolerance below all roundings is answered at once")
    makes the same bytes. */
 TEST(test_only, "a plan by hand is run as it is")
 {
-    struct scene s = made("figure-eight", NULL, 0);
+    FREED(scene) s = made("figure-eight", NULL, 0);
     struct choose_request q = asked(&s, 20, 1e-3);
     struct models_plan p = plan("pefrl:4");
     q.only = &p;
@@ -805,15 +759,13 @@ TEST(test_only, "a plan by hand is run as it is")
         c = chosen(&q, true);
         p = c.run.plan;
         q.only = &p;
-        struct choose_choice same = chosen(&q, true);
+        CHOICE same = chosen(&q, true);
         UNIT_EQUAL(same.candidate[same.taken].error,
                    c.candidate[c.taken].error);
         UNIT_TRUE(memcmp(same.run.value, c.run.value,
                          17 * c.columns * sizeof *c.run.value) == 0);
-        choose_free(&same);
         choose_free(&c);
     }
-    scene_free(&s);
 }
 
 /* All that may act at once, in as many candidates as there can be: there is
@@ -828,14 +780,12 @@ TEST(test_room, "there is room for all candidates and runs")
     for (size_t j = 0; j < sizeof scenes / sizeof *scenes; ++j)
         for (double e = 1e-2; e > 1e-13; e *= 1e-3) {
             const bool ring = strcmp(scenes[j], "ring") == 0;
-            struct scene s = made(scenes[j], ring ? "particles" : NULL, 60);
+            FREED(scene) s = made(scenes[j], ring ? "particles" : NULL, 60);
             const struct choose_request q = asked(&s, 5, e);
-            struct choose_choice c;
+            CHOICE c;
             UNIT_TRUE(choose(&c, &q));
             UNIT_TRUE(c.candidates + 1 < CHOOSE_MOST);
             UNIT_TRUE(c.points < CHOOSE_POINTS);
-            choose_free(&c);
-            scene_free(&s);
         }
 }
 
@@ -861,18 +811,15 @@ TEST(test_believed, "prices are believed so far, and rungs tried so near")
         {"circumbinary", 200, 1e-8, "kahan-li8:8", "radau15:1e-5", 1.06e-3},
         {"circumbinary", 200, 1e-6, "kahan-li8:5", "kahan-li8:6", 7.9e-4}};
     for (size_t j = 0; j < sizeof cases / sizeof *cases; ++j) {
-        struct scene s = made(cases[j].scene, NULL, 0);
+        FREED(scene) s = made(cases[j].scene, NULL, 0);
         const struct models_plan dearer = plan(cases[j].dearer);
         struct choose_request q =
             asked(&s, cases[j].until, cases[j].tolerance);
-        struct choose_choice c = chosen(&q, true);
+        CHOICE c = chosen(&q, true);
         UNIT_TRUE(takes(&c, cases[j].pick) && c.spent < cases[j].spent);
         q.only = &dearer;
-        struct choose_choice other = chosen(&q, true);
+        CHOICE other = chosen(&q, true);
         UNIT_TRUE(other.run.cost > c.run.cost);
-        choose_free(&other);
-        choose_free(&c);
-        scene_free(&s);
     }
 }
 
@@ -881,9 +828,9 @@ TEST(test_believed, "prices are believed so far, and rungs tried so near")
    refused, and no other method is. */
 TEST(test_raced, "the methods that are marked are tried")
 {
-    struct scene s = made("figure-eight", NULL, 0);
+    FREED(scene) s = made("figure-eight", NULL, 0);
     const struct choose_request q = asked(&s, 2, 1e-3);
-    struct choose_choice c = chosen(&q, true);
+    CHOICE c = chosen(&q, true);
     size_t marked = 0;
     for (const struct models_model *m = models_all(); m->name; ++m) {
         bool tried = false;
@@ -895,8 +842,6 @@ TEST(test_raced, "the methods that are marked are tried")
         marked += m->method && m->method->raced;
     }
     UNIT_TRUE(marked >= 8);
-    choose_free(&c);
-    scene_free(&s);
 }
 
 /* What is reasonable bounds the start of a run as well: to find the modes
@@ -919,10 +864,9 @@ TEST(test_chain, "the start of a run is not beyond reason")
         }
         struct choose_request q = asked(&s, 1, 1e-3);
         q.budget = 1.0 / 3;
-        struct choose_choice c;
+        CHOICE c;
         UNIT_TRUE(choose(&c, &q));
         UNIT_TRUE(c.spent <= 1.02 * q.budget);
-        choose_free(&c);
     }
 }
 
@@ -930,9 +874,9 @@ TEST(test_chain, "the start of a run is not beyond reason")
 TEST(test_sentence, "what was taken is said in words")
 {
     char text[CHOOSE_SENTENCE];
-    struct scene s = made("figure-eight", NULL, 0);
+    FREED(scene) s = made("figure-eight", NULL, 0);
     const struct choose_request q = asked(&s, 20, 1e-3);
-    struct choose_choice c = chosen(&q, true);
+    CHOICE c = chosen(&q, true);
     choose_sentence(&c, 1e-3, text);
     UNIT_TRUE(strncmp(text,
                       "pefrl:8: its fourth order meets 0.001 at 8 steps "
@@ -946,8 +890,6 @@ TEST(test_sentence, "what was taken is said in words")
     c = chosen(&k, true);
     choose_sentence(&c, 1e-3, text);
     UNIT_TRUE(strncmp(text, "kepler: ellipses", 16) == 0);
-    choose_free(&c);
-    scene_free(&s);
 }
 
 /* Two bodies a thousandth apart, and one that is a million away: a
@@ -958,20 +900,18 @@ TEST(test_hidden, "a scale that hides two bodies is seen")
 {
     FREED(scene) s;
     UNIT_TRUE(scene_create(&s, 3));
-    s.position[1] = 1e-3;
-    s.position[2] = 1e6;
+    PUT(s.position + 1, 1e-3, 1e6);
     for (int k = 0; k < 3; ++k) {
         if (k == 2)
             s.position[2] = 1;
         const struct choose_request q = asked(&s, 1, k == 1 ? 1e-10 : 1e-6);
-        struct choose_choice c = chosen(&q, true);
+        CHOICE c = chosen(&q, true);
         UNIT_TRUE((c.hidden.a != c.hidden.b) == (k == 0));
         if (k == 0) {
-            UNIT_EQUAL((double)(c.hidden.a + c.hidden.b), 1);
-            UNIT_EQUAL((double)c.hidden.far, 2);
+            UNIT_EQUAL(c.hidden.a + c.hidden.b, 1);
+            UNIT_EQUAL(c.hidden.far, 2);
             UNIT_EQUAL(c.hidden.distance, 1e-3);
             UNIT_EQUAL(c.hidden.without, 1e-3);
         }
-        choose_free(&c);
     }
 }

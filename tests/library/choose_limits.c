@@ -2,7 +2,8 @@
    tolerance does not see because of one body far away, bodies that come to
    rest, and tolerances near the floor of rounding. */
 #include "choosing/choose.h"
-#include "scenes/gallery.h"
+#include "library/plans.h"
+#include "library/galleries.h"
 #include "unit.h"
 
 #include <stdlib.h>
@@ -38,10 +39,9 @@ TEST(test_overlap, "overlaps at the start")
         s.velocity[1] = 0.3;
         for (size_t c = 2; c < 6; ++c)
             s.freedom[c] = 0;
-        struct choose_choice c = chosen(&s, 3e-4 * share[k]);
+        CHOICE c = chosen(&s, 3e-4 * share[k]);
         const bool refused = strstr(c.refusal, "overlap") != NULL;
         UNIT_TRUE(refused == (share[k] < 1));
-        choose_free(&c);
     }
 }
 
@@ -67,17 +67,15 @@ TEST(test_hidden, "a pair that is hidden")
             s.position[b] = 0.001;
             s.position[far] = known[k].far;
             s.velocity[3] = 0.1;
-            struct choose_choice c = chosen(&s, known[k].tolerance);
+            CHOICE c = chosen(&s, known[k].tolerance);
             if (known[k].hidden) {
                 UNIT_NEAR(c.hidden.distance, 0.001, 1e-15);
                 UNIT_NEAR(c.hidden.without, 0.001, 1e-15);
-                UNIT_EQUAL((double)c.hidden.far, (double)far);
-                UNIT_EQUAL((double)(c.hidden.a + c.hidden.b),
-                           (double)(a + b));
+                UNIT_EQUAL(c.hidden.far, far);
+                UNIT_EQUAL(c.hidden.a + c.hidden.b, a + b);
             } else {
                 UNIT_EQUAL(c.hidden.distance, 0);
             }
-            choose_free(&c);
         }
 }
 
@@ -109,8 +107,7 @@ TEST(test_standstill, "bodies that come to rest")
         s.restitution = 0.5;
         s.k2 = 1;
         s.radius[0] = s.radius[1] = 0.1;
-        s.position[0] = -1;
-        s.position[1] = 0.2;
+        PUT(s.position, -1, 0.2);
         for (size_t c = 2; c < 6; ++c)
             s.freedom[c] = 0;
         const struct choose_request q = {.scene = &s,
@@ -119,14 +116,13 @@ TEST(test_standstill, "bodies that come to rest")
                                          .every = every[k],
                                          .tolerance = 1e-2,
                                          .budget = 10};
-        struct choose_choice c;
+        CHOICE c;
         UNIT_TRUE(choose(&c, &q));
         snprintf(known, sizeof known,
                  "collisions without end: after t = %g bodies",
                  every[k] * floor(end_of_bounces() / every[k]));
         UNIT_TRUE(strstr(c.refusal, known) == c.refusal);
         UNIT_TRUE(!c.run.value && isinf(c.horizon));
-        choose_free(&c);
     }
 }
 
@@ -134,14 +130,8 @@ TEST(test_standstill, "bodies that come to rest")
 static struct choose_choice carried(const char *name, double until,
                                     size_t rows, double tolerance)
 {
-    struct scene s = {0};
+    FREED(scene) s = made(name, NULL, 0);
     struct choose_choice c;
-    const struct gallery_scene *const lists[] = {
-        celestial_scenes, elastic_scenes, hard_scenes};
-    for (size_t j = 0; j < 3; ++j) {
-        const struct gallery_scene *g = gallery_find(lists[j], name);
-        UNIT_TRUE(!g || gallery_make(&s, g, NULL, 0) == NULL);
-    }
     const struct choose_request q = {.scene = &s,
                                      .program = "choose",
                                      .until = s.time + until,
@@ -149,7 +139,6 @@ static struct choose_choice carried(const char *name, double until,
                                      .tolerance = tolerance,
                                      .budget = 10};
     UNIT_TRUE(choose(&c, &q));
-    scene_free(&s);
     return c;
 }
 
@@ -158,11 +147,10 @@ static struct choose_choice carried(const char *name, double until,
    the horizon is found at once, not after another seven thousand rows. */
 TEST(test_parting, "twins that part slowly")
 {
-    struct choose_choice c = carried("four-disks", 400, 8000, 1e-3);
+    CHOICE c = carried("four-disks", 400, 8000, 1e-3);
     UNIT_TRUE(!c.run.value);
     UNIT_NEAR(c.horizon, 5.35, 0.1);
     UNIT_TRUE(c.spent < 1e-3);
-    choose_free(&c);
 }
 
 /* Near the floor of rounding twins of the reference are asked after a run
@@ -173,20 +161,18 @@ TEST(test_floor, "near the floor of rounding")
 {
     unsigned seen = 0;
     for (double e = 1e-13; e > 1e-14; e /= 1.1) {
-        struct choose_choice c = carried("figure-eight", 2, 4, e);
+        CHOICE c = carried("figure-eight", 2, 4, e);
         UNIT_TRUE(c.run.value != NULL);
         UNIT_TRUE(c.candidate[c.taken].error <= e && c.doubt <= e / 2);
         UNIT_TRUE(c.candidate[c.taken].error > c.doubt);
         seen += c.doubt > e / 20; /* by twins */
-        choose_free(&c);
     }
     UNIT_TRUE(seen > 20);
     for (double e = 4e-12; e > 1.3e-12; e /= 1.4) {
-        struct choose_choice c = carried("pythagorean", 9, 4, e);
+        CHOICE c = carried("pythagorean", 9, 4, e);
         UNIT_TRUE(!c.run.value && c.doubt > e / 2);
         UNIT_EQUAL(c.horizon, 4.5);
         UNIT_TRUE(strstr(c.refusal, "horizon") == c.refusal);
-        choose_free(&c);
     }
 }
 
@@ -198,7 +184,7 @@ TEST(test_even, "references of equal steps")
 {
     unsigned near = 0, far = 0;
     for (double e = 1e-2; e > 1e-7; e /= 5) {
-        struct choose_choice c = carried("double-pendulum", 2, 4, e);
+        CHOICE c = carried("double-pendulum", 2, 4, e);
         double offered = 0;
         UNIT_TRUE(c.run.value != NULL);
         UNIT_TRUE(c.reference.steps % 2 == 1 && c.doubt <= 0.2 * e);
@@ -211,7 +197,6 @@ TEST(test_even, "references of equal steps")
         UNIT_NEAR(offered, (little ? 1.05 : 2) * c.doubt, 1e-12 * offered);
         near += little;
         far += !little;
-        choose_free(&c);
     }
     UNIT_TRUE(near > 2 && far > 2);
 }

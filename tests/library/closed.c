@@ -46,10 +46,9 @@ TEST(test_flight, "flight under weight and friction")
                 p2 = (t - p1) / k;
             double x = 2, v = -3;
             closed_fly(t, rates[i], 1.5, &x, &v);
-            UNIT_NEAR(x, (double)(2 - 3 * p1 + 1.5L * p2),
+            UNIT_NEAR(x, 2 - 3 * p1 + 1.5L * p2,
                       1e-15 * (2 + 3 * t + 1.5 * t * t));
-            UNIT_NEAR(v, (double)(-3 * expl(-z) + 1.5L * p1),
-                      1e-15 * (3 + 1.5 * t));
+            UNIT_NEAR(v, -3 * expl(-z) + 1.5L * p1, 1e-15 * (3 + 1.5 * t));
         }
     /* a million times its time, and it is v / rate away: 1 + 8.6e-11 if the
        series' way is gone backwards */
@@ -141,9 +140,9 @@ TEST(test_relabel,
             UNIT_NEAR(v[i], speed[i + 1], 1e-15);
         }
         all += b.collisions;
-        UNIT_EQUAL((double)closed_meetings(start.wall[0], start.wall[1], n,
-                                           start.x, start.v, t),
-                   (double)b.collisions);
+        UNIT_EQUAL(closed_meetings(start.wall[0], start.wall[1], n, start.x,
+                                   start.v, t),
+                   b.collisions);
     }
     UNIT_TRUE(all > 10000);
 }
@@ -153,10 +152,8 @@ TEST(test_relabel_at_once, "what happens at the very time has happened")
 {
     const double at[] = {1, 3}, with[] = {1, -1};
     relabel(-INFINITY, INFINITY, 2, at, with, 1);
-    UNIT_EQUAL(x[0], 2);
-    UNIT_EQUAL(x[1], 2);
-    UNIT_EQUAL(v[0], -1);
-    UNIT_EQUAL(v[1], 1);
+    UNIT_LIST(x, 0, 2, 2);
+    UNIT_LIST(v, 0, -1, 1);
     relabel(0, INFINITY, 2, at, with, 3);
     UNIT_EQUAL(x[0], 0);
     UNIT_EQUAL(v[0], 1);
@@ -165,7 +162,7 @@ TEST(test_relabel_at_once, "what happens at the very time has happened")
     UNIT_EQUAL(v[0], 1);
     UNIT_EQUAL(x[1], 4);
     UNIT_EQUAL(v[1], -1);
-    UNIT_EQUAL((double)closed_meetings(0, 4, 2, at, with, 3), 3);
+    UNIT_EQUAL(closed_meetings(0, 4, 2, at, with, 3), 3);
     UNIT_TRUE(closed_meetings(0, 4, 2, at, (double[]){0, 1e21}, 3) ==
               UINT64_MAX); /* more than there are numbers for */
 }

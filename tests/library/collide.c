@@ -246,15 +246,11 @@ TEST(test_two_disks, "two disks at forty-five degrees")
     double a[2] = {1, 0}, b[2] = {0, 0};
     double c[2] = {1, 0}, d[2] = {0, 0};
     UNIT_TRUE(collide_along(2, normal, a, b, 0.1, 1, 1));
-    UNIT_NEAR(a[0], 10.0 / 11, 4 * DBL_EPSILON);
-    UNIT_NEAR(a[1], -1.0 / 11, 4 * DBL_EPSILON);
-    UNIT_NEAR(b[0], 10.0 / 11, 4 * DBL_EPSILON);
-    UNIT_NEAR(b[1], 10.0 / 11, 4 * DBL_EPSILON);
+    UNIT_LIST(a, 4 * DBL_EPSILON, 10.0 / 11, -1.0 / 11);
+    UNIT_LIST(b, 4 * DBL_EPSILON, 10.0 / 11, 10.0 / 11);
     UNIT_TRUE(collide_along(2, normal, c, d, 0.1, 0.1, 1));
-    UNIT_NEAR(c[0], 0.5, 4 * DBL_EPSILON);
-    UNIT_NEAR(c[1], -0.5, 4 * DBL_EPSILON);
-    UNIT_NEAR(d[0], 0.5, 4 * DBL_EPSILON);
-    UNIT_NEAR(d[1], 0.5, 4 * DBL_EPSILON);
+    UNIT_LIST(c, 4 * DBL_EPSILON, 0.5, -0.5);
+    UNIT_LIST(d, 4 * DBL_EPSILON, 0.5, 0.5);
 }
 
 /* A power of two in front of the normal changes nothing, to the last bit,

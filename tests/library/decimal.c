@@ -163,9 +163,9 @@ TEST(test_middles, "the middle of two doubles")
        -2 (every other one, and one in 21 of the rest) a third has neither
        more nor less, and half of these have all 54 bits. 6 standard
        deviations are allowed. */
-    UNIT_NEAR((double)ways[DECIMAL_STRTOD], 1e5 * (1 + 1 / 21.) / 6,
+    UNIT_NEAR(ways[DECIMAL_STRTOD], 1e5 * (1 + 1 / 21.) / 6,
               6 * sqrt(1e5 / 6));
-    UNIT_EQUAL((double)ways[DECIMAL_NONE], 0);
+    UNIT_EQUAL(ways[DECIMAL_NONE], 0);
 }
 
 /* A locale with a comma changes nothing. Where there is none, nothing is

@@ -134,7 +134,7 @@ static void compare(size_t dimensions, size_t count, double side,
     UNIT_TRUE(memcmp(d[0].disk, d[1].disk, count * sizeof *d[0].disk) == 0);
     UNIT_EQUAL(d[0].now, d[1].now);
     UNIT_EQUAL(d[0].virial, d[1].virial);
-    UNIT_EQUAL((double)d[0].wall_collisions, (double)d[1].wall_collisions);
+    UNIT_EQUAL(d[0].wall_collisions, d[1].wall_collisions);
     disks_free(&d[0]);
     disks_free(&d[1]);
 }
@@ -165,7 +165,7 @@ TEST(test_pieces, "pieces of a run have the bits of the whole")
     UNIT_EQUAL(one.now, 20);
     UNIT_EQUAL(many.now, 20);
     UNIT_TRUE(memcmp(one.disk, many.disk, 10 * sizeof *one.disk) == 0);
-    UNIT_EQUAL((double)one.collisions, (double)many.collisions);
+    UNIT_EQUAL(one.collisions, many.collisions);
 }
 
 /* m v (x - c) summed over the disks. */
@@ -226,7 +226,7 @@ TEST(test_conserved, "energy and momentum are conserved")
             sum[k] += d.disk[i].velocity[k];
     for (size_t k = 0; k < 3; ++k)
         UNIT_NEAR(sum[k], 0, 1e-12);
-    UNIT_EQUAL((double)d.wall_collisions, 0);
+    UNIT_EQUAL(d.wall_collisions, 0);
 }
 
 enum { BLOCKS = 40 };
@@ -299,14 +299,12 @@ TEST(test_one, "one disk: exact impulses")
 {
     FREED(disks) d;
     UNIT_MUST(disks_create(&d, 2, 1));
-    d.box[0] = 4;
-    d.box[1] = 2;
+    PUT(d.box, 4, 2);
     d.disk[0] = (struct disk){{1, 1, 0}, 0, {0.6, 0.8, 0}, 0.5};
     UNIT_TRUE(disks_plan(&d));
     disks_run(&d, 10, UINT64_MAX);
-    UNIT_EQUAL((double)d.wall_collisions, 2 + 8);
-    UNIT_NEAR(d.impulse[0], 2 * 2 * 0.6, 1e-14);
-    UNIT_NEAR(d.impulse[1], 8 * 2 * 0.8, 1e-14);
+    UNIT_EQUAL(d.wall_collisions, 2 + 8);
+    UNIT_LIST(d.impulse, 1e-14, 2 * 2 * 0.6, 8 * 2 * 0.8);
 }
 
 /* Nothing ever happens to disks at rest, and time still passes. */
@@ -377,7 +375,7 @@ TEST(test_open_axis, "an open axis has no wall")
     d.disk[0] = (struct disk){
         .position = {0.5, 0.5}, .velocity = {0.25, -1}, .radius = 0.25};
     UNIT_EQUAL(disks_wall(&d, 0, &axis), 1);
-    UNIT_EQUAL((double)axis, 0);
+    UNIT_EQUAL(axis, 0);
     d.box[0] = 0;
     UNIT_TRUE(disks_wall(&d, 0, &axis) == INFINITY);
 }
@@ -404,8 +402,8 @@ TEST(test_ties, "and a plan keeps to it")
             for (size_t i = 0; i < COUNT; ++i) {
                 struct disk *a = &d[e].disk[i];
                 a->radius = 0.125;
-                a->position[0] = (double)(at[i] % SIDE) + 0.5;
-                a->position[1] = (double)(at[i] / SIDE) + 0.5;
+                PUT(a->position, (double)(at[i] % SIDE) + 0.5,
+                    (double)(at[i] / SIDE) + 0.5);
                 a->velocity[0] = 2 * (double)random_below(&speeds, 4) - 3;
             }
         }
@@ -414,8 +412,7 @@ TEST(test_ties, "and a plan keeps to it")
             disks_run(&d[0], INFINITY, n);
             while (d[1].collisions < n)
                 disks_collide(&d[1], disks_next(&d[1]));
-            UNIT_EQUAL((double)d[0].wall_collisions,
-                       (double)d[1].wall_collisions);
+            UNIT_EQUAL(d[0].wall_collisions, d[1].wall_collisions);
             UNIT_TRUE(memcmp(d[0].hits, d[1].hits,
                              COUNT * sizeof d[0].hits[0]) == 0);
             UNIT_TRUE(memcmp(d[0].disk, d[1].disk,
@@ -446,8 +443,7 @@ TEST(test_lattice, "lattices hold the closest packing")
     /* 4 x 2 cells of width 1 and height sqrt(3): packing .9069 */
     UNIT_MUST(disks_create(&d, 2, 16));
     d.boundary = DISKS_PERIODIC;
-    d.box[0] = 4 * (1 + 1e-12);
-    d.box[1] = 2 * sqrt(3) * (1 + 1e-12);
+    PUT(d.box, 4 * (1 + 1e-12), 2 * sqrt(3) * (1 + 1e-12));
     for (size_t i = 0; i < 16; ++i)
         d.disk[i].radius = 0.5;
     UNIT_TRUE(disks_place_lattice(&d) && disks_fit(&d, &a, &b));
@@ -520,17 +516,13 @@ TEST(test_images, "nearest images")
     begin(&d, 2, 2, 0.5, 3, DISKS_PERIODIC, 1);
     disks_separation(&d, (double[]){0.25, 0, 0}, (double[]){2.75, 1, 0},
                      apart);
-    UNIT_EQUAL(apart[0], -0.5);
-    UNIT_EQUAL(apart[1], 1);
-    UNIT_EQUAL(apart[2], 0);
+    UNIT_LIST(apart, 0, -0.5, 1, 0);
     disks_fold(&d, place);
-    UNIT_EQUAL(place[0], 2.5);
-    UNIT_EQUAL(place[1], 1.25);
+    UNIT_LIST(place, 0, 2.5, 1.25);
     place[0] = -1e-20; /* and not at the other end */
     place[1] = 3;
     disks_fold(&d, place);
-    UNIT_EQUAL(place[0], 0);
-    UNIT_EQUAL(place[1], 0);
+    UNIT_LIST(place, 0, 0, 0);
     d.box[1] = 2;
     UNIT_TRUE(!(disks_replan_distance(&d) > 0));
     d.boundary = DISKS_WALLS;
@@ -552,8 +544,7 @@ TEST(test_temperature, "temperature and speed of a start")
     for (size_t i = 0; i < N; ++i)
         for (size_t k = 0; k < 2; ++k)
             square[i % 2] += d.mass[i] * pow(d.disk[i].velocity[k], 2) / N;
-    UNIT_NEAR(square[0], 0.3, 0.3 * 4 * sqrt(2.0 / N));
-    UNIT_NEAR(square[1], 0.3, 0.3 * 4 * sqrt(2.0 / N));
+    UNIT_LIST(square, 0.3 * 4 * sqrt(2.0 / N), 0.3, 0.3);
     d.boundary = DISKS_PERIODIC;
     const double energy = disks_energy(&d);
     disks_set_speed(&d, 2, &r);
@@ -591,12 +582,10 @@ TEST(test_drift, "a drift is no heat, but across a wall")
             const bool x = b != DISKS_WALLS, y = b == DISKS_PERIODIC;
             UNIT_EQUAL(disks_heat(&d), E);
             disks_drift(&d, drift);
-            UNIT_EQUAL(drift[0], 0);
-            UNIT_EQUAL(drift[1], 0);
+            UNIT_LIST(drift, 0, 0, 0);
             boost(&d, x ? 1e3 : 0, y ? -1e3 : 0);
             disks_drift(&d, drift);
-            UNIT_NEAR(drift[0], x ? 1e3 : 0, 1e-12);
-            UNIT_NEAR(drift[1], y ? -1e3 : 0, 1e-12);
+            UNIT_LIST(drift, 1e-12, x ? 1e3 : 0, y ? -1e3 : 0);
             UNIT_NEAR(disks_heat(&d), E, 1e-11 * E);
             UNIT_NEAR(disks_temperature(&d), kT, 1e-11 * kT);
             UNIT_TRUE(!x || disks_energy(&d) > 1e3 * E);
@@ -664,8 +653,8 @@ TEST(test_common_fall, "disks that fall meet as if they did not")
         for (int i = 0; i < 30; ++i) {
             struct disk *a = &d[k].disk[i];
             a->radius = 0.3 + 0.01 * i;
-            a->position[0] = 500 + 2 * (i % 6) - 5;
-            a->position[1] = 500 + 2 * (i / 6) - 5.0;
+            PUT(a->position, 500 + 2 * (i % 6) - 5,
+                500 + 2 * (i / 6) - 5.0);
             /* all to the middle, with some disorder */
             a->velocity[0] =
                 500 - a->position[0] + random_between(&r, -1, 1);
@@ -676,12 +665,11 @@ TEST(test_common_fall, "disks that fall meet as if they did not")
         disks_run(&d[k], 2, UINT64_MAX);
     }
     UNIT_TRUE(d[0].collisions > 20);
-    UNIT_EQUAL((double)d[1].collisions, (double)d[0].collisions);
+    UNIT_EQUAL(d[1].collisions, d[0].collisions);
     for (size_t i = 0; i < 30; ++i) {
         disks_position(&d[0], i, place[0]);
         disks_position(&d[1], i, place[1]);
-        UNIT_NEAR(place[1][0], place[0][0], 1e-6);
-        UNIT_NEAR(place[1][1], place[0][1] - 4, 1e-6);
+        UNIT_LIST(place[1], 1e-6, place[0][0], place[0][1] - 4);
     }
     disks_free(&d[0]);
     disks_free(&d[1]);
@@ -712,7 +700,7 @@ static void falling_runs(enum disks_boundary boundary)
         for (int k = 1; k <= 300; ++k)
             disks_run(&cut, k / 15.0, UINT64_MAX);
         UNIT_TRUE(plan.collisions > 100);
-        UNIT_EQUAL((double)plan.collisions, (double)look.collisions);
+        UNIT_EQUAL(plan.collisions, look.collisions);
         for (size_t i = 0; i < 12; ++i) {
             UNIT_TRUE(
                 !memcmp(&plan.disk[i], &look.disk[i], sizeof plan.disk[i]));
@@ -756,8 +744,8 @@ TEST(test_no_sides, "without sides they meet behind the seam")
     UNIT_TRUE(disks_run(&d, INFINITY, 1) == DISKS_COLLISIONS);
     UNIT_NEAR(d.now, 0.3, 1e-15);
     disks_run(&d, 0.3 + 4.6 * 10 + 0.05, UINT64_MAX);
-    UNIT_EQUAL((double)d.collisions, 11);
-    UNIT_EQUAL((double)d.wall_collisions, 2 * 28);
+    UNIT_EQUAL(d.collisions, 11);
+    UNIT_EQUAL(d.wall_collisions, 2 * 28);
     UNIT_EQUAL(d.impulse[0], 0);
     for (size_t i = 0; i < 2; ++i) {
         disks_position(&d, i, place);
@@ -890,12 +878,12 @@ TEST(test_collapsed, "how long a clock may stand")
     d.now = 2;
     for (int k = 1; k <= 1071; ++k) {
         disks_collide(&d, (struct disks_event){k % 2 ? 2 : 1.5, 3, 3});
-        UNIT_EQUAL((double)d.standing, k);
+        UNIT_EQUAL(d.standing, k);
         UNIT_TRUE(disks_collapsed(&d) == (k > 1070));
     }
     UNIT_TRUE(disks_over(&d, 3));
     disks_collide(&d, (struct disks_event){2.5, 3, 3});
-    UNIT_EQUAL((double)d.standing, 0);
+    UNIT_EQUAL(d.standing, 0);
 }
 
 /* A third of half the narrowest periodic side, less two of the widest radii
@@ -907,9 +895,7 @@ TEST(test_disks_replan_distance, "how far a disk flies before it looks")
     for (int widest = 0; widest < 3; ++widest) {
         for (int i = 0; i < 3; ++i)
             d.disk[i].radius = i == widest ? 1 : 0.5 + 0.1 * i;
-        d.box[0] = 10;
-        d.box[1] = 7;
-        d.box[2] = 12;
+        PUT(d.box, 10, 7, 12);
         d.boundary = DISKS_PERIODIC;
         UNIT_NEAR(disks_replan_distance(&d), 0.999 * 1.5 / 3, 1e-15);
         d.boundary = DISKS_FLOOR; /* the second axis has walls */
@@ -988,17 +974,17 @@ TEST(test_where_it_lies, "and which disk lies")
         struct disk *a = &d.disk[who];
         a->position[1] = 0.0625 + 4 * DBL_EPSILON;
         a->velocity[1] = 4 * 4 * 4 * DBL_EPSILON;
-        UNIT_EQUAL((double)disks_lying(&d), (double)who);
+        UNIT_EQUAL(disks_lying(&d), who);
         a->velocity[1] *= -1;
-        UNIT_EQUAL((double)disks_lying(&d), (double)who);
+        UNIT_EQUAL(disks_lying(&d), who);
         a->velocity[1] *= 1.001;
-        UNIT_EQUAL((double)disks_lying(&d), 3);
+        UNIT_EQUAL(disks_lying(&d), 3);
         a->velocity[1] = 0;
         a->position[1] += DBL_EPSILON;
-        UNIT_EQUAL((double)disks_lying(&d), 3);
+        UNIT_EQUAL(disks_lying(&d), 3);
         a->position[1] = 0.0625;
         d.gravity = 0;
-        UNIT_EQUAL((double)disks_lying(&d), 3);
+        UNIT_EQUAL(disks_lying(&d), 3);
     }
 }
 

@@ -4,7 +4,7 @@
 #define UNIT_OWN_MAIN
 #include "unit.h"
 
-#include "scenes/gallery.h"
+#include "library/galleries.h"
 #include "library/scene_same.h"
 #include "toolbox/table.h"
 
@@ -13,16 +13,12 @@
 #include <string.h>
 #include <unistd.h>
 
-static const struct gallery_scene *const lists[] = {
-    celestial_scenes, elastic_scenes, hard_scenes};
-enum { LISTS = sizeof lists / sizeof lists[0] };
-
 /* Calls look for every scene; returns the sum. */
 static int for_all(int (*look)(const struct gallery_scene *))
 {
     int sum = 0;
-    for (size_t i = 0; i < LISTS; ++i)
-        for (const struct gallery_scene *g = lists[i]; g->name; ++g)
+    for (size_t i = 0; i < GALLERIES; ++i)
+        for (const struct gallery_scene *g = galleries[i]; g->name; ++g)
             sum += look(g);
     return sum;
 }
@@ -209,8 +205,8 @@ static int write_sums(const struct gallery_scene *g)
 static const struct gallery_scene *find(const char *name)
 {
     const struct gallery_scene *g = NULL;
-    for (size_t i = 0; i < LISTS && !g; ++i)
-        g = gallery_find(lists[i], name);
+    for (size_t i = 0; i < GALLERIES && !g; ++i)
+        g = gallery_find(galleries[i], name);
     return g;
 }
 

@@ -49,14 +49,12 @@ TEST(test_by_hand, "two bodies are as by hand")
 {
     memcpy(place, (double[]){1, 4, 1, 5, 2, 2}, 6 * sizeof place[0]);
     mass[0] = 2, mass[1] = 3;
-    struct gravity g = prepare(2, 7, 0);
+    FREED(gravity) g = prepare(2, 7, 0);
     for (int i = 0; i < 6; ++i)
         sum[i] = 100; /* it adds */
     gravity_add(&g, place, sum);
-    UNIT_NEAR(sum[0], 100 + 7 * 3 * 3. / 125, 1e-13);
-    UNIT_NEAR(sum[1], 100 - 7 * 2 * 3. / 125, 1e-13);
-    UNIT_NEAR(sum[2], 100 + 7 * 3 * 4. / 125, 1e-13);
-    UNIT_NEAR(sum[3], 100 - 7 * 2 * 4. / 125, 1e-13);
+    UNIT_LIST(sum, 1e-13, 100 + 7 * 3 * 3. / 125, 100 - 7 * 2 * 3. / 125,
+              100 + 7 * 3 * 4. / 125, 100 - 7 * 2 * 4. / 125);
     UNIT_EQUAL(sum[4], 100);
     UNIT_NEAR(gravity_potential(&g, place), -7 * 6 / 5., 1e-15 * 9);
     g.softening = 12;
@@ -64,11 +62,10 @@ TEST(test_by_hand, "two bodies are as by hand")
     UNIT_NEAR(sum[0], 7 * 3 * 3. / 2197, 1e-17);
     UNIT_NEAR(gravity_potential(&g, place), -7 * 6 / 13., 1e-15 * 4);
     struct stepping_forces f = gravity_forces(&g);
-    UNIT_EQUAL((double)f.size, 6);
+    UNIT_EQUAL(f.size, 6);
     UNIT_TRUE(!f.damped);
     f.accelerate(f.what, place, NULL, other); /* it writes */
     UNIT_TRUE(memcmp(sum, other, 6 * sizeof sum[0]) == 0);
-    gravity_free(&g);
 }
 
 /* The largest error of sum[], by the sum of the sizes of what is added. */
@@ -111,14 +108,13 @@ TEST(test_kernels, "all kernels sum right, whatever the number")
             for (int soft = 0; soft < 2; ++soft) {
                 const size_t n = counts[c];
                 scatter(n, 1 + c);
-                struct gravity g = prepare(n, 0.3, soft ? 0.2 : 0);
+                FREED(gravity) g = prepare(n, 0.3, soft ? 0.2 : 0);
                 choose(&g, kernel);
                 sum[3 * n] = 77; /* nothing beyond the end is touched */
                 add(&g, sum);
                 UNIT_EQUAL(sum[3 * n], 77);
                 UNIT_NEAR(worst_error(&g), 0,
                           ((double)n + 10) * DBL_EPSILON);
-                gravity_free(&g);
             }
     }
 }
@@ -302,19 +298,19 @@ TEST(test_sources, "none but the sources pull, by their share")
 
 TEST(test_names, "kernels have names")
 {
-    UNIT_TRUE(strcmp(gravity_kernels[GRAVITY_PORTABLE], "portable") == 0);
-    UNIT_TRUE(strcmp(gravity_kernels[GRAVITY_AUTO], "auto") == 0);
-    UNIT_TRUE(strcmp(gravity_kernels[GRAVITY_AVX512], "avx512") == 0);
-    UNIT_TRUE(strcmp(gravity_kernels[GRAVITY_TREE], "tree") == 0);
+    UNIT_SAYS(gravity_kernels[GRAVITY_PORTABLE], "portable");
+    UNIT_SAYS(gravity_kernels[GRAVITY_AUTO], "auto");
+    UNIT_SAYS(gravity_kernels[GRAVITY_AVX512], "avx512");
+    UNIT_SAYS(gravity_kernels[GRAVITY_TREE], "tree");
     UNIT_TRUE(!gravity_kernels[GRAVITY_KERNELS]);
     UNIT_TRUE(gravity_can(GRAVITY_PORTABLE));
     UNIT_TRUE(gravity_can(GRAVITY_AUTO) && gravity_can(gravity_fastest()));
     struct gravity g = prepare(32, 1, 0);
-    UNIT_TRUE(strcmp(gravity_summed_by(&g), "pairs") == 0);
+    UNIT_SAYS(gravity_summed_by(&g), "pairs");
     g = prepare(33, 1, 0);
-    UNIT_TRUE(strcmp(gravity_summed_by(&g), "portable") == 0);
+    UNIT_SAYS(gravity_summed_by(&g), "portable");
     g.kernel = GRAVITY_AVX512;
-    UNIT_TRUE(strcmp(gravity_summed_by(&g), "avx512") == 0);
+    UNIT_SAYS(gravity_summed_by(&g), "avx512");
     g.source = (const uint32_t[]){3};
-    UNIT_TRUE(strcmp(gravity_summed_by(&g), "sources") == 0);
+    UNIT_SAYS(gravity_summed_by(&g), "sources");
 }

@@ -133,7 +133,7 @@ TEST(test_weight, "the series makes up for the guess")
         const struct lanes w = weight8(set1(s), set1(2));
         const long double right = 2 / ((long double)s * sqrtl(s));
         for (int k = 0; k < 8; ++k)
-            UNIT_NEAR((double)(w.lane[k] / right - 1), 0, 2e-15);
+            UNIT_NEAR(w.lane[k] / right - 1, 0, 2e-15);
     }
 }
 #else

@@ -112,7 +112,7 @@ TEST(test_lines, "the lines are those of chapters 2 to 4")
             const struct start_request request = {.kind = kinds[k],
                                                   .seed = 1};
             UNIT_TRUE(start_fill(&a, &request) && hard_start(&b, &s));
-            UNIT_EQUAL((double)b.movers, (double)a.movers);
+            UNIT_EQUAL(b.movers, a.movers);
             for (size_t i = 0; i < a.movers; ++i) {
                 UNIT_EQUAL(b.mass[i], a.mass[i]);
                 UNIT_EQUAL(b.v[i], a.v[i]);
@@ -127,7 +127,7 @@ TEST(test_lines, "the lines are those of chapters 2 to 4")
             bonkers_run(&x, 20, UINT64_MAX);
             bonkers_run(&y, 20, UINT64_MAX);
             UNIT_TRUE(x.collisions > 0);
-            UNIT_EQUAL((double)y.collisions, (double)x.collisions);
+            UNIT_EQUAL(y.collisions, x.collisions);
         }
 }
 
@@ -152,8 +152,7 @@ TEST(test_line_by_steps, "a line collides as often by steps")
             s.position[i] += s.velocity[i] * p.dt;
         spheres_resolve(&p, s.position, s.velocity);
     }
-    UNIT_NEAR((double)(p.collisions + p.wall_collisions),
-              (double)b.collisions, 1);
+    UNIT_NEAR(p.collisions + p.wall_collisions, b.collisions, 1);
 }
 
 /* A hanging ball feels no force: string and weight cancel. */
@@ -161,8 +160,8 @@ TEST(test_strings, "hanging balls hang")
 {
     FREED(scene) s;
     make(&s, "cradle", "string", 1);
-    UNIT_EQUAL((double)s.bodies, 10);
-    UNIT_EQUAL((double)s.springs, 5);
+    UNIT_EQUAL(s.bodies, 10);
+    UNIT_EQUAL(s.springs, 5);
     for (size_t i = 0; i < 5; ++i) {
         const struct scene_spring *g = &s.spring[i];
         const double dx = s.position[g->a] - s.position[g->b],

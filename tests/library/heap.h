@@ -140,7 +140,7 @@ static inline void heap_stays(const char *what, void (*does)(void *),
     if (heap_blocks != before)
         printf("# %s: %ld blocks are not freed\n", what,
                heap_blocks - before);
-    UNIT_EQUAL((double)heap_blocks, (double)before);
+    UNIT_EQUAL(heap_blocks, before);
 }
 
 #endif

@@ -122,8 +122,7 @@ static void make_three(struct scene *s, double k2, double dt)
         s->position[c] = x[c];
         s->velocity[c] = v[c];
     }
-    s->mass[1] = 2;
-    s->mass[2] = 0.5;
+    PUT(s->mass + 1, 2, 0.5);
     for (size_t k = 0; k < 3; ++k)
         put_walls(s, k, k < 2 ? -1 : 0, k < 2 ? 1 : 2);
     s->gravity[2] = -2;
@@ -196,9 +195,7 @@ TEST(test_hidden, "an earlier root, hidden")
     struct motion m;
     make(&s, 3, 1);
     put_walls(&s, 0, -5, 2.125);
-    s.position[0] = 1.5;
-    s.position[1] = 1.46875;
-    s.position[2] = -0.53125;
+    PUT(s.position, 1.5, 1.46875, -0.53125);
     s.position[3 + 1] = s.position[3 + 2] = 3;
     s.velocity[0] = s.velocity[1] = 1;
     s.freedom[2] = s.freedom[3 + 2] = s.freedom[6 + 2] = 0;
@@ -222,9 +219,7 @@ TEST(test_sprung, "a ball meets a sprung one")
         struct scene s;
         struct motion m;
         make(&s, 3, 0.25);
-        s.position[0] = -0.5;
-        s.position[1] = 1;
-        s.position[2] = 2;
+        PUT(s.position, -0.5, 1, 2);
         s.velocity[0] = 1;
         s.freedom[2] = s.freedom[3 + 2] = s.freedom[6 + 2] = 0;
         UNIT_TRUE(scene_add_kind(&s, 4, 0) &&
@@ -296,13 +291,11 @@ TEST(test_touching, "two that touch already")
         struct motion m;
         make(&s, 2, 0.5);
         s.position[1] = 0.25;
-        s.velocity[0] = 1;
-        s.velocity[1] = -1;
+        PUT(s.velocity, 1, -1);
         begin(&m, &s, methods[k], true);
         UNIT_EQUAL(motion_run(&m, 1), STEPPING_DONE);
         UNIT_EQUAL(count(m.collisions), 1);
-        UNIT_EQUAL(s.position[0], -0.5);
-        UNIT_EQUAL(s.position[1], 0.75);
+        UNIT_LIST(s.position, 0, -0.5, 0.75);
         end(&m, &s);
     }
 }
@@ -531,8 +524,7 @@ static size_t lift(const char *method, double speed, uint64_t steps,
     put_walls(&s, 2, 0, 100);
     for (size_t c = 0; c < 4; ++c)
         s.freedom[c] = 0;
-    s.position[4] = 0.125;
-    s.position[5] = 1.025;
+    PUT(s.position + 4, 0.125, 1.025);
     s.velocity[5] = speed;
     s.gravity[2] = -2;
     s.restitution = 0.5;
@@ -560,8 +552,7 @@ TEST(test_lift, "what rests is lifted")
         const size_t resting = lift("radau15", speed, 8, x);
         UNIT_EQUAL(count(resting),
                    count(lift("kahan-li8", speed, 1000, y)));
-        UNIT_NEAR(x[0], y[0], 1e-12);
-        UNIT_NEAR(x[1], y[1], 1e-12);
+        UNIT_LIST(x, 1e-12, y[0], y[1]);
         lift("dopri5", speed, 8, y);
         UNIT_NEAR(x[1], y[1], 1e-10);
     }
@@ -590,10 +581,8 @@ TEST(test_kicked, "what rests is hit")
         struct motion m;
         make(&s, 2, 0.5);
         put_walls(&s, 2, 0, 100);
-        s.radius[0] = 4;
-        s.radius[1] = 1;
-        s.position[4] = 4;
-        s.position[5] = 1;
+        PUT(s.radius, 4, 1);
+        PUT(s.position + 4, 4, 1);
         s.position[1] = -6; /* at -4 the centres are 5 apart, after 1 s */
         s.velocity[1] = 2;
         s.mass[1] = 1e9;

@@ -89,16 +89,16 @@ TEST(test_step, "and how long it may take")
 TEST(test_axis, "bodies are sorted where they spread")
 {
     make(3);
-    UNIT_EQUAL((double)widest_axis(&scene), 0);
+    UNIT_EQUAL(widest_axis(&scene), 0);
     scene.position[3] = -1;
     scene.position[5] = 1.5;
-    UNIT_EQUAL((double)widest_axis(&scene), 1);
+    UNIT_EQUAL(widest_axis(&scene), 1);
     bound(1, SCENE_PERIODIC, -2, 2);
-    UNIT_EQUAL((double)widest_axis(&scene), 0);
+    UNIT_EQUAL(widest_axis(&scene), 0);
     bound(0, SCENE_PERIODIC, -2, 2);
-    UNIT_EQUAL((double)widest_axis(&scene), 3);
+    UNIT_EQUAL(widest_axis(&scene), 3);
     bound(0, SCENE_HARD, -2, 2);
-    UNIT_EQUAL((double)widest_axis(&scene), 0);
+    UNIT_EQUAL(widest_axis(&scene), 0);
     scene_free(&scene);
 }
 
@@ -159,12 +159,12 @@ TEST(test_points, "control points of gaps")
         control[50 + j] = 2;             /* z of 1 */
     }
     g.image[1] = 7;
-    UNIT_EQUAL((double)pair_points(&impact, &g, q), 6);
+    UNIT_EQUAL(pair_points(&impact, &g, q), 6);
     /* (5 - 6 t)^2 + 7^2 + 2^2 - 2^2 = 74 - 60 t + 36 t^2 */
     for (int j = 0; j < 7; ++j)
         UNIT_NEAR(q[j], 74 - 10 * j + 36 * j * (j - 1) / 30.0, 1e-13);
     g = (struct impact_gap){.a = 1, .b = 1, .side = 1, .edge = 9};
-    UNIT_EQUAL((double)wall_points(&impact, &g, q), 3);
+    UNIT_EQUAL(wall_points(&impact, &g, q), 3);
     UNIT_EQUAL(q[0], 4);
     UNIT_EQUAL(q[3], 7);
     g = (struct impact_gap){.a = 1, .b = 1, .axis = 2, .side = -1};
@@ -233,12 +233,11 @@ TEST(test_slack, "what of a gap is")
 {
     for (int far = 0; far < 6; ++far) {
         FREED(scene) s;
-        struct motion m;
+        ENDED(motion) m;
         UNIT_MUST(scene_create(&s, 2));
         s.contact = true;
         s.dt = 1;
-        s.radius[0] = 0.5;
-        s.radius[1] = 0.25;
+        PUT(s.radius, 0.5, 0.25);
         s.position[1] = 1;
         s.velocity[0] = 1;
         const size_t k = (size_t)far / 2;
@@ -260,6 +259,5 @@ TEST(test_slack, "what of a gap is")
             if (!is_wall(g))
                 UNIT_EQUAL(g->rounding, 0x1p-50 * (most + 0.75));
         }
-        motion_end(&m);
     }
 }

@@ -34,12 +34,11 @@ static void build(struct scene *s, double mass, double eccentricity)
 /* Runs a scene to t, steps of either sign. */
 static void go(struct scene *s, const char *method, double dt, double t)
 {
-    struct motion m;
+    ENDED(motion) m;
     UNIT_MUST(motion_begin(&m, "jacobi", s, method, fabs(dt)));
     UNIT_MUST(motion_shorten(&m, dt));
     UNIT_TRUE(motion_run(&m, (uint64_t)round(t / fabs(dt))) ==
               STEPPING_DONE);
-    motion_end(&m);
 }
 
 /* How far the bodies of two scenes are apart, at most. */
@@ -180,12 +179,11 @@ TEST(test_light, "a body without mass disturbs nobody")
 TEST(test_open, "an orbit that opens ends the run")
 {
     FREED(scene) s;
-    struct motion m;
+    ENDED(motion) m;
     build(&s, 1e-3, 0.1);
     UNIT_MUST(motion_begin(&m, "jacobi", &s, "wisdom-holman", 0.1));
     s.velocity[5] += 3;
     UNIT_TRUE(motion_run(&m, 1000) == STEPPING_INFINITE);
-    motion_end(&m);
 }
 
 static void refuses(struct scene *s, const char *why)

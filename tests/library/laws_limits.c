@@ -95,8 +95,8 @@ TEST(test_completed, "what is not given")
     for (size_t i = 0; i < sizeof laws / sizeof laws[0]; ++i) {
         struct law law = {0};
         UNIT_TRUE(laws_read(laws[i].text, &law) == NULL);
-        UNIT_EQUAL((double)laws_complete(&law, 3, 2), laws[i].from);
-        UNIT_EQUAL((double)law.given, (double)laws[i].given);
+        UNIT_EQUAL(laws_complete(&law, 3, 2), laws[i].from);
+        UNIT_EQUAL(law.given, laws[i].given);
         for (size_t k = 0; k < law.given; ++k)
             UNIT_EQUAL(law.parameter[k], laws[i].p[k]);
     }

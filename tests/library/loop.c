@@ -11,12 +11,10 @@ static void begin(struct loop *l, double offset)
 {
     *l = (struct loop){.offset = offset};
     UNIT_MUST(disks_create(&l->d, 2, 2));
-    l->d.box[0] = 15;
-    l->d.box[1] = 6;
+    PUT(l->d.box, 15, 6);
     for (size_t i = 0; i < 2; ++i) {
         l->d.disk[i].radius = 1;
-        l->d.disk[i].position[0] = i ? 12 : 2;
-        l->d.disk[i].position[1] = 3;
+        PUT(l->d.disk[i].position, i ? 12 : 2, 3);
         l->d.disk[i].velocity[0] = i ? -1 : 1;
     }
     l->next = disks_next(&l->d);
@@ -43,12 +41,12 @@ TEST(test_turns, "ticks, and an offset at an event")
             UNIT_EQUAL(l.d.disk[0].since, 0.75 * k);
             UNIT_EQUAL(l.d.disk[0].position[0], 2 + 0.75 * k);
             UNIT_EQUAL(l.d.disk[1].position[0], 12 - 0.75 * k);
-            UNIT_EQUAL((double)l.d.collisions, 0);
+            UNIT_EQUAL(l.d.collisions, 0);
         }
         loop_turn(&l, 0.75);
         const double far = 0.75 * (offset - 1);
         UNIT_EQUAL(l.t, 4);
-        UNIT_EQUAL((double)l.d.collisions, 1);
+        UNIT_EQUAL(l.d.collisions, 1);
         UNIT_EQUAL(l.d.disk[0].position[0], 6 + far);
         UNIT_EQUAL(l.d.disk[1].position[0], 8 - far);
         UNIT_EQUAL(l.d.disk[0].position[1], 3);
@@ -61,7 +59,7 @@ TEST(test_turns, "ticks, and an offset at an event")
     struct loop l;
     begin(&l, 1);
     loop_turn(&l, 4);
-    UNIT_EQUAL((double)l.d.collisions, 1);
+    UNIT_EQUAL(l.d.collisions, 1);
     UNIT_EQUAL(l.d.disk[0].position[0], 6);
     finish(&l);
 }
@@ -74,13 +72,13 @@ TEST(test_go_to, "events up to a tick")
     loop_go_to(&l, 3.5);
     UNIT_EQUAL(l.t, 3.5);
     UNIT_EQUAL(l.d.now, 3.5);
-    UNIT_EQUAL((double)l.d.collisions, 0);
+    UNIT_EQUAL(l.d.collisions, 0);
     UNIT_EQUAL(l.d.disk[0].position[0], 2);
     loop_go_to(&l, 4);
-    UNIT_EQUAL((double)l.d.collisions, 1);
+    UNIT_EQUAL(l.d.collisions, 1);
     UNIT_EQUAL(l.next.time, 9);
     loop_go_to(&l, 12);
-    UNIT_EQUAL((double)l.d.wall_collisions, 2);
+    UNIT_EQUAL(l.d.wall_collisions, 2);
     UNIT_EQUAL(l.d.now, 12);
     finish(&l);
 }
@@ -100,8 +98,7 @@ TEST(test_overlap, "overlaps by hand")
         struct loop l;
         begin(&l, 1);
         for (size_t i = 0; i < 2; ++i) {
-            l.d.disk[i].position[0] = states[n].x[i];
-            l.d.disk[i].position[1] = states[n].y[i];
+            PUT(l.d.disk[i].position, states[n].x[i], states[n].y[i]);
         }
         UNIT_EQUAL(loop_overlap(&l), states[n].deepest);
         finish(&l);

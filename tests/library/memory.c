@@ -19,7 +19,7 @@
 #include "line/laws.h"
 #include "line/statistics.h"
 #include "forces/rods.h"
-#include "scenes/gallery.h"
+#include "library/galleries.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -28,18 +28,8 @@ static struct scene scene;
 
 static void make(const char *name)
 {
-    const struct gallery_scene *lists[] = {celestial_scenes, elastic_scenes,
-                                           hard_scenes};
-    double value[GALLERY_KEYS];
-    for (size_t i = 0; i < 3; ++i) {
-        const struct gallery_scene *g = gallery_find(lists[i], name);
-        if (!g)
-            continue;
-        gallery_usual(g, value);
-        UNIT_TRUE(g->build(&scene, value) == NULL);
-        return;
-    }
-    UNIT_TRUE(false);
+    scene_free(&scene);
+    scene = made(name, NULL, 0);
 }
 
 /* What asks for memory, as heap_fails wants it. */
@@ -158,14 +148,11 @@ static void fails(const char *what, bool (*does)(void *), const char *with,
 
 TEST(test_scenes, "scenes")
 {
-    static const struct gallery_scene *const lists[] = {
-        celestial_scenes, elastic_scenes, hard_scenes};
     make("membrane");
     fails("a copy", copies, "", false);
-    scene_free(&scene);
     fails("a scene", builds, "", false);
-    for (size_t i = 0; i < 3; ++i)
-        for (laid = lists[i]; laid->name; ++laid)
+    for (size_t i = 0; i < GALLERIES; ++i)
+        for (laid = galleries[i]; laid->name; ++laid)
             fails(laid->name, lays, "", false);
 }
 
@@ -175,7 +162,6 @@ TEST(test_forces, "forces")
     make("membrane");
     fails("a tree", plants, "", false);
     fails("springs by threads", shares, "", false);
-    scene_free(&scene);
 }
 
 TEST(test_motion, "motion, by each method")
@@ -185,14 +171,12 @@ TEST(test_motion, "motion, by each method")
     for (size_t k = 0; k < sizeof names / sizeof names[0]; ++k) {
         make(names[k]);
         fails(names[k], moves, "leapfrog", false);
-        scene_free(&scene);
     }
     make("figure-eight");
     for (const struct stepping_method *m = stepping_next(NULL); m;
          m = stepping_next(m))
         if (!m->orbits)
             fails("figure-eight", moves, m->name, false);
-    scene_free(&scene);
 }
 
 TEST(test_models, "models")
@@ -214,7 +198,6 @@ TEST(test_models, "models")
     for (size_t k = 0; k < sizeof plans / sizeof plans[0]; ++k) {
         make(plans[k].scene);
         fails(plans[k].scene, carries, plans[k].plan, false);
-        scene_free(&scene);
     }
 }
 
@@ -223,7 +206,6 @@ TEST(test_averages, "averages")
     make("four-disks");
     /* The error of a mean that nobody asks for may be missing. */
     fails("averages", averages, "", true);
-    scene_free(&scene);
 }
 
 /* ---- disks, gases and bodies on a line */
@@ -493,7 +475,6 @@ TEST(test_forces_twice, "freed twice, what moves bodies")
     UNIT_TRUE(soft_create(&t, &scene));
     soft_free(&t);
     UNIT_TRUE(!t.near && !t.scene);
-    scene_free(&scene);
     make("double-pendulum");
     struct springs s;
     struct modes n;

@@ -48,7 +48,7 @@ static void begin(struct motion *m, struct scene *s, const char *method)
 TEST(test_sum, "what acts is the sum of all that is in the scene")
 {
     FREED(scene) s;
-    struct motion m;
+    ENDED(motion) m;
     double a[9], d[3], w[3], expected[9];
     build(&s, false);
     begin(&m, &s, "leapfrog");
@@ -86,14 +86,14 @@ TEST(test_sum, "what acts is the sum of all that is in the scene")
          ++c) /* a dozen roundings of numbers below 10 */
         UNIT_NEAR(a[c], expected[c], 1e-14);
     UNIT_EQUAL(s.velocity[3], 0);
-    motion_end(&m);
 }
 
 /* Springs alone take a way of their own. */
 TEST(test_springs_alone, "springs alone move as they do with others")
 {
     FREED(scene) s, t;
-    struct motion m, n;
+    struct motion m;
+    ENDED(motion) n;
     build(&s, false);
     s.k2 = 0;
     UNIT_MUST(scene_copy(&t, &s));
@@ -105,7 +105,6 @@ TEST(test_springs_alone, "springs alone move as they do with others")
     for (size_t c = 0; c < 9; ++c)
         UNIT_NEAR(s.position[c], t.position[c], 1e-14);
     motion_end(&m);
-    motion_end(&n);
 }
 
 /* Two bodies alone take a shorter way, and a shorter one yet in the plane
@@ -129,8 +128,7 @@ static void build_two(struct scene *s, int way)
     const bool heavy = way == WEIGHED || way == HELD;
     UNIT_MUST(scene_create(s, 2));
     s->position[1] = 1;
-    s->velocity[2] = 0.1;
-    s->velocity[3] = -0.4;
+    PUT(s->velocity + 2, 0.1, -0.4);
     s->velocity[5] = heavy ? 0.2 : way == LEAVING ? 1e-9 : 0;
     s->mass[1] = 0.3;
     s->freedom[3] = s->freedom[4] = way != HELD; /* y of 1, z of 0 */
@@ -151,7 +149,8 @@ TEST(test_two, "and two bodies alone, to the bit")
 {
     for (int way = 0; way < TWOS; ++way) {
         FREED(scene) s, t;
-        struct motion m, n;
+        struct motion m;
+        ENDED(motion) n;
         build_two(&s, way);
         UNIT_MUST(scene_copy(&t, &s));
         begin(&m, &s, "leapfrog");
@@ -167,7 +166,6 @@ TEST(test_two, "and two bodies alone, to the bit")
         UNIT_TRUE(!memcmp(m.stepping.acceleration, n.stepping.acceleration,
                           6 * sizeof(double)));
         motion_end(&m);
-        motion_end(&n);
     }
 }
 
@@ -217,7 +215,7 @@ TEST(test_compensated, "which sums are compensated")
 {
     for (int what = 0; what < 8; ++what) {
         FREED(scene) s;
-        struct motion m;
+        ENDED(motion) m;
         UNIT_MUST(scene_create(&s, 2));
         s.position[1] = 1;
         s.velocity[0] = -1;
@@ -249,14 +247,13 @@ TEST(test_compensated, "which sums are compensated")
         motion_end(&m);
         begin(&m, &s, "radau15");
         UNIT_TRUE(!m.stepping.compensated);
-        motion_end(&m);
     }
 }
 
 TEST(test_held, "what is held stays")
 {
     FREED(scene) s;
-    struct motion m;
+    ENDED(motion) m;
     build(&s, true);
     begin(&m, &s, "leapfrog");
     UNIT_TRUE(motion_run(&m, 1000) == STEPPING_DONE);
@@ -264,7 +261,6 @@ TEST(test_held, "what is held stays")
     UNIT_EQUAL(s.position[8], 0.4);
     UNIT_TRUE(s.position[4] != 0.1);
     UNIT_NEAR(motion_time(&m), 10, 1e-12);
-    motion_end(&m);
 }
 
 /* Leapfrog is exact for a fall: z = -g t^2/2, up to the rounding of 1000
@@ -272,7 +268,7 @@ TEST(test_held, "what is held stays")
 TEST(test_fall, "a fall is exact")
 {
     FREED(scene) s;
-    struct motion m;
+    ENDED(motion) m;
     UNIT_MUST(scene_create(&s, 1));
     s.gravity[2] = -2;
     s.dt = 0.01;
@@ -284,7 +280,6 @@ TEST(test_fall, "a fall is exact")
     UNIT_NEAR(motion_kinetic(&m), 4.5 + 200, 1e-10);
     UNIT_NEAR(motion_potential(&m), -200, 1e-10);
     UNIT_EQUAL(motion_energy(&m).gravity, 0);
-    motion_end(&m);
 }
 
 /* Leapfrog turns an oscillator by 2 asin(h/2) in a step (8.x): here of the
@@ -292,11 +287,10 @@ TEST(test_fall, "a fall is exact")
 TEST(test_oscillator, "an oscillator turns by leapfrog's angle")
 {
     FREED(scene) s;
-    struct motion m;
+    ENDED(motion) m;
     UNIT_MUST(scene_create(&s, 2));
     UNIT_MUST(scene_add_kind(&s, 1, 0));
-    s.position[0] = -0.6;
-    s.position[1] = 0.6;
+    PUT(s.position, -0.6, 0.6);
     s.mass[0] = s.mass[1] = 2;
     UNIT_MUST(scene_add_spring(&s, 0, 1, 0, 1));
     s.dt = 0.1;
@@ -304,7 +298,6 @@ TEST(test_oscillator, "an oscillator turns by leapfrog's angle")
     motion_run(&m, 500);
     /* 500 steps of rounding */
     UNIT_NEAR(s.position[1], 0.5 + 0.1 * cos(500 * 2 * asin(0.05)), 1e-13);
-    motion_end(&m);
 }
 
 /* Whether the two have the same places and velocities to the last bit. */
@@ -321,7 +314,8 @@ TEST(test_cuts, "how a run is cut changes no bit")
         for (const struct stepping_method *k = stepping_next(NULL); k;
              k = stepping_next(k)) {
             FREED(scene) s, t;
-            struct motion m, n;
+            struct motion m;
+            ENDED(motion) n;
             build(&s, contact);
             build(&t, contact);
             begin(&m, &s, k->name);
@@ -332,10 +326,9 @@ TEST(test_cuts, "how a run is cut changes no bit")
                 left -= bite < left ? bite : left;
             }
             UNIT_TRUE(is_same(&s, &t));
-            UNIT_EQUAL((double)m.collisions, (double)n.collisions);
+            UNIT_EQUAL(m.collisions, n.collisions);
             UNIT_TRUE(!contact || m.collisions > 0);
             motion_end(&m);
-            motion_end(&n);
         }
 }
 
@@ -421,7 +414,8 @@ TEST(test_saved, "a saved run goes on to the same bits")
 TEST(test_saved_after_contact, "saved right after a contact as well")
 {
     FREED(scene) s, t;
-    struct motion m, n;
+    struct motion m;
+    ENDED(motion) n;
     build_way(&s, DAMPED | CONTACT);
     begin(&m, &s, "leapfrog");
     for (int k = 0; k < 1000 && m.collisions == 0; ++k)
@@ -434,7 +428,6 @@ TEST(test_saved_after_contact, "saved right after a contact as well")
     motion_run(&n, 5);
     UNIT_TRUE(is_same(&s, &t));
     motion_end(&m);
-    motion_end(&n);
 }
 
 /* As a checkpoint has it, start and steps besides: the times are the same
@@ -442,7 +435,8 @@ TEST(test_saved_after_contact, "saved right after a contact as well")
 static void resume(uint64_t cut, bool carry, bool kept, bool same)
 {
     FREED(scene) s, t;
-    struct motion m, n;
+    struct motion m;
+    ENDED(motion) n;
     build(&s, false);
     s.time = 0.7;
     begin(&m, &s, "leapfrog");
@@ -462,7 +456,6 @@ static void resume(uint64_t cut, bool carry, bool kept, bool same)
     UNIT_TRUE(is_same(&s, &t) == same);
     UNIT_EQUAL(motion_time(&m), motion_time(&n));
     motion_end(&m);
-    motion_end(&n);
 }
 
 TEST(test_resume, "and a resumed one to the same times")
@@ -514,7 +507,7 @@ TEST(test_forgotten, "and forgotten where it does not")
 {
     for (int way = 0; way < 2; ++way) {
         FREED(scene) s, t;
-        struct motion m;
+        ENDED(motion) m;
         build(&s, false);
         begin(&m, &s, "leapfrog");
         motion_run(&m, 10);
@@ -524,7 +517,6 @@ TEST(test_forgotten, "and forgotten where it does not")
         begin(&m, &t, way ? "rk4" : "leapfrog");
         UNIT_MUST(motion_note(&m));
         UNIT_TRUE(way ? t.kept == NULL : scene_same(&s, &t));
-        motion_end(&m);
     }
 }
 
@@ -579,7 +571,7 @@ static void has(const struct scene *s, enum motion_flaw flaw, size_t body)
     UNIT_EQUAL(motion_flaw(s, NULL), flaw);
     if (flaw != MOTION_WELL && flaw != MOTION_WALLS &&
         flaw != MOTION_RESTITUTION)
-        UNIT_EQUAL((double)found, (double)body);
+        UNIT_EQUAL(found, body);
 }
 
 /* A body without mass that something acts on is refused, if it is free. */
@@ -691,7 +683,8 @@ TEST(test_shorten, "steps may change their length")
     for (int k = 0; k < 3; ++k)
         for (int two = 0; two < 2; ++two) {
             FREED(scene) s, t;
-            struct motion m, n;
+            struct motion m;
+            ENDED(motion) n;
             if (two)
                 build_two(&s, SOFT);
             else
@@ -715,7 +708,6 @@ TEST(test_shorten, "steps may change their length")
             motion_run(&n, 2);
             UNIT_NEAR(motion_time(&n), 2, 1e-15);
             motion_end(&m);
-            motion_end(&n);
         }
 }
 
@@ -725,7 +717,7 @@ TEST(test_shorten, "steps may change their length")
 TEST(test_energies, "energies by hand")
 {
     FREED(scene) s;
-    struct motion m;
+    ENDED(motion) m;
     UNIT_MUST(scene_create(&s, 2));
     s.mass[0] = 2;
     s.position[1] = 0.5;
@@ -752,7 +744,6 @@ TEST(test_energies, "energies by hand")
     UNIT_EQUAL(e.weight, 2 * 10 * 3 + 10 * 3);
     UNIT_EQUAL(motion_potential(&m), e.gravity + e.springs + e.weight);
     UNIT_TRUE(motion_contacts(&m) == m.soft.near);
-    motion_end(&m);
 }
 
 static bool from_outside(void *with, double dt, double x[], double v[])
@@ -765,7 +756,7 @@ static bool from_outside(void *with, double dt, double x[], double v[])
 TEST(test_outside, "another stepper can take the method's place")
 {
     FREED(scene) s;
-    struct motion m;
+    ENDED(motion) m;
     double clock = 0;
     UNIT_MUST(scene_create(&s, 1));
     s.velocity[0] = 2;
@@ -777,7 +768,6 @@ TEST(test_outside, "another stepper can take the method's place")
     UNIT_EQUAL(s.position[0], 1.5);
     UNIT_EQUAL(motion_time(&m), 0.75);
     UNIT_TRUE(motion_run(&m, 2) == STEPPING_STUCK);
-    motion_end(&m);
 }
 
 static int begin_unknown(void *scene)
@@ -793,5 +783,5 @@ TEST(test_unknown, "a method that does not exist is refused")
     build(&s, false);
     const struct child c = child_run(begin_unknown, &s, NULL);
     UNIT_EQUAL(c.status, 3);
-    UNIT_TRUE(strcmp(c.err, "motion: there is no method 'no-such'\n") == 0);
+    UNIT_SAYS(c.err, "motion: there is no method 'no-such'\n");
 }

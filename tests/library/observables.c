@@ -18,8 +18,7 @@ static bool build(void)
         return false;
     memcpy(scene.position, place, sizeof place);
     memcpy(scene.velocity, velocity, sizeof velocity);
-    scene.mass[0] = 2;
-    scene.mass[1] = 3;
+    PUT(scene.mass, 2, 3);
     scene.freedom[1] = 1;
     scene.k2 = 5;
     scene.gravity[2] = -10;
@@ -38,7 +37,7 @@ static void look(const char *text, size_t n, const double expected[])
     for (size_t k = 0; k < OBSERVABLES_MOST; ++k)
         values[k] = 77;
     UNIT_TRUE(observables_read(&o, text, scene.bodies, message));
-    UNIT_EQUAL((double)o.columns, (double)n);
+    UNIT_EQUAL(o.columns, n);
     observables_values(&o, &motion, values);
     for (size_t k = n; k < OBSERVABLES_MOST; ++k) /* nothing beyond */
         UNIT_EQUAL(values[k], 77);
@@ -124,8 +123,8 @@ TEST(test_many, "as many as there is room for")
     for (int k = 0; k < OBSERVABLES_MOST; ++k)
         strcat(many, k == 0 ? "parts" : ",x:1");
     UNIT_TRUE(observables_read(&o, many, 2, message));
-    UNIT_EQUAL((double)o.count, OBSERVABLES_MOST);
-    UNIT_EQUAL((double)o.columns, OBSERVABLES_MOST + 3);
+    UNIT_EQUAL(o.count, OBSERVABLES_MOST);
+    UNIT_EQUAL(o.columns, OBSERVABLES_MOST + 3);
 }
 
 /* Places are drawn along their axes, all else against time. */
@@ -143,9 +142,9 @@ TEST(test_sorts, "along which axis they lie")
         char message[OBSERVABLES_MESSAGE] = "";
         UNIT_TRUE(observables_read(&o, sorts[i].text, 2, message));
         const struct observables_sort sort = observables_sort(&o.list[0]);
-        UNIT_EQUAL((double)sort.width, (double)sorts[i].width);
-        UNIT_EQUAL((double)sort.axis, (double)sorts[i].axis);
-        UNIT_TRUE(strcmp(sort.unit, sorts[i].unit) == 0);
+        UNIT_EQUAL(sort.width, sorts[i].width);
+        UNIT_EQUAL(sort.axis, sorts[i].axis);
+        UNIT_SAYS(sort.unit, sorts[i].unit);
     }
 }
 
@@ -173,8 +172,8 @@ TEST(test_names, "their names")
         snprintf(text, sizeof text, "%s%s", name, asked[bodies]);
         UNIT_TRUE(observables_read(&o, text, 2, message));
     }
-    UNIT_EQUAL((double)k, 18);
-    UNIT_EQUAL((double)bodies, 0);
+    UNIT_EQUAL(k, 18);
+    UNIT_EQUAL(bodies, 0);
     UNIT_TRUE(!observables_name(k + 1, &bodies) && bodies == 0);
 }
 

@@ -3,8 +3,13 @@
 #ifndef PLANS_H
 #define PLANS_H
 
-#include "choosing/models.h"
+#include "choosing/choose.h"
 #include "unit.h"
+
+/* A run that is ended, and a choice that is freed, at the end of its block.
+ */
+#define RUN __attribute__((cleanup(models_end))) struct models_run
+#define CHOICE __attribute__((cleanup(choose_free))) struct choose_choice
 
 static inline struct models_plan plan(const char *text)
 {

@@ -84,7 +84,7 @@ static struct scene all_different(void)
 TEST(test_turned, "a scene seen from the other side")
 {
     const struct units u = {-2, 4, 8};
-    struct scene s = all_different(), old;
+    FREED(scene) s = all_different(), old;
     UNIT_TRUE(scene_copy(&old, &s));
     change_units(&s, &u);
     for (size_t i = 0; i < 3; ++i) {
@@ -117,7 +117,6 @@ TEST(test_turned, "a scene seen from the other side")
     UNIT_EQUAL(s.k2, 81 * 8 / 256.0);
     UNIT_EQUAL(s.softening, 164);
     UNIT_EQUAL(s.damping, 83 * 0.5);
-    scene_free(&s);
     scene_free(&old);
 }
 
@@ -147,7 +146,8 @@ TEST(test_last_bits, "last bits go up and down")
    but falls, by that of the speed with which it falls through the scene. */
 TEST(test_moved, "they are moved where something moves")
 {
-    struct scene s, old;
+    struct scene old;
+    FREED(scene) s;
     UNIT_TRUE(scene_create(&s, 3));
     s.position[1] = 3;
     s.position[5] = 4;
@@ -170,7 +170,6 @@ TEST(test_moved, "they are moved where something moves")
         scene_free(&s);
         s = old;
     }
-    scene_free(&s);
 }
 
 /* Along a ring of 6 m places are never more than 3 m apart. */
@@ -225,7 +224,7 @@ TEST(test_scales, "scales of units")
     for (size_t k = 0; k < sizeof known / sizeof *known; ++k) {
         const char *as = NULL;
         UNIT_EQUAL(scale_of(&to, known[k].unit, &as), known[k].scale);
-        UNIT_TRUE(strcmp(as, known[k].as) == 0);
+        UNIT_SAYS(as, known[k].as);
     }
     UNIT_EQUAL(or_next(0, 4), 4);
     UNIT_EQUAL(or_next(3, 4), 3);
@@ -249,8 +248,7 @@ TEST(test_measured, "scales of a scene")
     FREED(scene) s;
     FREED(record_view) v;
     UNIT_TRUE(scene_create(&s, 2));
-    s.mass[0] = 2;
-    s.mass[1] = 3;
+    PUT(s.mass, 2, 3);
     s.position[1] = 3;
     s.position[3] = 4;
     s.velocity[0] = 4;

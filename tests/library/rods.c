@@ -119,9 +119,7 @@ TEST(test_triangle, "a triangle of rods turns and flies")
     scene.spring[1].rest = sqrt(1.25);
     UNIT_TRUE(scene_add_spring(&scene, 0, 2, 0, -1));
     scene.mass[1] = 3;
-    scene.velocity[6] = 0.5;
-    scene.velocity[7] = -0.25;
-    scene.velocity[8] = 1;
+    PUT(scene.velocity + 6, 0.5, -0.25, 1);
     begin();
     UNIT_TRUE(rods_project(&rods, scene.position, scene.velocity));
     const double before = energy();
@@ -174,10 +172,10 @@ TEST(test_counts, "forces are asked for once in a step")
     make_chain(2, true);
     begin();
     UNIT_TRUE(run(0.01, 10));
-    UNIT_EQUAL((double)rods.evaluations, 11);
+    UNIT_EQUAL(rods.evaluations, 11);
     scene.position[2 * 2 + 1] = nextafter(scene.position[2 * 2 + 1], 1);
     UNIT_TRUE(run(0.01, 1));
-    UNIT_EQUAL((double)rods.evaluations, 13);
+    UNIT_EQUAL(rods.evaluations, 13);
     end();
 }
 
@@ -190,8 +188,8 @@ TEST(test_at_once, "what needs little gets little")
     make_chain(4, false);
     begin();
     UNIT_TRUE(run(0.01, 10));
-    UNIT_EQUAL((double)rods.evaluations, 1);
-    UNIT_EQUAL((double)rods.corrections, 0);
+    UNIT_EQUAL(rods.evaluations, 1);
+    UNIT_EQUAL(rods.corrections, 0);
     end();
     for (int k = 1; k < 20; ++k) {
         make_chain(2, false);
@@ -203,7 +201,7 @@ TEST(test_at_once, "what needs little gets little")
         }
         begin();
         UNIT_TRUE(rods_project(&rods, scene.position, scene.velocity));
-        UNIT_EQUAL((double)rods.corrections, 1);
+        UNIT_EQUAL(rods.corrections, 1);
         end();
     }
 }
@@ -220,7 +218,7 @@ TEST(test_given_up, "what cannot be mended is given up")
     scene.velocity[4] = 1;
     begin();
     UNIT_TRUE(!rods_step(&rods, 0.01, scene.position, scene.velocity));
-    UNIT_EQUAL((double)rods.corrections, 12000);
+    UNIT_EQUAL(rods.corrections, 12000);
     end();
     make_chain(3, false);
     UNIT_TRUE(scene_add_spring(&scene, 0, 2, 0, -1));
@@ -228,6 +226,6 @@ TEST(test_given_up, "what cannot be mended is given up")
     scene.velocity[4] = 1;
     begin();
     UNIT_TRUE(!rods_project(&rods, scene.position, scene.velocity));
-    UNIT_EQUAL((double)rods.corrections, 12000);
+    UNIT_EQUAL(rods.corrections, 12000);
     end();
 }

@@ -391,7 +391,7 @@ TEST(test_means, "means and their errors")
     UNIT_NEAR(means_mean(&m, 0), sum / 100003, 1e-12);
     UNIT_NEAR(means_mean(&m, 1), 50002, 1e-6);
     UNIT_TRUE(m.blocks >= MEANS_BLOCKS / 2 && m.blocks < MEANS_BLOCKS);
-    UNIT_EQUAL((double)(m.blocks * m.length + m.filled), 100003);
+    UNIT_EQUAL(m.blocks * m.length + m.filled, 100003);
     /* 1/sqrt(12 n), uncertain by 8 per cent. */
     UNIT_NEAR(means_error(&m, 0), 1 / sqrt(12 * 100003.0),
               0.32 / sqrt(12 * 100003.0));

@@ -48,7 +48,7 @@ TEST(test_chain, "a chain of three, by hand")
             random_seed(&r, seed);
             const size_t first = random_below(&r, 3);
             seen |= 1 << first;
-            UNIT_EQUAL((double)lifts, ends[first].lifts);
+            UNIT_EQUAL(lifts, ends[first].lifts);
             UNIT_NEAR(gained, ends[first].gained, 1e-14);
             for (size_t i = 0; i < 3; ++i) {
                 const double *at = s.disks.disk[i].position;
@@ -78,7 +78,7 @@ TEST(test_hair_behind, "what is a hair behind is not in the way")
         random_seed(&r, seed);
         box(&s, 2, DISKS_PERIODIC, 1, 2, 0.15, places);
         UNIT_TRUE(0.7 - 0.4 < 0.15 + 0.15);
-        UNIT_EQUAL((double)sampling_chain(&s, 0, 0.25, &r, &gained), 0);
+        UNIT_EQUAL(sampling_chain(&s, 0, 0.25, &r, &gained), 0);
         UNIT_EQUAL(s.disks.disk[0].position[0], 0.75);
         UNIT_EQUAL(gained, 0);
         sampling_free(&s);
@@ -96,7 +96,7 @@ TEST(test_grazing, "what is grazed is not pushed")
         double gained = 0, before, after;
         box(&s, 2, DISKS_PERIODIC, 10, 2, 0.5, places);
         before = s.disks.disk[0].position[0] + s.disks.disk[1].position[0];
-        UNIT_EQUAL((double)sampling_chain(&s, 0, 5, &r, &gained), 0);
+        UNIT_EQUAL(sampling_chain(&s, 0, 5, &r, &gained), 0);
         after = s.disks.disk[0].position[0] + s.disks.disk[1].position[0];
         UNIT_EQUAL(after - before, 5);
         UNIT_EQUAL(gained, 0);
@@ -251,9 +251,9 @@ TEST(test_joined, "means and blocks of known numbers")
             means_add(&m, 1, 5);
         means_next(&m);
         const int length = n < 128 ? 1 : n < 256 ? 2 : n < 512 ? 4 : 8;
-        UNIT_EQUAL((double)m.length, length);
-        UNIT_EQUAL((double)m.blocks, n / length);
-        UNIT_EQUAL((double)m.filled, n % length);
+        UNIT_EQUAL(m.length, length);
+        UNIT_EQUAL(m.blocks, n / length);
+        UNIT_EQUAL(m.filled, n % length);
         UNIT_NEAR(means_mean(&m, 0), (n + 1) / 2.0, 1e-12 * n);
         UNIT_NEAR(means_mean(&m, 1), n < 3 ? 0 : 5.0 / n, 1e-15);
         if (n < 2)

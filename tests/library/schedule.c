@@ -58,7 +58,7 @@ static void drop(struct schedule *s, struct plain *p, size_t event)
 static void take(struct schedule *s, struct plain *p)
 {
     const size_t first = plain_first(p);
-    UNIT_EQUAL((double)schedule_take(s), (double)first);
+    UNIT_EQUAL(schedule_take(s), first);
     p->in[first] = false;
     --p->count;
 }
@@ -96,7 +96,7 @@ static void mix(size_t size, int levels, uint64_t seed)
     UNIT_EQUAL(bad, 0);
     while (p.count > 0)
         take(&s, &p);
-    UNIT_EQUAL((double)s.count, 0);
+    UNIT_EQUAL(s.count, 0);
 }
 
 TEST(test_against_plain, "events come out as from a plain array")
@@ -116,7 +116,7 @@ TEST(test_ties, "equal times come in the order of numbers")
     for (size_t i = 0; i < MOST; ++i)
         schedule_put(&s, (i * 77) % MOST, i % 2 ? 0.0 : -0.0);
     for (size_t i = 0; i < MOST; ++i)
-        UNIT_EQUAL((double)schedule_take(&s), (double)i);
+        UNIT_EQUAL(schedule_take(&s), i);
 }
 
 /* Dropped twice, put after it was dropped, cleared while empty. */
@@ -125,22 +125,22 @@ TEST(test_edges, "dropped twice, put again, cleared")
     struct schedule s;
     schedule_create(&s, 3, 3);
     schedule_drop(&s, 2);
-    UNIT_EQUAL((double)s.count, 0);
+    UNIT_EQUAL(s.count, 0);
     schedule_clear(&s);
     schedule_put(&s, 2, 1);
     schedule_drop(&s, 2);
     schedule_drop(&s, 2);
-    UNIT_EQUAL((double)s.count, 0);
+    UNIT_EQUAL(s.count, 0);
     schedule_put(&s, 2, 5);
     schedule_put(&s, 0, 7);
     schedule_put(&s, 2, 9);
-    UNIT_EQUAL((double)s.count, 2);
+    UNIT_EQUAL(s.count, 2);
     UNIT_EQUAL(s.heap[0].time, 7);
-    UNIT_EQUAL((double)schedule_take(&s), 0);
-    UNIT_EQUAL((double)schedule_take(&s), 2);
+    UNIT_EQUAL(schedule_take(&s), 0);
+    UNIT_EQUAL(schedule_take(&s), 2);
     schedule_clear(&s);
     schedule_put(&s, 1, INFINITY);
-    UNIT_EQUAL((double)schedule_take(&s), 1);
+    UNIT_EQUAL(schedule_take(&s), 1);
     schedule_free(&s);
     schedule_free(&s); /* twice is harmless */
     UNIT_TRUE(s.heap == NULL && s.place == NULL);
@@ -158,9 +158,8 @@ TEST(test_scan, "the scan finds the first of the smallest")
                 p.in[i] = true;
                 p.time[i] = time[i] = level == 7 ? INFINITY : (double)level;
             }
-            UNIT_EQUAL((double)schedule_scan(time, n),
-                       (double)plain_first(&p));
+            UNIT_EQUAL(schedule_scan(time, n), plain_first(&p));
         }
-    UNIT_EQUAL((double)schedule_scan((double[]){INFINITY, INFINITY}, 2), 0);
-    UNIT_EQUAL((double)schedule_scan((double[]){1, 0, 0}, 3), 1);
+    UNIT_EQUAL(schedule_scan((double[]){INFINITY, INFINITY}, 2), 0);
+    UNIT_EQUAL(schedule_scan((double[]){1, 0, 0}, 3), 1);
 }

@@ -13,7 +13,7 @@ TEST(test_plane, "the law in the plane is its closed form")
         const struct speeds_law law = speeds_exact(2, N, false, false);
         double density[BINS], below = 0;
         speeds_bins(&law, width, BINS, density);
-        UNIT_EQUAL(law.most, (double)N);
+        UNIT_EQUAL(law.most, N);
         for (size_t bin = 0; bin < BINS; ++bin) {
             const double u = (double)(bin + 1) * width;
             const double left = fmax(0, 1 - u * u / (double)N);

@@ -63,8 +63,7 @@ static void begin_pair(struct scene *s)
     make(s, 2);
     s->mass[0] = 3;
     s->position[1] = 0.75;
-    s->velocity[0] = 1;
-    s->velocity[1] = -1;
+    PUT(s->velocity, 1, -1);
 }
 
 /* v = 1 and -1 with 3 kg and 1 kg: the centre moves at 1/2, so out come 0
@@ -78,11 +77,9 @@ TEST(test_shares, "the depth is shared by radius or by mass")
         FREED(spheres) p;
         begin_pair(&s);
         begin(&p, &s, SPHERES_APPROACHING, shift, 1);
-        UNIT_EQUAL((double)spheres_resolve(&p, s.position, s.velocity), 1);
-        UNIT_EQUAL(s.velocity[0], 0);
-        UNIT_EQUAL(s.velocity[1], 2);
-        UNIT_EQUAL(s.position[0], first[shift]);
-        UNIT_EQUAL(s.position[1], second[shift]);
+        UNIT_EQUAL(spheres_resolve(&p, s.position, s.velocity), 1);
+        UNIT_LIST(s.velocity, 0, 0, 2);
+        UNIT_LIST(s.position, 0, first[shift], second[shift]);
         UNIT_EQUAL(p.depth, 0.25);
     }
 }
@@ -95,11 +92,9 @@ TEST(test_going_back, "going back leads to where they should be")
     FREED(spheres) p;
     begin_pair(&s);
     begin(&p, &s, SPHERES_APPROACHING, SPHERES_BACK, 1);
-    UNIT_EQUAL((double)spheres_resolve(&p, s.position, s.velocity), 1);
-    UNIT_EQUAL(s.velocity[0], 0);
-    UNIT_EQUAL(s.velocity[1], 2);
-    UNIT_EQUAL(s.position[0], -0.125);
-    UNIT_EQUAL(s.position[1], 1.125);
+    UNIT_EQUAL(spheres_resolve(&p, s.position, s.velocity), 1);
+    UNIT_LIST(s.velocity, 0, 0, 2);
+    UNIT_LIST(s.position, 0, -0.125, 1.125);
 }
 
 /* No longer than the step: pushed apart by mass instead. */
@@ -111,8 +106,7 @@ TEST(test_not_too_far, "nobody goes back for more than a step")
     begin(&p, &s, SPHERES_APPROACHING, SPHERES_BACK, 0.0625);
     spheres_resolve(&p, s.position, s.velocity);
     UNIT_EQUAL(s.velocity[1], 2);
-    UNIT_EQUAL(s.position[0], -0.0625);
-    UNIT_EQUAL(s.position[1], 0.9375);
+    UNIT_LIST(s.position, 0, -0.0625, 0.9375);
 }
 
 /* Glancing hits, found late, against where both would be if they had been
@@ -130,8 +124,7 @@ TEST(test_oblique, "oblique hits found late are made good")
         FREED(scene) s;
         FREED(spheres) p;
         make(&s, 2);
-        s.radius[0] = 0.2;
-        s.radius[1] = 0.3;
+        PUT(s.radius, 0.2, 0.3);
         s.mass[1] = random_between(&r, 0.5, 2);
         s.position[1] = unit * (along - tau);
         s.position[3] = unit * b;
@@ -162,11 +155,9 @@ TEST(test_in_one_step, "a velocity goes through a row in a step")
     s.position[2] = 1.9375; /* a gap of 1/16 to where 1 goes back from */
     s.velocity[0] = 1;
     begin(&p, &s, SPHERES_APPROACHING, SPHERES_BACK, 1);
-    UNIT_EQUAL((double)spheres_resolve(&p, s.position, s.velocity), 2);
+    UNIT_EQUAL(spheres_resolve(&p, s.position, s.velocity), 2);
     UNIT_EQUAL(s.velocity[2], 1);
-    UNIT_EQUAL(s.position[0], -0.125);
-    UNIT_EQUAL(s.position[1], 0.9375);
-    UNIT_EQUAL(s.position[2], 2);
+    UNIT_LIST(s.position, 0, -0.125, 0.9375, 2);
 }
 
 /* 1 and the heavy 0 come at each other with 1 m/s in steps of 0.1 s, and
@@ -191,7 +182,7 @@ TEST(test_pushed, "who is pushed meets the next")
         begin(&p, &s, SPHERES_APPROACHING, SPHERES_BY_MASS, 0.05);
         p.search = way / 2 % 2 ? SPHERES_SWEEP : SPHERES_PAIRS;
         p.order = heavy ? SPHERES_DESCENDING : SPHERES_ASCENDING;
-        UNIT_EQUAL((double)spheres_resolve(&p, s.position, s.velocity), 2);
+        UNIT_EQUAL(spheres_resolve(&p, s.position, s.velocity), 2);
         UNIT_NEAR(v[far], 12, 1e-7);
     }
 }
@@ -221,12 +212,11 @@ TEST(test_parting, "only the paper reflects pairs that part")
         FREED(scene) s;
         FREED(spheres) p;
         begin_pair(&s);
-        s.velocity[0] = -1;
-        s.velocity[1] = 1;
+        PUT(s.velocity, -1, 1);
         begin(&p, &s, rule, SPHERES_BY_MASS, 1);
         spheres_resolve(&p, s.position, s.velocity);
         UNIT_EQUAL(s.velocity[1], rule == SPHERES_ALL ? -2 : 1);
-        UNIT_EQUAL((double)p.receding, rule == SPHERES_ALL);
+        UNIT_EQUAL(p.receding, rule == SPHERES_ALL);
         UNIT_EQUAL(s.position[1] - s.position[0], 1);
     }
 }
@@ -254,8 +244,7 @@ TEST(test_fixed, "what is fixed along an axis stays")
     UNIT_EQUAL(s.position[2], 0);
     spheres_free(&p);
     s.freedom[0] = 0; /* now wholly fixed */
-    s.position[0] = 0;
-    s.position[1] = 0.9;
+    PUT(s.position, 0, 0.9);
     s.position[3] = s.velocity[0] = s.velocity[3] = 0;
     s.velocity[1] = -1;
     begin(&p, &s, SPHERES_APPROACHING, SPHERES_BY_RADIUS, 1);
@@ -266,8 +255,7 @@ TEST(test_fixed, "what is fixed along an axis stays")
     s.freedom[0] = 1; /* and the other way round */
     s.freedom[1] = 0;
     s.position[1] = 0.9;
-    s.velocity[0] = 1;
-    s.velocity[1] = 0;
+    PUT(s.velocity, 1, 0);
     spheres_free(&p);
     begin(&p, &s, SPHERES_APPROACHING, SPHERES_BY_RADIUS, 1);
     spheres_resolve(&p, s.position, s.velocity);
@@ -290,16 +278,15 @@ TEST(test_asked, "contacts that others find")
     s.velocity[2] = 4;
     begin(&p, &s, SPHERES_APPROACHING, SPHERES_BY_MASS, 1);
     spheres_reflect(&p, 0, 1, s.position, s.velocity);
-    UNIT_EQUAL(s.velocity[2], 1);
-    UNIT_EQUAL(s.velocity[3], 3);
+    UNIT_LIST(s.velocity + 2, 0, 1, 3);
     UNIT_EQUAL(p.virial, 6);
-    UNIT_EQUAL((double)p.collisions, 1);
+    UNIT_EQUAL(p.collisions, 1);
     s.velocity[3] = -4;
     spheres_bounce(&p, 1, 1, s.velocity);
     UNIT_EQUAL(s.velocity[3], 2);
     UNIT_EQUAL(p.impulse[1], 12);
     UNIT_EQUAL(p.impulse[0], 0);
-    UNIT_EQUAL((double)p.wall_collisions, 1);
+    UNIT_EQUAL(p.wall_collisions, 1);
 }
 
 /* Mirrored, with restitution, and left alone on the way in. */
@@ -316,13 +303,13 @@ TEST(test_walls, "walls mirror, and lose what they should")
     s.position[0] = 2.75; /* 0.25 beyond */
     s.velocity[0] = 4;
     begin(&p, &s, SPHERES_ALL, SPHERES_BY_RADIUS, 1);
-    UNIT_EQUAL((double)spheres_resolve(&p, s.position, s.velocity), 1);
+    UNIT_EQUAL(spheres_resolve(&p, s.position, s.velocity), 1);
     UNIT_EQUAL(s.position[0], 2.375);
     UNIT_EQUAL(s.velocity[0], -2);
     UNIT_EQUAL(p.impulse[0], 12);
     s.position[0] = -0.75;
     s.velocity[0] = 1;
-    UNIT_EQUAL((double)spheres_resolve(&p, s.position, s.velocity), 0);
+    UNIT_EQUAL(spheres_resolve(&p, s.position, s.velocity), 0);
     UNIT_EQUAL(s.position[0], -0.75);
 }
 
@@ -341,13 +328,13 @@ TEST(test_awkward, "awkward scenes do no harm")
     s.freedom[0] = s.freedom[1] = 0;
     s.position[0] = s.position[1] = 0;
     begin(&p, &s, SPHERES_ALL, SPHERES_BY_MASS, 1e-3);
-    UNIT_EQUAL((double)spheres_resolve(&p, s.position, s.velocity), 0);
+    UNIT_EQUAL(spheres_resolve(&p, s.position, s.velocity), 0);
     spheres_free(&p);
     scene_free(&s);
     make(&s, 0);
     begin(&p, &s, SPHERES_ALL, SPHERES_BY_MASS, 1e-3);
     p.search = SPHERES_SWEEP;
-    UNIT_EQUAL((double)spheres_resolve(&p, s.position, s.velocity), 0);
+    UNIT_EQUAL(spheres_resolve(&p, s.position, s.velocity), 0);
 }
 
 /* A crowd of unequal spheres in space, in each kind of box. */
@@ -517,12 +504,8 @@ TEST(test_order_of_pairs, "the order of pairs decides")
     UNIT_NEAR(s.velocity[0], -1 / 3., 1e-15);
     UNIT_NEAR(s.velocity[2], -1 + 20 / 9., 1e-15);
     spheres_free(&p);
-    s.position[0] = -0.9;
-    s.position[1] = 0;
-    s.position[2] = 0.9;
-    s.velocity[0] = 1;
-    s.velocity[1] = 0;
-    s.velocity[2] = -1;
+    PUT(s.position, -0.9, 0, 0.9);
+    PUT(s.velocity, 1, 0, -1);
     begin(&p, &s, SPHERES_APPROACHING, SPHERES_BACK, 1);
     p.order = SPHERES_DESCENDING;
     spheres_resolve(&p, s.position, s.velocity);
@@ -583,7 +566,7 @@ TEST(test_overlaps, "what overlaps, and how deep")
         p.search = round < 9 ? SPHERES_PAIRS : SPHERES_SWEEP;
         const size_t pairs = spheres_overlaps(&p, s.position);
         if (round >= 9)
-            UNIT_EQUAL((double)p.axis, round / 3 % 3);
+            UNIT_EQUAL(p.axis, round / 3 % 3);
         for (size_t i = 0; i < N; ++i)
             for (size_t j = i + 1; j < N; ++j) {
                 double square = 0;
@@ -605,7 +588,7 @@ TEST(test_overlaps, "what overlaps, and how deep")
                     UNIT_NEAR(p.pair[found].depth, depth, 3e-14);
                 ++found;
             }
-        UNIT_EQUAL((double)pairs, (double)found);
+        UNIT_EQUAL(pairs, found);
         UNIT_TRUE(found > 3);
     }
 }
@@ -694,8 +677,8 @@ TEST(test_passed, "who passes through another is counted")
         memcpy(v, s.velocity, sizeof v);
         spheres_resolve(&p, s.position, s.velocity);
         spheres_resolve(&q, flown, v);
-        UNIT_EQUAL((double)p.passed, (double)passed);
-        UNIT_EQUAL((double)q.passed, (double)passed);
+        UNIT_EQUAL(p.passed, passed);
+        UNIT_EQUAL(q.passed, passed);
         UNIT_TRUE(round % 2 || passed == 0);
     }
     UNIT_TRUE(all > 100);
@@ -731,7 +714,7 @@ TEST(test_turned, "but not who has turned at a wall")
         s.position[2 * k + 1 - who] = high ? 9.1 : 0.9;
         begin(&p, &s, SPHERES_APPROACHING, SPHERES_BY_MASS, 1);
         spheres_watch(&p, s.position, s.velocity);
-        UNIT_EQUAL((double)p.passed, known[row].passed);
+        UNIT_EQUAL(p.passed, known[row].passed);
     }
 }
 
@@ -751,6 +734,6 @@ TEST(test_many_passed, "nor for ever")
         begin(&p, &s, SPHERES_APPROACHING, SPHERES_BY_MASS, 1);
         p.search = (enum spheres_search)search;
         spheres_resolve(&p, s.position, s.velocity);
-        UNIT_EQUAL((double)p.passed, SPHERES_PASSED);
+        UNIT_EQUAL(p.passed, SPHERES_PASSED);
     }
 }

@@ -61,11 +61,11 @@ static void check_columns(size_t D)
             columns += strncmp(line, name, strlen(name)) == 0;
         }
         if (line[0] != '#' && sscanf(line, "%*f %lf", &number) == 1)
-            UNIT_EQUAL(number, (double)(rows++ % 5 + 1));
+            UNIT_EQUAL(number, rows++ % 5 + 1);
     }
     fclose(file);
-    UNIT_EQUAL((double)columns, 11);
-    UNIT_EQUAL((double)rows, 10);
+    UNIT_EQUAL(columns, 11);
+    UNIT_EQUAL(rows, 10);
 }
 
 /* Two blocks: the last one counts. Under gravity the places are those of
@@ -97,8 +97,8 @@ TEST(test_there_and_back, "what is written is read again")
             UNIT_TRUE(table_close(out));
             check_columns(D);
             UNIT_TRUE(states_read(&back, path, message));
-            UNIT_EQUAL((double)back.count, 5);
-            UNIT_EQUAL((double)back.dimensions, (double)D);
+            UNIT_EQUAL(back.count, 5);
+            UNIT_EQUAL(back.dimensions, D);
             UNIT_EQUAL(back.now, now);
             UNIT_TRUE(back.boundary == boundary);
             memcpy(sides, d.box, D * sizeof *sides);
@@ -215,12 +215,11 @@ TEST(test_texts, "what is read and what is refused")
                               strlen(files[n].said)) == 0);
             continue;
         }
-        UNIT_EQUAL((double)d.count, (double)files[n].count);
+        UNIT_EQUAL(d.count, files[n].count);
         for (size_t k = 0; k < 3; ++k)
             UNIT_EQUAL(d.box[k], files[n].box[k]);
         UNIT_TRUE(d.boundary == files[n].boundary);
-        UNIT_EQUAL(d.disk[0].position[0], 3);
-        UNIT_EQUAL(d.disk[0].position[1], 4);
+        UNIT_LIST(d.disk[0].position, 0, 3, 4);
         UNIT_EQUAL(d.mass[0], 2);
         disks_free(&d);
     }
@@ -228,8 +227,8 @@ TEST(test_texts, "what is read and what is refused")
     struct disks d;
     char message[STATES_MESSAGE];
     UNIT_TRUE(!states_read(&d, path, message));
-    UNIT_TRUE(strcmp(message, "build/tests/states.table: "
-                              "No such file or directory") == 0);
+    UNIT_SAYS(message, "build/tests/states.table: "
+                       "No such file or directory");
     /* A path that leaves no room for the reason does no harm. */
     char far[2 * STATES_MESSAGE];
     for (size_t length = STATES_MESSAGE - 4; length < sizeof far;
@@ -237,6 +236,6 @@ TEST(test_texts, "what is read and what is refused")
         memset(far, 'x', sizeof far);
         far[length] = '\0';
         UNIT_TRUE(!states_read(&d, far, message));
-        UNIT_EQUAL((double)strlen(message), STATES_MESSAGE - 1);
+        UNIT_EQUAL(strlen(message), STATES_MESSAGE - 1);
     }
 }

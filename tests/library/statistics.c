@@ -151,11 +151,9 @@ TEST(test_fit, "fits scatter as they say, also in a part")
 {
     double square[2];
     fit_many(-5, 11, square);
-    UNIT_NEAR(square[0], 1, 4 * 0.063);
-    UNIT_NEAR(square[1], 1, 4 * 0.063);
+    UNIT_LIST(square, 4 * 0.063, 1, 1);
     fit_many(2, 11, square); /* a third of the samples is below */
-    UNIT_NEAR(square[0], 1, 4 * 0.063);
-    UNIT_NEAR(square[1], 1, 4 * 0.063);
+    UNIT_LIST(square, 4 * 0.063, 1, 1);
 }
 
 /* With narrow bins the errors are sigma / sqrt(n) and sigma / sqrt(2 n):
@@ -174,8 +172,7 @@ TEST(test_fit_errors, "errors of a fit with narrow bins")
     UNIT_NEAR(fit.mean_error, fit.sd / sqrt(100000), 1e-3 * fit.mean_error);
     UNIT_NEAR(fit.sd_error, fit.sd / sqrt(200000), 1e-3 * fit.sd_error);
     UNIT_NEAR(worse.mean_error, 2 * fit.mean_error, 1e-12);
-    UNIT_NEAR(fit.chi2, (double)fit.degrees,
-              4 * sqrt(2 * (double)fit.degrees));
+    UNIT_NEAR(fit.chi2, fit.degrees, 4 * sqrt(2 * (double)fit.degrees));
     UNIT_NEAR(worse.chi2, fit.chi2 / 4, 1e-9);
     free(h);
 }

@@ -180,15 +180,15 @@ TEST(test_choice, "the length of blocks is that of the rule")
         size_t levels = 0;
         while (n >> levels >= 2)
             ++levels;
-        UNIT_EQUAL((double)b.levels, (double)levels);
+        UNIT_EQUAL(b.levels, levels);
         for (size_t l = 0; l < rules[r].levels && n >= 16; ++l) {
-            UNIT_EQUAL((double)b.level[l].blocks, (double)(n >> l));
-            UNIT_EQUAL((double)b.level[l].length, (double)(1 << l));
+            UNIT_EQUAL(b.level[l].blocks, n >> l);
+            UNIT_EQUAL(b.level[l].length, 1 << l);
             UNIT_NEAR(b.level[l].error,
                       b.level[0].error * sqrt(rules[r].share[l]),
                       odd * b.level[l].error);
         }
-        UNIT_EQUAL((double)b.chosen, (double)k);
+        UNIT_EQUAL(b.chosen, k);
         UNIT_TRUE(b.plateau == rules[r].plateau);
         UNIT_NEAR(b.inefficiency, rules[r].share[k], 50 * odd);
         UNIT_EQUAL(b.error, b.level[k].error);
@@ -196,7 +196,7 @@ TEST(test_choice, "the length of blocks is that of the rule")
     /* An odd sample is left out: blocks of 1 and 2, and of 3 and 5. */
     struct statistics_blocking b;
     UNIT_TRUE(statistics_blocking(5, (const double[]){1, 2, 3, 5, 99}, &b));
-    UNIT_EQUAL((double)b.levels, 2);
+    UNIT_EQUAL(b.levels, 2);
     UNIT_EQUAL(b.level[1].error, 1.25);
     UNIT_NEAR(b.level[1].uncertainty, 1.25 / sqrt(2), 1e-15);
 }
@@ -227,7 +227,7 @@ static void correlations(size_t n, const double x[])
     UNIT_NEAR(statistics_covariance(n, copy, mean, 1), rho[1],
               1e-13 * rho[0]);
     free(copy);
-    UNIT_EQUAL((double)c.window, (double)window);
+    UNIT_EQUAL(c.window, window);
     UNIT_TRUE(c.settled == settled);
     UNIT_NEAR(c.inefficiency, expected, 1e-12);
     UNIT_NEAR(c.uncertainty, expected * sqrt(2 * lags / count), 1e-12);
@@ -274,7 +274,7 @@ TEST(test_described, "eight numbers described by hand")
     double *x = copy_of(8, eight);
     UNIT_TRUE(statistics_describe(8, x, false, &d));
     const double v = 32 / 7.0, k = 356 / 8.0 / (v * v);
-    UNIT_EQUAL((double)d.n, 8);
+    UNIT_EQUAL(d.n, 8);
     UNIT_EQUAL(d.least, 2);
     UNIT_EQUAL(d.greatest, 9);
     UNIT_EQUAL(d.mean, 5);
@@ -284,7 +284,7 @@ TEST(test_described, "eight numbers described by hand")
     UNIT_NEAR(d.mean_error, sqrt(v / 8), 1e-15);
     UNIT_NEAR(d.sd_error, sqrt(228 / 7.0 / 8) / (2 * sqrt(v)), 1e-15);
     UNIT_EQUAL(d.inefficiency, 1);
-    UNIT_EQUAL((double)d.block, 0);
+    UNIT_EQUAL(d.block, 0);
     UNIT_TRUE(d.plateau);
     double added[8], mean = 0, square = 0;
     for (size_t i = 0; i < 8; ++i) {
@@ -326,7 +326,7 @@ TEST(test_longest_block, "the longest block counts")
     for (size_t i = 0; i < LENGTH; ++i)
         x[i] = (i % 2 ? -1 : 1) * (i / 64 % 2 ? 1 : 1.5);
     UNIT_TRUE(statistics_describe(LENGTH, x, true, &d));
-    UNIT_EQUAL((double)d.block, 128);
+    UNIT_EQUAL(d.block, 128);
 }
 
 /* Counts by hand: at either end bins are joined until 5 are expected, and
@@ -356,7 +356,7 @@ static void chi2_of(const struct statistics_histogram *h, double g)
         }
     }
     UNIT_NEAR(fit.chi2, chi2 / g, 1e-9 * chi2);
-    UNIT_EQUAL((double)fit.degrees, groups > 3 ? (double)groups - 3 : 0);
+    UNIT_EQUAL(fit.degrees, groups > 3 ? (double)groups - 3 : 0);
 }
 
 TEST(test_grouped, "bins are joined where little is expected")
@@ -401,11 +401,11 @@ TEST(test_pairs, "six pairs by hand")
     double *x = copy_of(6, a), *y = copy_of(6, b);
     UNIT_TRUE(statistics_dependence(6, x, y, 2, false, &d));
     UNIT_NEAR(d.chi2, 4 * 0.25 / 1.5, 1e-15);
-    UNIT_EQUAL((double)d.degrees, 1);
+    UNIT_EQUAL(d.degrees, 1);
     UNIT_TRUE(statistics_dependence(6, x, y, 3, false, &d));
     /* Of nine cells, two thirds expected, four have one and one has two. */
     UNIT_NEAR(d.chi2, (4 + 16 + 4 * 4) / 9.0 * 1.5, 1e-14);
-    UNIT_EQUAL((double)d.degrees, 4);
+    UNIT_EQUAL(d.degrees, 4);
     /* sum of (x - 3.5)(y - 5) = 9, of squares 17.5 and 58 */
     UNIT_NEAR(d.correlation, 9 / sqrt(17.5 * 58) * 5 / 6, 1e-15);
     double square = 0;

@@ -149,9 +149,9 @@ TEST(test_kahan_li, "Kahan and Li's weights have order 8")
     for (size_t k = 0; k < 17; ++k)
         for (int p = 0; p < 4; ++p)
             sum[p] += powl(m->drift[k], 2 * p + 1);
-    UNIT_NEAR((double)sum[0], 1, 4 * DBL_EPSILON);
+    UNIT_NEAR(sum[0], 1, 4 * DBL_EPSILON);
     for (int p = 1; p < 4; ++p)
-        UNIT_NEAR((double)sum[p], 0, 4 * DBL_EPSILON);
+        UNIT_NEAR(sum[p], 0, 4 * DBL_EPSILON);
 }
 
 /* Does each stage of a tableau need only what the ones before it said? */
@@ -284,8 +284,7 @@ TEST(test_implicit_at_rest, "implicit steps near a place of rest")
             begin(&s, stepping_find(name[m]), f, dt, x, v);
             UNIT_EQUAL(stepping_run(&s, 400), STEPPING_DONE);
             /* the energy of the fast mode is kept, and gives the reach */
-            UNIT_NEAR(x[0], rest[0], 1.1e-9);
-            UNIT_NEAR(x[1], rest[1], 1.1e-9);
+            UNIT_LIST(x, 1.1e-9, rest[0], rest[1]);
         }
 }
 
@@ -608,12 +607,12 @@ static void check_parts(const struct stepping_method *m)
         memcpy(u, v, sizeof u);
         UNIT_EQUAL(stepping_part(&s, 0.011), STEPPING_DONE);
         UNIT_TRUE(x[0] != y[0]);
-        UNIT_EQUAL((double)s.steps, 8);
+        UNIT_EQUAL(s.steps, 8);
         stepping_recall(&s, note);
         const uint64_t then = s.evaluations;
         stepping_run(&s, 3);
         UNIT_TRUE(!memcmp(y, x, sizeof y) && !memcmp(u, v, sizeof u));
-        UNIT_EQUAL((double)(s.evaluations - then), (double)three);
+        UNIT_EQUAL(s.evaluations - then, three);
         begin(&t, m, f, 0.03, y, u);
         t.compensated = way & 2;
         memcpy(y, note, sizeof y);
@@ -621,7 +620,7 @@ static void check_parts(const struct stepping_method *m)
         stepping_resume(&t, 5, note + 4, note[10] != 0 ? note + 8 : NULL);
         for (int k = 0; k < 3; ++k)
             UNIT_EQUAL(stepping_part(&t, 0.03), STEPPING_DONE);
-        UNIT_EQUAL((double)t.steps, 5);
+        UNIT_EQUAL(t.steps, 5);
         /* Leapfrog under friction has a way of its own for many steps. */
         UNIT_TRUE((!memcmp(y, x, sizeof y) && !memcmp(u, v, sizeof u)) ||
                   stepping_keeps(&t));
@@ -684,7 +683,7 @@ TEST(test_singular, "a matrix that has no inverse")
     UNIT_EQUAL(stepping_run(&s, 1), STEPPING_STUCK);
     UNIT_EQUAL(x, 0.5);
     UNIT_EQUAL(v, 0.25);
-    UNIT_EQUAL((double)s.evaluations, 5);
+    UNIT_EQUAL(s.evaluations, 5);
 }
 
 static void grow(void *what, const double x[], const double v[], double a[])
@@ -713,7 +712,7 @@ TEST(test_infinite, "what is not finite is noticed")
             UNIT_TRUE(end != STEPPING_STUCK || x - x == 0);
             ends[cut] = s.steps;
         }
-        UNIT_EQUAL((double)ends[0], (double)ends[1]);
+        UNIT_EQUAL(ends[0], ends[1]);
     }
 }
 

@@ -11,7 +11,7 @@ TEST(test_lines, "zeros from the beginning of a line")
     for (size_t n = 0; n < 40; ++n) {
         double *room = aligned_doubles(n);
         UNIT_TRUE(room != NULL);
-        UNIT_EQUAL((double)((uintptr_t)room % ALIGNED_LINE), 0);
+        UNIT_EQUAL((uintptr_t)room % ALIGNED_LINE, 0);
         for (size_t i = 0; i < n; ++i) {
             UNIT_EQUAL(room[i], 0);
             room[i] = 1; /* so that what comes back is not zero */

@@ -140,7 +140,7 @@ static void accepted(const char *arguments, const char *out)
         printf("# '%s' gave:\n# %s# %s# not:\n# %s", arguments, c.out,
                c.err, out);
     UNIT_TRUE(c.status == 0);
-    UNIT_TRUE(strcmp(c.out, out) == 0);
+    UNIT_SAYS(c.out, out);
     UNIT_TRUE(*c.err == '\0');
 }
 
@@ -149,10 +149,8 @@ static void refused(const char *arguments, const char *err)
     const struct child c = run(arguments);
     char line[512];
     snprintf(line, sizeof line, "gas: %s\n", err);
-    if (strcmp(c.err, line) != 0)
-        printf("# '%s' gave:\n# %s# not:\n# %s", arguments, c.err, line);
     UNIT_TRUE(c.status == OPTIONS_FAILURE);
-    UNIT_TRUE(strcmp(c.err, line) == 0);
+    UNIT_SAYS(c.err, line);
     UNIT_TRUE(strstr(c.out, "gas") == NULL);
 }
 
@@ -331,9 +329,9 @@ TEST(test_arguments, "arguments are taken where they are allowed")
     list = with_arguments;
     c = run("one\n-q\n--\n-two");
     UNIT_TRUE(c.status == OPTIONS_FAILURE);
-    UNIT_TRUE(strcmp(c.out, "1=one\n113=-\n1=-two\n"
-                            "gas one --quick -two\n") == 0);
-    UNIT_TRUE(strcmp(c.err, "gas: need 2 files\n") == 0);
+    UNIT_SAYS(c.out, "1=one\n113=-\n1=-two\n"
+                     "gas one --quick -two\n");
+    UNIT_SAYS(c.err, "gas: need 2 files\n");
 }
 
 TEST(test_headings, "an option that means nothing is refused")
@@ -411,12 +409,12 @@ TEST(test_help, "help and version succeed or say why not")
     }
     c = child_run(program, help, "");
     UNIT_TRUE(c.status == 1);
-    UNIT_TRUE(strcmp(c.err, "gas: cannot write standard output: Bad file "
-                            "descriptor\n") == 0);
+    UNIT_SAYS(c.err, "gas: cannot write standard output: Bad file "
+                     "descriptor\n");
     if (access("/dev/full", W_OK) != 0)
         return;
     c = child_run(program, version, "/dev/full");
     UNIT_TRUE(c.status == 1);
-    UNIT_TRUE(strcmp(c.err, "gas: cannot write standard output: No space "
-                            "left on device\n") == 0);
+    UNIT_SAYS(c.err, "gas: cannot write standard output: No space "
+                     "left on device\n");
 }

@@ -69,9 +69,8 @@ TEST(test_golden, "seed 1 gives the numbers it always gave")
     UNIT_EQUAL(random_log(10), 0x1.26bb1bbb55516p+1);
     UNIT_EQUAL(random_normal(&r), -0x1.40ed5a05a1452p-2);
     random_direction(&r, 3, d);
-    UNIT_EQUAL(d[0], 0x1.d23a4731b724ap-1);
-    UNIT_EQUAL(d[1], 0x1.6c56522d49195p-2);
-    UNIT_EQUAL(d[2], 0x1.aea271d48c9cp-3);
+    UNIT_LIST(d, 0, 0x1.d23a4731b724ap-1, 0x1.6c56522d49195p-2,
+              0x1.aea271d48c9cp-3);
 }
 
 TEST(test_copy, "a copy goes on as its original")

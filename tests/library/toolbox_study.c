@@ -129,7 +129,7 @@ TEST(test_whole, "table and summary are whole")
         run("--study\nmeasure\n--mass\n2.5\n--seed\n7" FILES);
     UNIT_TRUE(c.status == 0);
     UNIT_TRUE(c.out[0] == '\0' && c.err[0] == '\0');
-    UNIT_TRUE(strcmp(content(SUMMARY), "seed 7\n") == 0);
+    UNIT_SAYS(content(SUMMARY), "seed 7\n");
     UNIT_TRUE(strstr(content(TABLE), "# command: drop --study measure "
                                      "--mass 2.5 --seed 7\n# seed: 7\n"));
     UNIT_TRUE(strstr(content(TABLE), "# 1 m [kg] mass\n2.5\n"));
@@ -192,7 +192,7 @@ TEST(test_failure, "a study that fails leaves nothing")
 {
     const struct child c = run("--study\nfall" FILES);
     UNIT_TRUE(c.status == 1);
-    UNIT_TRUE(strcmp(c.err, "drop: no ground\n") == 0);
+    UNIT_SAYS(c.err, "drop: no ground\n");
     UNIT_TRUE(content(TABLE)[0] == '\0');
     UNIT_TRUE(content(SUMMARY)[0] == '\0');
 }
@@ -229,8 +229,8 @@ TEST(test_unnamed, "the usual study needs no name")
     drawing = "--study fall";
     c = run("--seed\n1" FILES);
     UNIT_TRUE(c.status == 2);
-    UNIT_TRUE(strcmp(c.err, "drop: --seed: means nothing without --study "
-                            "fall\n") == 0);
+    UNIT_SAYS(c.err, "drop: --seed: means nothing without --study "
+                     "fall\n");
     drawing = usual = NULL;
 }
 
@@ -242,8 +242,7 @@ TEST(test_check, "settings are looked at together")
     UNIT_TRUE(strstr(content(TABLE), "\n4\n"));
     c = run("--mass\n9\n--study\nburst" FILES);
     UNIT_TRUE(c.status == 2);
-    UNIT_TRUE(strcmp(c.err, "drop: --mass: 9 is too heavy for burst\n") ==
-              0);
+    UNIT_SAYS(c.err, "drop: --mass: 9 is too heavy for burst\n");
     UNIT_TRUE(content(TABLE)[0] == '\0');
     checked = NULL;
 }
@@ -282,8 +281,8 @@ TEST(test_drawing, "a seed for the studies that draw")
     drawing = "--study fall";
     struct child c = run("--study\nmeasure\n--seed\n1" FILES);
     UNIT_TRUE(c.status == 2);
-    UNIT_TRUE(strcmp(c.err, "drop: --seed: means nothing with --study "
-                            "measure (only with fall)\n") == 0);
+    UNIT_SAYS(c.err, "drop: --seed: means nothing with --study "
+                     "measure (only with fall)\n");
     c = run("--study\nfall\n--seed\n1" FILES);
     UNIT_TRUE(c.status == 1 && strstr(c.err, "no ground"));
     drawing = NULL;

@@ -75,8 +75,7 @@ static void make_box(struct scene *s, size_t n, double width, double height)
     UNIT_MUST(scene_create(s, n));
     s->contact = true;
     s->wall[0] = s->wall[1] = SCENE_HARD;
-    s->high[0] = width;
-    s->high[1] = height;
+    PUT(s->high, width, height);
 }
 
 /* Three disks that all move along one line for ever: half the energy is

@@ -15,7 +15,7 @@ static void begin(struct bonkers *b, struct start_request request,
     size_t wrong = 0;
     UNIT_MUST(start_fill(&s, &request) &&
               bonkers_begin(b, &s, 1, engine, &wrong));
-    UNIT_EQUAL((double)wrong, (double)b->gaps);
+    UNIT_EQUAL(wrong, b->gaps);
 }
 
 /* How far the bodies miss their starting places after n collisions forth
@@ -32,7 +32,7 @@ static double miss(struct start_request request, enum bonkers_engine engine,
     bonkers_settle(&b);
     for (size_t i = 0; i <= b.gaps; ++i)
         b.body[i].v = -b.body[i].v;
-    UNIT_EQUAL((double)bonkers_start(&b, NULL), (double)b.gaps);
+    UNIT_EQUAL(bonkers_start(&b, NULL), b.gaps);
     bonkers_run(&b, t, UINT64_MAX);
     bonkers_settle(&b);
     for (size_t i = 0; i <= b.gaps; ++i)
@@ -112,9 +112,9 @@ static size_t count_pairs(double ratio)
    fro. */
 TEST(test_two_balls, "two balls of mass ratio 3 know 12 velocity pairs")
 {
-    UNIT_EQUAL((double)count_pairs(3), 12);
-    UNIT_EQUAL((double)count_pairs(1 / 3.0), 12);
-    UNIT_EQUAL((double)count_pairs(1), 8);
+    UNIT_EQUAL(count_pairs(3), 12);
+    UNIT_EQUAL(count_pairs(1 / 3.0), 12);
+    UNIT_EQUAL(count_pairs(1), 8);
     UNIT_TRUE(count_pairs(9) > 24);
     UNIT_TRUE(count_pairs(1.6180339887498949) > 100);
 }
@@ -164,7 +164,7 @@ TEST(test_late_clock, "a clock of 10^9 s leaves all in order")
         for (size_t i = 1; i < b.gaps; ++i)
             b.body[i].since = 1e9;
         b.body[0].since = b.body[b.gaps].since = b.now = 1e9;
-        UNIT_EQUAL((double)bonkers_start(&b, NULL), 41);
+        UNIT_EQUAL(bonkers_start(&b, NULL), 41);
         const double before = bonkers_energy(&b);
         for (int k = 1; k <= 1000; ++k) {
             bonkers_run(&b, 1e9 + k * 0.5, UINT64_MAX);
@@ -173,7 +173,7 @@ TEST(test_late_clock, "a clock of 10^9 s leaves all in order")
                 crossed += x[i] > x[i + 1];
         }
         UNIT_TRUE(b.collisions > 5000);
-        UNIT_EQUAL((double)(crossed + b.disorder), 0);
+        UNIT_EQUAL(crossed + b.disorder, 0);
         /* a random walk of eps/2 and a bias, see tests/library/bonkers.c */
         UNIT_NEAR(bonkers_energy(&b) / before, 1, 1e-12);
     }

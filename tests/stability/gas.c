@@ -95,8 +95,8 @@ TEST(test_states, "a state in a file keeps every bit")
             UNIT_TRUE(table_close(out));
             UNIT_TRUE(states_read(&e, name, message));
             unlink(name);
-            UNIT_EQUAL((double)e.count, (double)d.count);
-            UNIT_EQUAL((double)e.dimensions, (double)D);
+            UNIT_EQUAL(e.count, d.count);
+            UNIT_EQUAL(e.dimensions, D);
             UNIT_TRUE(e.boundary == d.boundary);
             UNIT_EQUAL(e.now, d.now);
             UNIT_TRUE(memcmp(e.disk, d.disk, d.count * sizeof d.disk[0]) ==

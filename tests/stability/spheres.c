@@ -82,13 +82,11 @@ TEST(test_tunnelling, "long steps go through")
         UNIT_MUST(scene_create(&s, 2));
         s.contact = true;
         s.radius[0] = s.radius[1] = 0.1;
-        s.position[0] = -0.15;
-        s.position[1] = 0.15;
-        s.velocity[0] = 1;
-        s.velocity[1] = -1;
+        PUT(s.position, -0.15, 0.15);
+        PUT(s.velocity, 1, -1);
         begin(&p, &s, SPHERES_BACK, slow ? 0.1 : 0.3);
         run(&s, &p, 0.3);
-        UNIT_EQUAL((double)p.collisions, slow);
+        UNIT_EQUAL(p.collisions, slow);
         UNIT_NEAR(s.velocity[0], slow ? -1 : 1, 1e-15);
         UNIT_NEAR(energy(&s), 1, 1e-15);
     }
@@ -218,7 +216,7 @@ TEST(test_turn, "a turn behind a wall is missed")
 {
     for (int parts = 1; parts <= 2; ++parts) {
         FREED(scene) s;
-        struct motion m;
+        ENDED(motion) m;
         UNIT_MUST(scene_create(&s, 2) && scene_add_kind(&s, 1, 0) &&
                   scene_add_spring(&s, 0, 1, 0, 9));
         s.contact = true;
@@ -234,10 +232,9 @@ TEST(test_turn, "a turn behind a wall is missed")
             motion_begin(&m, "spheres", &s, "kahan-li8", 1.6 / parts) &&
             motion_locate(&m));
         motion_run(&m, (uint64_t)parts);
-        UNIT_EQUAL((double)m.collisions, parts - 1);
+        UNIT_EQUAL(m.collisions, parts - 1);
         UNIT_NEAR(s.position[0],
                   cos(parts > 1 ? 0.8 + 2 * acos(0.99) : 0.8), 1e-3);
-        motion_end(&m);
     }
 }
 
@@ -248,7 +245,7 @@ TEST(test_stiff, "a stiff contact makes energy")
 {
     for (int fine = 0; fine < 2; ++fine) {
         FREED(scene) s;
-        struct motion m;
+        ENDED(motion) m;
         UNIT_MUST(scene_create(&s, 2));
         s.contact = true;
         s.law = SCENE_LINEAR;
@@ -262,6 +259,5 @@ TEST(test_stiff, "a stiff contact makes energy")
         const double energy = motion_kinetic(&m);
         UNIT_NEAR(energy, 0.5, fine ? 0.005 : 100);
         UNIT_TRUE(fine || energy > 2);
-        motion_end(&m);
     }
 }

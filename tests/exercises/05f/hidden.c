@@ -5,15 +5,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
-
-struct event {
-    double time;
-    size_t i, j;
-    unsigned count_i, count_j;
-};
-
-size_t next_valid(size_t n, const struct event heap[],
-                  const unsigned counts[], size_t *stale);
+#include "call.h"
 
 enum { MOST = 1000, BODIES = 60 };
 

@@ -9,15 +9,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
-
-struct event {
-    double time;
-    size_t i, j;
-    unsigned count_i, count_j;
-};
-
-size_t next_valid(size_t n, const struct event heap[],
-                  const unsigned counts[], size_t *stale);
+#include "call.h"
 
 enum { BODIES = 4, MOST = 300 };
 

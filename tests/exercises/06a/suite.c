@@ -11,10 +11,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
-
-double uniform(void);
-size_t throw_disks(size_t n, const double radius[], double width,
-                   double height, double x[], double y[]);
+#include "call.h"
 
 enum { MOST = 4, SCRIPT = 32, RECENT = 2 * MOST };
 
@@ -51,10 +48,6 @@ double uniform(void)
     source.recent[source.used++ % RECENT] = u;
     return u;
 }
-
-/* The numbers that uniform() will give next, which are not used up by that:
-   for a grader, which hands out many at once. */
-void uniform_ahead(double u[], size_t count);
 
 void uniform_ahead(double u[], size_t count)
 {

@@ -10,10 +10,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
-
-double uniform(void);
-double mean_square(size_t n, double radius, double dish, double step,
-                   size_t tries, double x[], double y[], size_t *accepted);
+#include "call.h"
 
 enum { MOST = 4, SCRIPT = 36 };
 
@@ -46,10 +43,6 @@ double uniform(void)
     return k < source.scripted ? source.script[k]
                                : random_uniform(&source.random);
 }
-
-/* The numbers that uniform() will give next, which are not used up by that:
-   for a grader, which hands out many at once. */
-void uniform_ahead(double u[], size_t count);
 
 void uniform_ahead(double u[], size_t count)
 {

@@ -8,13 +8,10 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
+#include "call.h"
 
 /* limit: 60 coordinates */
 enum { MOST = 60 };
-
-void acceleration(const double x[], double a[]);
-void drift_kick_drift(size_t n, double x[], double v[], double dt,
-                      size_t steps);
 
 /* ---- what acts on the bodies ---- */
 

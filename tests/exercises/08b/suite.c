@@ -9,16 +9,12 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <string.h>
+#include "call.h"
 
 /* limit: 1 (stage, and one number) */
 /* limit: 8 stages */
 /* limit: 12 numbers */
 enum { MOST_STAGES = 8, MOST = 12, ENTRIES = 16, WEIGHTS = 4 };
-
-void slope(double t, const double y[], double dy[]);
-void three_eighths(double a[], double b[]);
-void tableau_step(size_t stages, const double a[], const double b[],
-                  size_t n, double t, double h, double y[]);
 
 /* ---- the slopes ---- */
 

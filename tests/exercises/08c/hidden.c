@@ -4,11 +4,7 @@
 #include "examiner/check.h"
 #include <math.h>
 #include <stddef.h>
-
-enum verdict { TOO_FEW, NOT_YET, MEASURED };
-
-enum verdict measure_order(size_t n, const double h[], const double error[],
-                           double rounding, double *order);
+#include "call.h"
 
 enum { RUNS = 6 };
 

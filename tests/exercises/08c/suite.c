@@ -8,11 +8,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
-
-enum verdict { TOO_FEW, NOT_YET, MEASURED };
-
-enum verdict measure_order(size_t n, const double h[], const double error[],
-                           double rounding, double *order);
+#include "call.h"
 
 enum { MOST = 40 };
 

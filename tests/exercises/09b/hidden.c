@@ -4,10 +4,7 @@
 #include "examiner/check.h"
 #include <math.h>
 #include <stddef.h>
-
-void binary_speeds(double k2, double m1, double m2, double d, double *v1,
-                   double *v2);
-double choreography_speed(double k2, size_t n, double mass, double radius);
+#include "call.h"
 
 static bool check(double got, double expected, const char *quantity,
                   const char *input, const char *equation,

@@ -7,10 +7,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
-
-void binary_speeds(double k2, double m1, double m2, double d, double *v1,
-                   double *v2);
-double choreography_speed(double k2, size_t n, double mass, double radius);
+#include "call.h"
 
 /* limit: 1e-12 */
 static const double tolerance = 1e-12;

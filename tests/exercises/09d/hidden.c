@@ -5,9 +5,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
-
-void ellipses_and_kicks(size_t n, const double gm[], double sun, double dt,
-                        double x[][3], double v[][3]);
+#include "call.h"
 
 static void draw(double gm[2], double x[2][3], double v[2][3])
 {

@@ -7,10 +7,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <string.h>
-
-void drift(double sun, double dt, double x[3], double v[3]);
-void ellipses_and_kicks(size_t n, const double gm[], double sun, double dt,
-                        double x[][3], double v[][3]);
+#include "call.h"
 
 enum { MOST = 5 };
 

@@ -2,7 +2,11 @@
 #ifndef CHECK_H
 #define CHECK_H
 
+/* What a suite measures and draws with is included for all suites here. */
+#include <float.h>
+#include <math.h>
 #include <stdbool.h>
+#include <stddef.h>
 
 /* A mistake that we can explain. The suite computes the value that it
    leads to from the same input as the expected one; an answer that equals

@@ -2,9 +2,6 @@
    undone. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stddef.h>
 #include "call.h"
 
 static const char *input(double u1, double u2, double im1, double im2)

@@ -3,9 +3,6 @@
    drawn. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stddef.h>
 #include "call.h"
 
 /* What the student's function answers; untouched places read as NaN. */

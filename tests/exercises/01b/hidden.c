@@ -2,10 +2,6 @@
    and 1 describes, and bodies of very different mass in other units. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 #include "call.h"
 
 /* A collision as somebody sees it who moves with the centre of mass: the

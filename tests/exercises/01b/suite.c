@@ -3,10 +3,6 @@
    collision can do, and numbers that are drawn. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 #include "call.h"
 
 /* What a camera has seen. */

@@ -2,9 +2,6 @@
    towers in other units. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stddef.h>
 #include "call.h"
 
 enum { MOST = 60 };

@@ -3,9 +3,6 @@
    that are drawn. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stddef.h>
 #include <stdio.h>
 #include "call.h"
 

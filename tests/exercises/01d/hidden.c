@@ -2,10 +2,6 @@
    not depend on. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 #include "call.h"
 
 static const char *input(double r1, double r2, double im1, double im2,

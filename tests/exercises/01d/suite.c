@@ -3,10 +3,6 @@
    answers, angles out of reach, and shots that are drawn. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 #include "call.h"
 
 static double pi(void)

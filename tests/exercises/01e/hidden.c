@@ -2,8 +2,6 @@
    for a heavy body, but for slow ones, and one in other words. */
 
 #include "examiner/check.h"
-#include <math.h>
-#include <stdbool.h>
 
 typedef void law(double m1, double m2, double *v1, double *v2);
 

@@ -3,10 +3,6 @@
    knows, and some more. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 
 typedef void law(double m1, double m2, double *v1, double *v2);
 

@@ -1,10 +1,6 @@
 /* The hidden tests of exercise 02a: long rings, and rings in a mirror. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 #include "call.h"
 
 enum { BEADS = 300 };

@@ -4,10 +4,6 @@
    rings that are drawn. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 #include <stdio.h>
 #include "call.h"
 

@@ -2,9 +2,6 @@
    thousands of collisions between two ticks. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stddef.h>
 
 struct event {
     double t, x, v;

@@ -4,10 +4,6 @@
    paths that are drawn. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 #include <stdio.h>
 
 struct event {

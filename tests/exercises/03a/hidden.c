@@ -2,9 +2,6 @@
    in other units, and bins cut in two. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stddef.h>
 
 void equal_bins(double (*distribution)(double x), double low, double high,
                 size_t bins, double edge[]);

@@ -4,10 +4,6 @@
    with their edges known. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 
 void equal_bins(double (*distribution)(double x), double low, double high,
                 size_t bins, double edge[]);

@@ -3,8 +3,6 @@
 
 #include "examiner/check.h"
 #include "toolbox/random.h"
-#include <math.h>
-#include <stddef.h>
 #include "call.h"
 
 enum { N = 8000, FEW = 20 };

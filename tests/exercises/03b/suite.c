@@ -3,9 +3,6 @@
 
 #include "examiner/check.h"
 #include "toolbox/random.h"
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 #include "call.h"
 
 /* A sum of two parts that each forget by the factor a from value to value;

@@ -2,7 +2,6 @@
    evenly, and the tails near the largest velocity. */
 
 #include "examiner/check.h"
-#include <math.h>
 #include "call.h"
 
 /* Velocity times distribution function, over an angle whose sine is the

@@ -3,9 +3,6 @@
    lies outside, and laws drawn. */
 
 #include "examiner/check.h"
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 #include "call.h"
 
 /* limit: 1e-13 */

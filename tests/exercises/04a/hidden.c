@@ -2,8 +2,6 @@
    other units, and swings that conserve the energy. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
 #include "call.h"
 
 struct box {

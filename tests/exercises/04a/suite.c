@@ -3,10 +3,6 @@
    large swings, the gas that rides along, and boxes drawn. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 #include "call.h"
 
 struct box {

@@ -2,9 +2,6 @@
    cut into sorts in another way. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stddef.h>
 #include "call.h"
 
 static void draw_sort(struct sort *s)

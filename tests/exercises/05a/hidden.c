@@ -2,8 +2,6 @@
    round, and a disk that is on its way already. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
 #include "call.h"
 
 struct flight {

@@ -3,10 +3,6 @@
    the wall, at rest, other units, and flights drawn from their ends. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 #include "call.h"
 
 struct flight {

@@ -2,8 +2,6 @@
    in a mirror and in other units, and a pair that is under way already. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
 #include "call.h"
 
 struct pair {

@@ -4,10 +4,6 @@
    meetings drawn from their ends. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 #include "call.h"
 
 struct pair {

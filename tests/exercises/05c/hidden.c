@@ -2,8 +2,6 @@
    rest or on one axis only, and collisions that fall on the ticks. */
 
 #include "examiner/check.h"
-#include <math.h>
-#include <stddef.h>
 
 /* As in the suite, which makes the disk fly and knows where it must be. */
 struct alone {

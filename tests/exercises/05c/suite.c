@@ -5,10 +5,6 @@
    what is the pressure on the walls? */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 
 /* ---- the physics that the student's loop calls: remote.c has it, too,
    and no more of this file ---- */

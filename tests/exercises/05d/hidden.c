@@ -2,9 +2,6 @@
    lying on its side, and times that are cut at a hit. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stddef.h>
 #include "call.h"
 
 enum { HITS = 30 };

@@ -3,10 +3,6 @@
    other, drawn disks, and lists without a hit. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 #include <stdio.h>
 #include "call.h"
 

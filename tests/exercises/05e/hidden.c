@@ -3,9 +3,6 @@
  */
 
 #include "examiner/check.h"
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 
 struct state {
     double x, y, vx, vy;

@@ -2,9 +2,6 @@
    those whose clock is wrong. */
 
 #include "examiner/check.h"
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 
 struct state {
     double x, y, vx, vy;

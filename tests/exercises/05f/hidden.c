@@ -2,9 +2,6 @@
    bodies, and the same heap by another clock. */
 
 #include "examiner/check.h"
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 #include "call.h"
 
 enum { MOST = 1000, BODIES = 60 };

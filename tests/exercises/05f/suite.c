@@ -5,9 +5,6 @@
 #include "examiner/check.h"
 #include "toolbox/random.h"
 #include <limits.h>
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 #include <stdio.h>
 #include "call.h"
 

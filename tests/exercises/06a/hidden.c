@@ -2,9 +2,6 @@
    of a box of any size, and a disk that fills its box from side to side. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stddef.h>
 
 enum { ROWS = 3, DISKS = ROWS * ROWS, THROWS = 3 };
 

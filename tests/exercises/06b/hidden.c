@@ -2,9 +2,6 @@
    a dish of any size. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stddef.h>
 
 enum { MOST = 12, TRIES = 60 };
 

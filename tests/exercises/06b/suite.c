@@ -4,11 +4,7 @@
 
 #include "examiner/check.h"
 #include "toolbox/random.h"
-#include <float.h>
-#include <math.h>
 #include <setjmp.h>
-#include <stdbool.h>
-#include <stddef.h>
 #include <stdio.h>
 #include "call.h"
 

@@ -2,9 +2,6 @@
    fast the overlap grows. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stddef.h>
 #include "call.h"
 
 static const double pi = 3.14159265358979323846;

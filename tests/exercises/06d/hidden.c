@@ -2,9 +2,6 @@
    start, and a push in two parts. */
 
 #include "examiner/check.h"
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 #include "call.h"
 
 static bool check(double got, double expected, const char *what,

@@ -2,10 +2,6 @@
    through the edges, a chain by hand, the way in all, and drawn boxes. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 #include <string.h>
 #include "call.h"
 

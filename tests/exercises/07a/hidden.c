@@ -3,8 +3,6 @@
  */
 
 #include "examiner/check.h"
-#include <math.h>
-#include <stddef.h>
 #include "call.h"
 
 static double below(int n, double mean, double v)

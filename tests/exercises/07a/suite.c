@@ -3,9 +3,6 @@
    drawn gases. */
 
 #include "examiner/check.h"
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 #include "call.h"
 
 /* limit: 1e-12 */

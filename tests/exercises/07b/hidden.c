@@ -3,9 +3,6 @@
    nothing collides. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stddef.h>
 #include "call.h"
 
 enum { MOST = 200 };

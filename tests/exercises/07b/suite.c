@@ -4,10 +4,6 @@
    pressure. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 #include "call.h"
 
 enum { MOST = 200 };

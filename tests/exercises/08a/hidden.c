@@ -2,9 +2,6 @@
    motion of many bodies, and other units. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stddef.h>
 
 enum { MOST = 60 };
 

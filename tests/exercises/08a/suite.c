@@ -4,10 +4,6 @@
  */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 #include "call.h"
 
 /* limit: 60 coordinates */

@@ -3,8 +3,6 @@
    other. */
 
 #include "examiner/check.h"
-#include <math.h>
-#include <stddef.h>
 
 enum { MOST_STAGES = 8, MOST = 12 };
 

@@ -4,10 +4,6 @@
 
 #include "examiner/check.h"
 #include <complex.h>
-#include <float.h>
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 #include <string.h>
 #include "call.h"
 

@@ -2,8 +2,6 @@
    useless run, and an error of two terms. */
 
 #include "examiner/check.h"
-#include <math.h>
-#include <stddef.h>
 #include "call.h"
 
 enum { RUNS = 6 };

@@ -2,8 +2,6 @@
    implicit, and seconds or milliseconds. */
 
 #include "examiner/check.h"
-#include <math.h>
-#include <stddef.h>
 
 enum kind { RUNGE_KUTTA, LEAPFROG, THETA };
 

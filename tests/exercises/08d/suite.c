@@ -4,9 +4,6 @@
 
 #include "examiner/check.h"
 #include <complex.h>
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 
 void step(double h, double y[2]);
 double stability_limit(double most);

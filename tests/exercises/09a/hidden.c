@@ -2,8 +2,6 @@
    places, other units, and a body that falls. */
 
 #include "examiner/check.h"
-#include <math.h>
-#include <stddef.h>
 
 enum { MOST = 64 };
 

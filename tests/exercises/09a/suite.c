@@ -3,10 +3,6 @@
    difference of energies, and drawn bodies. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 #include "call.h"
 
 enum { MOST = 64 };

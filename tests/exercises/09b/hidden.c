@@ -2,8 +2,6 @@
    other units, and a ring that is made of more and more bodies. */
 
 #include "examiner/check.h"
-#include <math.h>
-#include <stddef.h>
 #include "call.h"
 
 static bool check(double got, double expected, const char *quantity,

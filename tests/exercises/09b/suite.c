@@ -3,10 +3,6 @@
    drawn ones whose pull is added up. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 #include "call.h"
 
 /* limit: 1e-12 */

@@ -2,9 +2,6 @@
    seen, revolution after revolution, and the area that is swept. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stddef.h>
 #include "call.h"
 
 /* In the suite. */

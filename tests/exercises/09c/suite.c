@@ -3,10 +3,6 @@
    planets, of which E was there first. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 #include "call.h"
 
 static const double pi = 3.141592653589793;

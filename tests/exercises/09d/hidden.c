@@ -2,9 +2,6 @@
    other units. */
 
 #include "examiner/check.h"
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 #include "call.h"
 
 static void draw(double gm[2], double x[2][3], double v[2][3])

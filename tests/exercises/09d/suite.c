@@ -2,10 +2,6 @@
    way back, and drawn planets. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 #include <string.h>
 #include "call.h"
 

@@ -2,9 +2,6 @@
    matter, and that the unit does not. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stddef.h>
 #include "call.h"
 
 enum { N = 101 };

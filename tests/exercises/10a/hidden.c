@@ -3,9 +3,6 @@
    balloon, and the names of the two bodies exchanged. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stdbool.h>
 #include "call.h"
 
 static const char *input(double c, const struct body *a,

@@ -3,9 +3,6 @@
    heat, bodies at the same place, and drawn bodies. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stdbool.h>
 #include "call.h"
 
 /* Two bodies, and what is expected of the dashpot between them. */

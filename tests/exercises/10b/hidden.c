@@ -2,8 +2,6 @@
    energy that is lost, and other units. */
 
 #include "examiner/check.h"
-#include <math.h>
-#include <stdbool.h>
 #include "call.h"
 
 static bool check(const struct oscillator *o, double t, double got,

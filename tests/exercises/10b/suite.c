@@ -3,9 +3,6 @@
    times, the start, and drawn oscillators of all kinds. */
 
 #include "examiner/check.h"
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 #include "call.h"
 
 /* What is expected at the time t. */

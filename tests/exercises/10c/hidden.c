@@ -2,8 +2,6 @@
    of all squares, a grid laid on its other side, and other units. */
 
 #include "examiner/check.h"
-#include <math.h>
-#include <stdbool.h>
 #include <stdlib.h>
 #include "call.h"
 

@@ -3,9 +3,6 @@
    row, the time step, and drawn grids. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stdbool.h>
 #include <stdlib.h>
 #include "call.h"
 

@@ -2,9 +2,6 @@
    exchanged, very unequal masses, and other units. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stdbool.h>
 #include "call.h"
 
 static bool check(const struct sphere s[2], double got, double expected,

@@ -3,9 +3,6 @@
    or cannot be moved, and drawn spheres. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stdbool.h>
 #include "call.h"
 
 /* Two spheres before, and where they belong. */

@@ -2,9 +2,6 @@
    a mirror, and one seen by somebody who walks along, in other units. */
 
 #include "examiner/check.h"
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 #include "call.h"
 
 enum { LONG = 100 };

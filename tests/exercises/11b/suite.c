@@ -3,9 +3,6 @@
    angles, and drawn rows. */
 
 #include "examiner/check.h"
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 #include <stdio.h>
 #include "call.h"
 

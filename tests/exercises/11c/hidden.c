@@ -2,9 +2,6 @@
    the two exchanged. */
 
 #include "examiner/check.h"
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 #include "call.h"
 
 static void draw(struct sphere *a, struct sphere *b)

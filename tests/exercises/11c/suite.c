@@ -2,10 +2,6 @@
    to be changed, and pairs that are made from their contact. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 #include <string.h>
 #include "call.h"
 

@@ -2,9 +2,6 @@
    exchanged, other units, and many choices. */
 
 #include "examiner/check.h"
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 #include "call.h"
 
 enum { MOST = 400 };

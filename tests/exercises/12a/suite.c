@@ -2,9 +2,6 @@
    that blew up, a staircase, a hair's breadth, and drawn choices. */
 
 #include "examiner/check.h"
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 #include "call.h"

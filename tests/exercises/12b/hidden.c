@@ -2,8 +2,6 @@
    for a body that nothing pulls, and a world in which rounding grows. */
 
 #include "examiner/check.h"
-#include <math.h>
-#include <stdbool.h>
 
 struct world {
     double g, k, q;

@@ -2,10 +2,6 @@
    run, and how far apart the two are, by what rounding really does. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 
 struct world {
     double g, k, q;

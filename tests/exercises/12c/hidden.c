@@ -2,8 +2,6 @@
    time, and what really happens in three scenes. */
 
 #include "examiner/check.h"
-#include <math.h>
-#include <stdbool.h>
 #include "call.h"
 
 static const char *text_of(double push, double stretch, double time)

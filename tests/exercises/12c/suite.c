@@ -3,9 +3,6 @@
    spent, and drawn forces. */
 
 #include "examiner/check.h"
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 #include "call.h"
 
 /* A force, and what may be spent. */

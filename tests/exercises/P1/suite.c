@@ -1,7 +1,6 @@
 /* Project P1: rows of a whole program, stage by stage. */
 #include "examiner/project.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -2,7 +2,6 @@
    room. */
 #include "examiner/project.h"
 
-#include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>

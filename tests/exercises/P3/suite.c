@@ -1,7 +1,6 @@
 /* Project P3: rows of a program that steps, and what it says of itself. */
 #include "examiner/project.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,9 +1,6 @@
 /* The hidden tests of exercise 01f: seen from a train. */
 
 #include "examiner/check.h"
-#include <float.h>
-#include <math.h>
-#include <stddef.h>
 
 double energy_at_stake(double u1, double u2, double im1, double im2);
 

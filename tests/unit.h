@@ -93,15 +93,19 @@ static inline void unit_must(bool holds, const char *condition,
 
 /* A structure that is freed at the end of its block: `FREED(scene) s;` is
    `struct scene s;` and, there, `scene_free(&s);`. */
-#define FREED(type) __attribute__((cleanup(type##_free))) struct type
+#define FREED(type)                                                        \
+    __attribute__((cleanup(type##_free), unused)) struct type
 
 /* One that ends instead: `ENDED(motion) m;` calls motion_end. */
-#define ENDED(type) __attribute__((cleanup(type##_end))) struct type
+#define ENDED(type) __attribute__((cleanup(type##_end), unused)) struct type
 
 /* Gives the first numbers of a list these values. */
 #define PUT(list, ...)                                                     \
     memcpy((double *){list}, (const double[]){__VA_ARGS__},                \
            sizeof((const double[]){__VA_ARGS__}))
+
+/* A parameter that a function must have and does not use. */
+#define UNUSED __attribute__((unused))
 
 /* A generator of this name, which has been given its seed. */
 #define SEEDED(name, seed)                                                 \

@@ -3,7 +3,7 @@
    tolerances give where the truth is known. */
 #include "unit.h"
 
-#include "forces/adaptive.h"
+#include "library/own_steps.h"
 #include "toolbox/quad.h"
 
 #include <float.h>
@@ -11,27 +11,14 @@
 
 static const char *const names[] = {"dopri5", "radau15"};
 
-static void oscillator(void *what, const double x[], const double v[],
-                       double a[])
+FORCES(oscillator)
 {
-    (void)what, (void)v;
     a[0] = -x[0];
 }
 
-static void damped(void *what, const double x[], const double v[],
-                   double a[])
+FORCES(damped)
 {
-    (void)what;
     a[0] = -x[0] - 0.4 * v[0];
-}
-
-static void orbit(void *what, const double x[], const double v[],
-                  double a[])
-{
-    const double r2 = x[0] * x[0] + x[1] * x[1], r = sqrt(r2);
-    (void)what, (void)v;
-    a[0] = -x[0] / (r * r2);
-    a[1] = -x[1] / (r * r2);
 }
 
 /* Three bodies in a plane; x: three numbers, then y. */
@@ -52,15 +39,11 @@ static void attract(double G, const double m[], const double x[],
 
 /* The Pythagorean problem: 3, 4 and 5 kg at rest, opposite to the sides of
    these lengths, G = 1. */
-static void three(void *what, const double x[], const double v[],
-                  double a[])
+FORCES(three)
 {
     static const double m[] = {3, 4, 5};
-    (void)what, (void)v;
     attract(1, m, x, a);
 }
-
-static const struct stepping_forces orbit_forces = {2, false, orbit, NULL};
 
 static void begin(struct stepping *s, const char *name,
                   struct stepping_forces f, double dt, double tolerance,
@@ -183,10 +166,8 @@ TEST(test_weights, "the weights of the end have tails")
    4000 orbits of the stars. */
 static const double circumbinary[] = {0.6897, 0.2026, 0.000318};
 
-static void planet(void *what, const double x[], const double v[],
-                   double a[])
+FORCES(planet)
 {
-    (void)what, (void)v;
     attract(0.00029584, circumbinary, x, a);
 }
 
@@ -219,8 +200,6 @@ TEST(test_drift, "the energy walks, and does not drift")
     static const struct stepping_forces f = {6, false, planet, NULL};
     double mean = 0;
     for (int k = 0; k < 5; ++k) {
-        struct adaptive *const s =
-            adaptive_create(stepping_find("radau15"), f);
         double x[] = {-0.050928140759834137,
                       0.17337185924016585,
                       0.7 + 0.002 * k,
@@ -233,8 +212,7 @@ TEST(test_drift, "the energy walks, and does not drift")
                       -0.0077892887706889026,
                       0.026516645928648254,
                       0.0193531180486913};
-        UNIT_MUST(s);
-        adaptive_begin(s, 1e-13, 1, 0, x, v);
+        OWN s = begun("radau15", f, 1e-13, 1, x, v);
         UNIT_TRUE(adaptive_reach(s, 1, x, v));
         const quad before = planet_energy(&s->to);
         UNIT_TRUE(adaptive_reach(s, 200000, x, v));
@@ -242,7 +220,6 @@ TEST(test_drift, "the energy walks, and does not drift")
             (double)((planet_energy(&s->to) - before) / before);
         UNIT_NEAR(error, 0, 5 * 3.7e-14);
         mean += error / 5;
-        adaptive_free(s);
     }
     UNIT_NEAR(mean, 0, 5e-14);
 }
@@ -267,11 +244,9 @@ static double error_of(const char *name, double c, int n)
 
 /* The second coordinate is the time, and the force on the first its
    `degree`-th power. */
-static void power(void *what, const double x[], const double v[],
-                  double a[])
+FORCES(power)
 {
     const int *degree = what;
-    (void)v;
     a[0] = 1, a[1] = 0;
     for (int k = 0; k < *degree; ++k)
         a[0] *= x[1];
@@ -315,9 +290,7 @@ static double error_inside(const char *name, double h)
 {
     double x = 1, v = 0.3, worst = 0;
     const struct stepping_forces f = {1, false, oscillator, NULL};
-    struct adaptive *const a = adaptive_create(stepping_find(name), f);
-    UNIT_MUST(a);
-    adaptive_begin(a, 0, h, 0, &x, &v);
+    OWN a = begun(name, f, 0, h, &x, &v);
     for (int k = 1; k <= 20; ++k) {
         const double t = h * k / 20;
         UNIT_TRUE(adaptive_reach(a, t, &x, &v));
@@ -325,7 +298,6 @@ static double error_inside(const char *name, double h)
         worst = fmax(worst, fabs(0.3 * cos(t) - sin(t) - v));
     }
     UNIT_EQUAL(a->taken, 1);
-    adaptive_free(a);
     return worst;
 }
 
@@ -378,10 +350,8 @@ static void approach(double tolerance, double *when, double *near)
     enum { TICKS = 4000 };
     const double tick = 5e-8, from = 15.82982;
     static const struct stepping_forces f = {6, false, three, NULL};
-    struct adaptive *const a = adaptive_create(stepping_find("radau15"), f);
     double x[] = {1, -2, 1, 3, -1, -1}, v[6] = {0}, d[3] = {INFINITY};
-    UNIT_MUST(a);
-    adaptive_begin(a, tolerance, 1, 0, x, v);
+    OWN a = begun("radau15", f, tolerance, 1, x, v);
     *near = INFINITY;
     for (int k = 0; k < TICKS; ++k) {
         UNIT_TRUE(adaptive_reach(a, from + k * tick, x, v));
@@ -399,7 +369,6 @@ static void approach(double tolerance, double *when, double *near)
         *near = sqrt(d[1] - slope * slope / 2 / bend);
         *when = from + (k - 1 - slope / bend) * tick;
     }
-    adaptive_free(a);
 }
 
 /* Szebehely and Peters (1967) have 4e-4 at 15.8299. */
@@ -435,9 +404,8 @@ TEST(test_looks, "looking changes no bit")
 }
 
 /* One way on one side, the other way on the other. */
-static void edge(void *what, const double x[], const double v[], double a[])
+FORCES(edge)
 {
-    (void)what, (void)v;
     a[0] = x[0] > 0 ? -1 : 1;
 }
 
@@ -448,36 +416,28 @@ TEST(test_edges, "edges are passed")
 {
     const struct stepping_forces f = {1, false, edge, NULL};
     for (int k = 0; k < 40; ++k) {
-        struct adaptive *const s =
-            adaptive_create(stepping_find("radau15"), f);
         double x = 1 + 0.01 * k, v = 0;
         const double energy = x;
-        UNIT_MUST(s);
-        adaptive_begin(s, 1e-10, 1, 0, &x, &v);
+        OWN s = begun("radau15", f, 1e-10, 1, &x, &v);
         UNIT_TRUE(adaptive_reach(s, 400, &x, &v));
         UNIT_NEAR(v * v / 2 + fabs(x), energy,
                   283 * 2 * sqrt(2 * energy) * 4 * DBL_EPSILON * 400);
-        adaptive_free(s);
     }
 }
 
 /* A stiff spring, hanging, that swings by a nanometre, beside a soft one;
    after half a million calls it says nothing more. */
-static void hanging(void *what, const double x[], const double v[],
-                    double a[])
+FORCES(hanging)
 {
     int *calls = what;
-    (void)v;
     a[0] = ++*calls < 500000 ? -5e7 * (x[0] - 1) - 10 : NAN;
     a[1] = -x[1];
 }
 
 /* A body that flies past, and one that has come to rest on its spring, but
    for the last digits. */
-static void resting(void *what, const double x[], const double v[],
-                    double a[])
+FORCES(resting)
 {
-    (void)what, (void)v;
     a[0] = 0;
     a[1] = -100 * (x[1] - 1 / 3.0);
 }
@@ -490,16 +450,12 @@ TEST(test_rest, "what rests goes on resting")
     const struct stepping_forces f = {2, false, resting, NULL};
     for (int k = -6; k >= -12; k -= 2) {
         double x[] = {0, 1 / 3.0 + 1e-16}, v[] = {1, 0}, tolerance = 1;
-        struct adaptive *const s =
-            adaptive_create(stepping_find("radau15"), f);
-        UNIT_MUST(s);
         for (int j = k; j < 0; ++j)
             tolerance /= 10;
-        adaptive_begin(s, tolerance, 1, 0, x, v);
+        OWN s = begun("radau15", f, tolerance, 1, x, v);
         UNIT_TRUE(adaptive_reach(s, 100, x, v));
         UNIT_NEAR(x[0], 100, 1e-11);
         UNIT_NEAR(x[1], 1 / 3.0, 1e-14);
-        adaptive_free(s);
     }
 }
 
@@ -511,13 +467,10 @@ TEST(test_noise, "rounding is no error")
     int calls = 0;
     const struct stepping_forces f = {2, false, hanging, &calls};
     double x[] = {1 - 10 / 5e7 + 1e-9, 1}, v[] = {0, 0};
-    struct adaptive *const s = adaptive_create(stepping_find("radau15"), f);
-    UNIT_MUST(s);
-    adaptive_begin(s, 1e-11, 1, 0, x, v);
+    OWN s = begun("radau15", f, 1e-11, 1, x, v);
     UNIT_TRUE(adaptive_reach(s, 1, x, v));
     UNIT_TRUE(calls < 500000);
     UNIT_NEAR(x[1], cos(1), 1e-12);
-    adaptive_free(s);
 }
 
 /* Two bodies that fall into each other: no step is short enough. */
@@ -559,30 +512,23 @@ TEST(test_middle, "where there is no force, steps are long")
     const struct stepping_forces f = {1, false, oscillator, NULL};
     const double middle = 0x1p-60, speed = 1;
     double x = 1, v = 0;
-    struct adaptive *const a = adaptive_create(stepping_find("radau15"), f);
-    UNIT_MUST(a);
-    adaptive_begin(a, 1e-13, 1, 0, &x, &v);
+    OWN a = begun("radau15", f, 1e-13, 1, &x, &v);
     UNIT_TRUE(adaptive_reach(a, 5, &x, &v));
     const double t = a->t, refused = (double)a->refused;
     adaptive_turn(a, &middle, &speed);
     UNIT_TRUE(adaptive_reach(a, t + 10, &x, &v));
     UNIT_NEAR(x, sin(10), 1e-13);
     UNIT_NEAR(a->refused, refused, 2);
-    adaptive_free(a);
 }
 
 /* The path of a step that is taken again to a part of it, as control
    points, is what one sees in it. */
 TEST(test_path, "the path in a part of a step")
 {
-    static const char *const names[] = {"dopri5", "radau15"};
     const struct stepping_forces f = {1, false, oscillator, NULL};
     for (int k = 0; k < 2; ++k) {
         double q[ADAPTIVE_DEGREE + 1], x = 1, v = 0.3, seen, speed;
-        struct adaptive *const a =
-            adaptive_create(stepping_find(names[k]), f);
-        UNIT_MUST(a);
-        adaptive_begin(a, 0, 1, 0, &x, &v);
+        OWN a = begun(names[k], f, 0, 1, &x, &v);
         UNIT_TRUE(adaptive_step(a, 1));
         adaptive_again(a, 0.75, &x, &v);
         UNIT_EQUAL(a->t, 0.75);
@@ -593,7 +539,6 @@ TEST(test_path, "the path in a part of a step")
                 q[j] += (q[j + 1] - q[j]) / 4;
         adaptive_look(a, 0.75 / 4, &seen, &speed);
         UNIT_NEAR(q[0], seen, 10 * DBL_EPSILON);
-        adaptive_free(a);
     }
 }
 
@@ -612,11 +557,8 @@ TEST(test_slack, "with slack no step is another run's")
     for (int k = 0; k < 3; ++k) {
         const double most = k == 2 ? 0.1 : 1;
         double x = 1, v = 0;
-        struct adaptive *const a =
-            adaptive_create(stepping_find("radau15"), f);
-        struct adaptive *const b =
-            adaptive_create(stepping_find("radau15"), f);
-        UNIT_MUST(a && b);
+        OWN a = begun("radau15", f, 1e-8, 1, &x, &v);
+        OWN b = begun("radau15", f, 1e-10, 1, &x, &v);
         a->longest = b->longest = k == 1 ? tenth : NULL;
         b->slack = 0.2;
         adaptive_begin(a, 1e-8, 1, 0, &x, &v);
@@ -625,7 +567,5 @@ TEST(test_slack, "with slack no step is another run's")
             UNIT_TRUE(adaptive_step(a, most) && adaptive_step(b, most));
             UNIT_NEAR(b->h, 0.8 * a->h, 1e-9);
         }
-        adaptive_free(a);
-        adaptive_free(b);
     }
 }

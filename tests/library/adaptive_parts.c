@@ -5,6 +5,7 @@
 
 #include <forces/adaptive.c> /* of src: the parts */
 
+#include "library/own_steps.h"
 #include "forces/stepping.h"
 
 #include <float.h>
@@ -115,8 +116,8 @@ static double choose(int n, int k)
 TEST(test_weights, "weights of Radau's polynomials")
 {
     const struct stepping_forces f = {.size = 1};
-    struct adaptive *const s = adaptive_create(stepping_find("radau15"), f);
-    CU_ASSERT_PTR_NOT_NULL_FATAL(s);
+    OWN s = adaptive_create(stepping_find("radau15"), f);
+    UNIT_MUST(s);
     const struct adaptive_weights *const w = s->weights;
     const double *const c = s->method->node;
     double amplified = 0;
@@ -150,7 +151,6 @@ TEST(test_weights, "weights of Radau's polynomials")
     UNIT_NEAR(w->amplified / amplified, 1, 1e-13);
     for (int j = 0; j < STAGES; ++j)
         UNIT_NEAR(w->last[j] * (1 - c[j]), 1, 1e-15);
-    adaptive_free(s);
 }
 
 /* The mean of N_k = s (s - c_1) ... (s - c_k), with the factor 1 - u or
@@ -180,8 +180,8 @@ static double mean_of(const double node[], int k, double c, bool twice)
 TEST(test_integrals, "what polynomials add by a node")
 {
     const struct stepping_forces f = {.size = 1};
-    struct adaptive *const s = adaptive_create(stepping_find("radau15"), f);
-    CU_ASSERT_PTR_NOT_NULL_FATAL(s);
+    OWN s = adaptive_create(stepping_find("radau15"), f);
+    UNIT_MUST(s);
     const double *const c = s->method->node;
     for (int i = 0; i < STAGES; ++i)
         for (int k = 0; k < STAGES; ++k) {
@@ -190,25 +190,15 @@ TEST(test_integrals, "what polynomials add by a node")
             UNIT_NEAR(s->weights->v[i][k], once, 1e-13);
             UNIT_NEAR(s->weights->x[i][k], twice, 1e-13);
         }
-    adaptive_free(s);
 }
 
 static const char *const names[] = {"dopri5", "radau15"};
 
-static void orbit(void *what, const double x[], const double v[],
-                  double a[])
-{
-    const double r2 = x[0] * x[0] + x[1] * x[1], r = sqrt(r2);
-    (void)what, (void)v;
-    a[0] = -x[0] / (r * r2);
-    a[1] = -x[1] / (r * r2);
-}
-
 static struct adaptive *set_off(const char *name)
 {
-    const struct stepping_forces f = {2, false, orbit, NULL};
-    struct adaptive *const s = adaptive_create(stepping_find(name), f);
-    CU_ASSERT_PTR_NOT_NULL_FATAL(s);
+    struct adaptive *const s =
+        adaptive_create(stepping_find(name), orbit_forces);
+    UNIT_MUST(s);
     adaptive_begin(s, 1e-9, 1, 0.3, (double[]){0.1, 0},
                    (double[]){0, sqrt(19)});
     return s;
@@ -221,8 +211,8 @@ TEST(test_notes, "what is noted is all")
 {
     for (int k = 0; k < 2; ++k) {
         double note[200], x[2], v[2], y[2], u[2], seen[2], sought[2];
-        struct adaptive *const s = set_off(names[k]);
-        struct adaptive *const t = set_off(names[k]);
+        OWN s = set_off(names[k]);
+        OWN t = set_off(names[k]);
         const size_t notes = adaptive_notes(s);
         UNIT_TRUE(notes < 200);
         UNIT_TRUE(adaptive_reach(s, 0.9, x, v));
@@ -245,8 +235,6 @@ TEST(test_notes, "what is noted is all")
                   s->owed == t->owed && s->next == t->next &&
                   s->noise == t->noise && s->start == t->start);
         UNIT_TRUE(s->shortest > 0 && s->refused >= 3);
-        adaptive_free(s);
-        adaptive_free(t);
     }
 }
 
@@ -259,7 +247,7 @@ TEST(test_notes, "what is noted is all")
 TEST(test_times, "times are sums of steps")
 {
     for (int k = 0; k < 2; ++k) {
-        struct adaptive *const s = set_off(names[k]);
+        OWN s = set_off(names[k]);
         long double t = 0.3;
         double shortest = INFINITY, x[2], v[2];
         for (int n = 0; n < 300; ++n) {
@@ -273,7 +261,6 @@ TEST(test_times, "times are sums of steps")
             UNIT_NEAR(s->owed, 0, DBL_EPSILON * s->t);
         }
         UNIT_EQUAL(s->shortest, shortest);
-        adaptive_free(s);
     }
 }
 
@@ -281,11 +268,10 @@ TEST(test_times, "times are sums of steps")
 TEST(test_most, "the most evaluations")
 {
     for (int k = 0; k < 2; ++k) {
-        struct adaptive *const s = set_off(names[k]);
+        OWN s = set_off(names[k]);
         double x[2], v[2];
         s->most = 500;
         UNIT_TRUE(!adaptive_reach(s, 1000, x, v));
         UNIT_TRUE(s->evaluations > 500 && s->evaluations < 700);
-        adaptive_free(s);
     }
 }

@@ -1166,21 +1166,3 @@ TEST(test_start_bounded, "a start that fails is paid, and bounded")
     UNIT_EQUAL(r.work[MODELS_MODE], once);
     UNIT_SAYS(why, "its start costs more than is reasonable");
 }
-
-/* The list names everything once, and no price is odd. That they are those
-   of this machine is for a benchmark to say. */
-TEST(test_prices, "a list of prices")
-{
-    for (size_t u = 0; u < MODELS_UNITS; ++u) {
-        const struct models_price *p = &models_prices[u];
-        UNIT_TRUE(p->name && p->what && p->ns > 0.05 && p->ns < 5000);
-        for (size_t k = 0; k < u; ++k)
-            UNIT_TRUE(strcmp(p->name, models_prices[k].name) != 0);
-    }
-    UNIT_TRUE(models_prices[MODELS_LINE_SCAN].ns <
-              models_prices[MODELS_LINE_EVENT].ns);
-    UNIT_TRUE(models_prices[MODELS_DISK_SCAN].ns <
-              models_prices[MODELS_DISK_EVENT].ns);
-    UNIT_TRUE(models_prices[MODELS_PAIR].ns <
-              models_prices[MODELS_ELLIPSE].ns);
-}

@@ -33,6 +33,7 @@ TEST(test_prices, "the prices are those that were measured")
     for (size_t u = 0; u < MODELS_UNITS; ++u) {
         UNIT_SAYS(models_prices[u].name, known[u].name);
         UNIT_EQUAL(models_prices[u].ns, known[u].ns);
+        UNIT_TRUE(models_prices[u].what != NULL);
         work[u] = (double)(u + 1);
         sum += work[u] * known[u].ns;
     }

@@ -781,7 +781,6 @@ TEST(test_unknown, "a method that does not exist is refused")
 {
     FREED(scene) s;
     build(&s, false);
-    const struct child c = child_run(begin_unknown, &s, NULL);
-    UNIT_EQUAL(c.status, 3);
-    UNIT_SAYS(c.err, "motion: there is no method 'no-such'\n");
+    child_says(child_run(begin_unknown, &s, NULL), 3,
+               "motion: there is no method 'no-such'\n");
 }

@@ -1,19 +1,11 @@
 /* The adaptive method from outside against what is known exactly. */
 #include "unit.h"
 
+#include "library/forces.h"
 #include "oscillator.h"
 #include "forces/reference.h"
 
 #include <gsl/gsl_version.h>
-
-static void orbit(void *what, const double x[], const double v[],
-                  double a[])
-{
-    const double r = sqrt(x[0] * x[0] + x[1] * x[1]);
-    (void)what, (void)v;
-    a[0] = -x[0] / (r * r * r);
-    a[1] = -x[1] / (r * r * r);
-}
 
 /* Ten orbits of eccentricity 1/2, in pieces: an error of the tolerance in
    some 60 steps an orbit, and errors grow with the square of the time. */
@@ -39,10 +31,8 @@ TEST(test_orbit, "an orbit")
     UNIT_TRUE(orbit_error(1e-6, 1) > 1e-6);
 }
 
-static void friction(void *what, const double x[], const double v[],
-                     double a[])
+FORCES(friction)
 {
-    (void)what;
     a[0] = -x[0] - 0.2 * v[0];
 }
 
@@ -59,10 +49,8 @@ TEST(test_friction, "an oscillator with friction")
     UNIT_NEAR(x, oscillator_known[0][3], 1e-13);
 }
 
-static void nowhere(void *what, const double x[], const double v[],
-                    double a[])
+FORCES(nowhere)
 {
-    (void)what, (void)v;
     a[0] = x[0] > 1 ? NAN : 1;
 }
 

@@ -3,6 +3,7 @@
    two and the way back, and steps that are too long. */
 #include "unit.h"
 
+#include "library/forces.h"
 #include "choosing/models.h"
 #include "forces/rods.h"
 
@@ -12,10 +13,9 @@ static double weight;
 static struct scene scene;
 
 /* Only weight acts, along z, on what is free. */
-static void fall(void *what, const double x[], const double v[], double a[])
+FORCES(fall)
 {
     const size_t n = scene.bodies;
-    (void)x, (void)v, (void)what;
     for (size_t c = 0; c < 3 * n; ++c)
         a[c] = c >= 2 * n && scene.freedom[c] ? -weight : 0;
 }

@@ -250,8 +250,7 @@ static const struct refusal refusals[] = {
     {P0 "box 0 1 0 1 0\n", 2, "expected zhigh"},
     {P0 "box 0 1 0 -1 0 1\n", 2, "found '-1', expected the high end"},
     {P0 "walls hard hard soft\n", 2,
-     "'soft', expected z: open, "
-     "hard or periodic"},
+     "'soft', expected z: open, hard or periodic"},
     {P0 "walls hard open open\n", 2, "found 'hard', expected open, as no"},
     {P0 "box 0 1 0 1 0 0\nwalls open open hard\n", 3, "found 'hard'"},
     {P0 "walls open open\n", 2, "the end of the line"}};

@@ -8,10 +8,11 @@
 static struct start filled(struct start_request request)
 {
     struct start s;
-    if (!start_fill(&s, &request))
-        CU_FAIL_FATAL("no memory");
+    UNIT_MUST(start_fill(&s, &request));
     return s;
 }
+
+#define FILLED(...) filled((struct start_request){__VA_ARGS__})
 
 static double energy(const struct start *s, size_t from, size_t to)
 {
@@ -36,13 +37,10 @@ TEST(test_every_kind, "every start is in order")
     for (int kind = 0; kind < START_KINDS; ++kind)
         for (size_t movers = 0; movers < 40; ++movers)
             for (uint64_t seed = 0; seed < 5; ++seed) {
-                if (!start_allows((enum start_kind)kind, movers))
+                if (!start_allows(kind, movers))
                     continue;
                 FREED(start)
-                s = filled(
-                    (struct start_request){.kind = (enum start_kind)kind,
-                                           .movers = movers,
-                                           .seed = seed});
+                s = FILLED(.kind = kind, .movers = movers, .seed = seed);
                 double last = s.wall[0], room = 0;
                 UNIT_TRUE(movers == 0 || s.movers == movers);
                 UNIT_TRUE(s.until > 0);
@@ -59,7 +57,7 @@ TEST(test_every_kind, "every start is in order")
 
 TEST(test_four, "four: 10 n + 1.23 kg and 518.45 J")
 {
-    FREED(start) s = filled((struct start_request){.kind = START_FOUR});
+    FREED(start) s = FILLED(.kind = START_FOUR);
     UNIT_EQUAL(s.movers, 4);
     UNIT_TRUE(s.wall[0] == 0 && s.wall[1] == 5 && s.until == 50);
     for (size_t i = 0; i < 4; ++i) {
@@ -74,7 +72,7 @@ TEST(test_mixed_and_cradle, "mixed and cradle")
 {
     static const double im[] = {1.1, 1, 0.9, 1};
     static const double v[] = {2, 2.21, 2.621, 2, -0.2, -0.27, -0.37, -0.2};
-    FREED(start) s = filled((struct start_request){.kind = START_MIXED});
+    FREED(start) s = FILLED(.kind = START_MIXED);
     UNIT_EQUAL(s.movers, 8);
     UNIT_TRUE(s.wall[0] == 1 && s.wall[1] == 10);
     for (size_t i = 0; i < 8; ++i) {
@@ -83,7 +81,7 @@ TEST(test_mixed_and_cradle, "mixed and cradle")
     }
     UNIT_NEAR(energy(&s, 0, 8), 90.84, 0.005);
     start_free(&s);
-    s = filled((struct start_request){.kind = START_CRADLE});
+    s = FILLED(.kind = START_CRADLE);
     UNIT_EQUAL(s.movers, 8);
     UNIT_TRUE(s.wall[0] == 0 && s.wall[1] == 35);
     UNIT_TRUE(s.mass[0] == 4.123 && s.mass[1] == 9.0123);
@@ -97,9 +95,7 @@ TEST(test_mixed_and_cradle, "mixed and cradle")
 TEST(test_piston, "the piston has three quarters of the energy")
 {
     for (uint64_t seed = 1; seed < 20; ++seed) {
-        FREED(start)
-        s = filled(
-            (struct start_request){.kind = START_PISTON, .seed = seed});
+        FREED(start) s = FILLED(.kind = START_PISTON, .seed = seed);
         UNIT_EQUAL(s.movers, 11);
         UNIT_TRUE(s.wall[0] == 0 && s.wall[1] == 12);
         UNIT_TRUE(s.mass[5] == 40 && s.x[5] == 6);
@@ -123,9 +119,7 @@ TEST(test_piston, "the piston has three quarters of the energy")
 TEST(test_adiabatic, "two warm gases and a piston")
 {
     for (uint64_t seed = 1; seed < 6; ++seed) {
-        FREED(start)
-        s = filled(
-            (struct start_request){.kind = START_ADIABATIC, .seed = seed});
+        FREED(start) s = FILLED(.kind = START_ADIABATIC, .seed = seed);
         UNIT_EQUAL(s.movers, 401);
         UNIT_TRUE(s.mass[200] == 40 && s.x[200] == 6 && s.v[200] == 0.1);
         /* sums of 200 numbers, a rounding each */
@@ -138,8 +132,8 @@ TEST(test_adiabatic, "two warm gases and a piston")
     }
     /* The piston is so many times as heavy as the mean of the others. */
     FREED(start)
-    s = filled((struct start_request){
-        .kind = START_ADIABATIC, .movers = 21, .ratio = 30, .seed = 1});
+    s = FILLED(.kind = START_ADIABATIC, .movers = 21, .ratio = 30,
+               .seed = 1);
     UNIT_NEAR(s.mass[10] * 20, 30 * (mass(&s, 0, 21) - s.mass[10]), 1e-11);
     UNIT_NEAR(energy(&s, 0, 10), 10.0 / 3, 1e-14);
 }
@@ -150,9 +144,7 @@ TEST(test_thermal, "light and heavy share alike")
     double sum = 0, square = 0;
     enum { SEEDS = 400 };
     for (uint64_t seed = 1; seed <= SEEDS; ++seed) {
-        FREED(start)
-        s = filled(
-            (struct start_request){.kind = START_THERMAL, .seed = seed});
+        FREED(start) s = FILLED(.kind = START_THERMAL, .seed = seed);
         UNIT_TRUE(s.movers == 10 && s.wall[1] == 11);
         UNIT_NEAR(energy(&s, 0, 10), 5, 5 * 20 * DBL_EPSILON);
         for (size_t i = 0; i < 10; ++i)
@@ -179,8 +171,7 @@ TEST(test_random_places, "thrown points have the right mean and variance")
     double sum[N] = {0}, square[N] = {0};
     for (uint64_t seed = 1; seed <= SEEDS; ++seed) {
         FREED(start)
-        s = filled((struct start_request){
-            .kind = START_RANDOM, .movers = N, .seed = seed});
+        s = FILLED(.kind = START_RANDOM, .movers = N, .seed = seed);
         for (size_t i = 0; i < N; ++i) {
             sum[i] += s.x[i];
             square[i] += s.x[i] * s.x[i];
@@ -203,9 +194,7 @@ TEST(test_random_masses, "random masses from 1 to 9 are all different")
     enum { SEEDS = 200, N = 10 };
     for (uint64_t seed = 0; seed < SEEDS; ++seed) {
         int seen[N] = {0}, all = 1;
-        FREED(start)
-        s = filled(
-            (struct start_request){.kind = START_RANDOM, .seed = seed});
+        FREED(start) s = FILLED(.kind = START_RANDOM, .seed = seed);
         UNIT_EQUAL(s.movers, N);
         for (size_t i = 0; i < N; ++i) {
             const double place = (s.mass[i] - 1) * (N - 1) / 8;
@@ -221,9 +210,7 @@ TEST(test_random_masses, "random masses from 1 to 9 are all different")
     }
     /* a tenth of 200, four standard deviations of sqrt(200 * 0.09) */
     UNIT_NEAR(first_is_lightest, 20, 17);
-    FREED(start)
-    s = filled((struct start_request){
-        .kind = START_RANDOM, .movers = 1, .seed = 1});
+    FREED(start) s = FILLED(.kind = START_RANDOM, .movers = 1, .seed = 1);
     UNIT_EQUAL(s.mass[0], 1);
 }
 
@@ -242,27 +229,24 @@ TEST(test_seeds, "seeds")
                                             [START_RANDOM] = true};
     for (int kind = 0; kind < START_KINDS; ++kind)
         for (uint64_t seed = 0; seed < 20; ++seed) {
-            struct start_request request = {.kind = (enum start_kind)kind,
-                                            .seed = seed};
+            struct start_request request = {.kind = kind, .seed = seed};
             FREED(start) a = filled(request), b = filled(request);
             request.seed = seed + 1;
             FREED(start) c = filled(request);
             UNIT_TRUE(same(&a, &b));
             UNIT_TRUE(same(&a, &c) != drawn[kind]);
-            start_free(&b);
         }
 }
 
 TEST(test_two_and_galperin, "two and galperin take a mass ratio")
 {
-    FREED(start) s = filled((struct start_request){.kind = START_TWO});
+    FREED(start) s = FILLED(.kind = START_TWO);
     UNIT_TRUE(s.mass[0] == 1 && s.mass[1] == 9 && s.wall[1] == 3);
     start_free(&s);
-    s = filled((struct start_request){.kind = START_TWO, .ratio = 0.25});
+    s = FILLED(.kind = START_TWO, .ratio = 0.25);
     UNIT_TRUE(s.mass[0] == 1 && s.mass[1] == 0.25);
     start_free(&s);
-    s = filled(
-        (struct start_request){.kind = START_GALPERIN, .ratio = 1e6});
+    s = FILLED(.kind = START_GALPERIN, .ratio = 1e6);
     UNIT_TRUE(s.mass[0] == 1 && s.mass[1] == 1e6);
     UNIT_TRUE(s.v[0] == 0 && s.v[1] < 0);
     UNIT_TRUE(s.wall[0] == 0 && s.wall[1] == INFINITY);
@@ -273,11 +257,9 @@ TEST(test_two_and_galperin, "two and galperin take a mass ratio")
 TEST(test_walls, "walls that are given stand")
 {
     for (int kind = 0; kind < START_KINDS; ++kind) {
-        struct start s =
-            filled((struct start_request){.kind = (enum start_kind)kind,
-                                          .walls = true,
-                                          .wall = {-3, 50},
-                                          .seed = 3});
+        FREED(start)
+        s = FILLED(.kind = kind, .walls = true, .wall = {-3, 50},
+                   .seed = 3);
         UNIT_TRUE(s.wall[0] == -3 && s.wall[1] == 50);
         if (kind == START_RANDOM)
             UNIT_TRUE(s.x[s.movers - 1] > 20);
@@ -327,7 +309,7 @@ TEST(test_allows, "which numbers of movers are allowed")
         UNIT_TRUE(start_allows(cases[k].kind, cases[k].movers) ==
                   cases[k].allowed);
     for (int kind = 0; kind < START_KINDS; ++kind)
-        UNIT_TRUE(start_allows((enum start_kind)kind, 0));
+        UNIT_TRUE(start_allows(kind, 0));
     UNIT_SAYS(start_names[START_GALPERIN], "galperin");
     UNIT_SAYS(start_names[START_FOUR], "four");
     UNIT_TRUE(start_names[START_KINDS] == NULL);
@@ -349,8 +331,7 @@ TEST(test_all_numbers, "all that is fixed of each kind")
                             {10, 100, {0, 11}},
                             {2, INFINITY, {0, INFINITY}}};
     for (int kind = 0; kind < START_KINDS; ++kind) {
-        struct start s =
-            filled((struct start_request){.kind = (enum start_kind)kind});
+        FREED(start) s = FILLED(.kind = kind);
         UNIT_EQUAL(s.movers, usual[kind].movers);
         UNIT_TRUE(s.until == usual[kind].until);
         UNIT_EQUAL(s.wall[0], usual[kind].wall[0]);
@@ -360,16 +341,16 @@ TEST(test_all_numbers, "all that is fixed of each kind")
             UNIT_EQUAL(s.radius[i], kind == START_FOUR ? 0.1 : 0);
         start_free(&s);
     }
-    struct start s = filled((struct start_request){.kind = START_CRADLE});
+    FREED(start) s = FILLED(.kind = START_CRADLE);
     for (size_t i = 0; i < 8; ++i) {
         UNIT_EQUAL(s.x[i], 14 + (double)i);
         UNIT_EQUAL(s.v[i], i < 2 ? -2 : 0);
     }
     start_free(&s);
-    s = filled((struct start_request){.kind = START_TWO});
+    s = FILLED(.kind = START_TWO);
     UNIT_TRUE(s.x[0] == 1 && s.x[1] == 2 && s.v[0] == 1 && s.v[1] == -0.3);
     start_free(&s);
-    s = filled((struct start_request){.kind = START_GALPERIN});
+    s = FILLED(.kind = START_GALPERIN);
     UNIT_TRUE(s.x[0] == 1 && s.x[1] == 2 && s.v[0] == 0 && s.v[1] == -1);
     UNIT_TRUE(s.mass[0] == 1 && s.mass[1] == 100);
     start_free(&s);
@@ -377,9 +358,7 @@ TEST(test_all_numbers, "all that is fixed of each kind")
        or eight the other way; at the smallest size one on either side. */
     for (int kind = START_PISTON; kind <= START_ADIABATIC; ++kind)
         for (size_t n = 1; n <= 5; n += 4) {
-            s = filled((struct start_request){.kind = (enum start_kind)kind,
-                                              .movers = 2 * n + 1,
-                                              .seed = 4});
+            s = FILLED(.kind = kind, .movers = 2 * n + 1, .seed = 4);
             for (size_t i = 0; i < n; ++i) {
                 const double place = n > 1 ? (double)i / 2 - 1 : 0;
                 const double mean = 20 / (3 * (double)n);
@@ -394,8 +373,7 @@ TEST(test_all_numbers, "all that is fixed of each kind")
     /* Masses within ten per cent, evenly: 2000 of each half. */
     double light = 0, heavy = 0, least = 9, most = 0;
     for (uint64_t seed = 1; seed <= 400; ++seed) {
-        s = filled(
-            (struct start_request){.kind = START_THERMAL, .seed = seed});
+        s = FILLED(.kind = START_THERMAL, .seed = seed);
         light += mass(&s, 0, 5) / 2000;
         heavy += mass(&s, 5, 10) / 2000;
         for (size_t i = 0; i < 5; ++i) {

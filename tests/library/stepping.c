@@ -4,6 +4,7 @@
    quadruple precision. */
 #include "unit.h"
 
+#include "library/forces.h"
 #include "forces/stepping.h"
 #include "library/methods.h"
 #include "toolbox/quad.h"
@@ -13,38 +14,22 @@
 
 enum { MOST = 6 };
 
-static void pendulum(void *what, const double x[], const double v[],
-                     double a[])
+FORCES(pendulum)
 {
-    (void)what, (void)v;
     a[0] = -sin(x[0]);
 }
 
-static void oscillator(void *what, const double x[], const double v[],
-                       double a[])
+FORCES(oscillator)
 {
     const double *w = what;
-    (void)v;
     a[0] = -w[0] * w[0] * x[0];
 }
 
 /* Two coordinates, a friction that depends on place, nothing symmetric. */
-static void rough(void *what, const double x[], const double v[],
-                  double a[])
+FORCES(rough)
 {
-    (void)what;
     a[0] = -sin(x[0]) + 0.2 * x[1] - 0.3 * v[0] * (1 + 0.2 * x[1]);
     a[1] = -x[1] + 0.2 * x[0] - 0.1 * v[1];
-}
-
-/* An orbit about the origin. */
-static void orbit(void *what, const double x[], const double v[],
-                  double a[])
-{
-    const double r = sqrt(x[0] * x[0] + x[1] * x[1]);
-    (void)what, (void)v;
-    a[0] = -x[0] / (r * r * r);
-    a[1] = -x[1] / (r * r * r);
 }
 
 static double one = 1;
@@ -264,10 +249,8 @@ TEST(test_long_implicit_steps, "implicit steps may be long")
 /* Two springs that hang, and are displaced by a billionth: forces of some
    newtons cancel to five millionths, and rounding is a millionth of those.
  */
-static void hanging(void *what, const double x[], const double v[],
-                    double a[])
+FORCES(hanging)
 {
-    (void)what, (void)v;
     a[0] = -5000 * x[0] + 5 * (x[1] - x[0] + 1) - 1.8;
     a[1] = -5 * (x[1] - x[0] + 1) - 1.8;
 }
@@ -290,11 +273,9 @@ TEST(test_implicit_at_rest, "implicit steps near a place of rest")
 
 /* A stiff, strongly nonlinear spring: what midpoint promises is its own
    equation, v1 - v0 = dt a((x0 + x1) / 2). */
-static void stiff(void *what, const double x[], const double v[],
-                  double a[])
+FORCES(stiff)
 {
     const double r = sqrt(x[0] * x[0] + x[1] * x[1]);
-    (void)what, (void)v;
     for (int k = 0; k < 2; ++k)
         a[k] = -5000 * (r - 1) * x[k] / r;
     a[1] -= 1.8;
@@ -478,10 +459,8 @@ TEST(test_leapfrog_is_a_splitting,
 }
 
 /* As many pendulums as *what says. */
-static void pendulums(void *what, const double x[], const double v[],
-                      double a[])
+FORCES(pendulums)
 {
-    (void)v;
     for (size_t i = 0; i < *(const size_t *)what; ++i)
         a[i] = -sin(x[i]);
 }
@@ -633,10 +612,8 @@ TEST(test_parts, "parts of steps, and what is noted")
 }
 
 /* Two stiff springs, coupled, with friction. */
-static void stiff_linear(void *what, const double x[], const double v[],
-                         double a[])
+FORCES(stiff_linear)
 {
-    (void)what;
     a[0] = -2500 * x[0] + 700 * x[1] - 30 * v[0] + 10 * v[1];
     a[1] = 300 * x[0] - 900 * x[1] + 20 * v[0] - 50 * v[1];
 }
@@ -667,10 +644,8 @@ TEST(test_linear, "Newton's method is right at once on linear forces")
    equation for a = x is s = x + v + s. It has no solution, which the
    matrix says, 1 - 1: after the acceleration before the step, two rounds
    and two evaluations for the matrix. */
-static void repelled(void *what, const double x[], const double v[],
-                     double a[])
+FORCES(repelled)
 {
-    (void)what, (void)v;
     a[0] = x[0];
 }
 
@@ -686,9 +661,8 @@ TEST(test_singular, "a matrix that has no inverse")
     UNIT_EQUAL(s.evaluations, 5);
 }
 
-static void grow(void *what, const double x[], const double v[], double a[])
+FORCES(grow)
 {
-    (void)what, (void)v;
     a[0] = x[0] * x[0] * x[0];
 }
 

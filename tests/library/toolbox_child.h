@@ -4,6 +4,8 @@
 #ifndef TOOLBOX_CHILD_H
 #define TOOLBOX_CHILD_H
 
+#include "unit.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -48,6 +50,14 @@ static inline struct child child_run(int (*run)(void *), void *argument,
     child_read(out, c.out);
     child_read(err, c.err);
     return c;
+}
+
+/* Passes when the child ends with this status and has said this, and only
+   this, on standard error. */
+static inline void child_says(struct child c, int status, const char *said)
+{
+    UNIT_EQUAL(c.status, status);
+    UNIT_SAYS(c.err, said);
 }
 
 #endif

@@ -123,16 +123,40 @@ static const char *content(const char *path)
 
 #define FILES "\n--output\n" TABLE "\n--summary\n" SUMMARY
 
+/* Does the line have the part; at its start, if that is the program's name,
+   and at its end, if that is the end of the line? */
+static bool says(const char *line, const char *part)
+{
+    const char *const at = strstr(line, part);
+    const size_t length = strlen(part);
+    return at && (at == line || strncmp(part, "drop: ", 6) != 0) &&
+           (!length || part[length - 1] != '\n' || at[length] == '\0');
+}
+
+/* Runs the program; passes when it ends with this status, says this on
+   standard error (NULL: nothing), and leaves a table and a summary in which
+   these are (NULL: none). */
+static void leaves(const char *arguments, int status, const char *said,
+                   const char *table, const char *summary)
+{
+    const struct child c = run(arguments);
+    const char *const got[] = {content(TABLE), content(SUMMARY)};
+    const char *const parts[] = {table, summary};
+    UNIT_EQUAL(c.status, status);
+    UNIT_SAYS(c.out, "");
+    UNIT_TRUE(said ? says(c.err, said) : !*c.err);
+    for (int k = 0; k < 2; ++k)
+        UNIT_TRUE(parts[k] ? strstr(got[k], parts[k]) != NULL : !*got[k]);
+}
+
 TEST(test_whole, "table and summary are whole")
 {
-    const struct child c =
-        run("--study\nmeasure\n--mass\n2.5\n--seed\n7" FILES);
-    UNIT_TRUE(c.status == 0);
-    UNIT_TRUE(c.out[0] == '\0' && c.err[0] == '\0');
-    UNIT_SAYS(content(SUMMARY), "seed 7\n");
-    UNIT_TRUE(strstr(content(TABLE), "# command: drop --study measure "
-                                     "--mass 2.5 --seed 7\n# seed: 7\n"));
+    leaves(
+        "--study\nmeasure\n--mass\n2.5\n--seed\n7" FILES, 0, NULL,
+        "# command: drop --study measure --mass 2.5 --seed 7\n# seed: 7\n",
+        "seed 7\n");
     UNIT_TRUE(strstr(content(TABLE), "# 1 m [kg] mass\n2.5\n"));
+    UNIT_SAYS(content(SUMMARY), "seed 7\n");
 }
 
 TEST(test_usual, "nothing said: seed 1, standard output, no summary")
@@ -146,104 +170,64 @@ TEST(test_usual, "nothing said: seed 1, standard output, no summary")
 
 TEST(test_command, "a wrong command is refused before a file is opened")
 {
-    struct child c = run("");
-    UNIT_TRUE(c.status == 2);
-    UNIT_TRUE(strcmp(c.err, "drop: --study is needed; drop --help lists "
-                            "them\n") == 0);
-    c = run("--study\nfly" FILES);
-    UNIT_TRUE(c.status == 2);
-    UNIT_TRUE(
-        strstr(c.err, "'fly' is not measure, fall, interrupt or burst"));
-    c = run("--study\nmeasure\n--mass\n11" FILES);
-    UNIT_TRUE(c.status == 2 && strstr(c.err, "drop: --mass: '11'"));
-    c = run("--study\nmeasure\n--seed\n101" FILES);
-    UNIT_TRUE(c.status == 2 && strstr(c.err, "drop: --seed: '101'"));
-    UNIT_TRUE(content(TABLE)[0] == '\0');
+    child_says(run(""), 2,
+               "drop: --study is needed; drop --help lists them\n");
+    leaves("--study\nfly" FILES, 2,
+           "'fly' is not measure, fall, interrupt or burst", NULL, NULL);
+    leaves("--study\nmeasure\n--mass\n11" FILES, 2, "drop: --mass: '11'",
+           NULL, NULL);
+    leaves("--study\nmeasure\n--seed\n101" FILES, 2, "drop: --seed: '101'",
+           NULL, NULL);
 }
 
 TEST(test_same_place, "table and summary may not share a file")
 {
-    struct child c = run("--study\nmeasure\n--summary\n-");
-    UNIT_TRUE(c.status == 2);
-    UNIT_TRUE(strstr(c.err, "both go to '-'") && c.out[0] == '\0');
-    c = run("--study\nmeasure\n-o\n" TABLE "\n-S\n" TABLE);
-    UNIT_TRUE(c.status == 2);
-    UNIT_TRUE(content(TABLE)[0] == '\0');
-    c = run("--study\nmeasure\n-o\n/dev/null");
-    UNIT_TRUE(c.status == 0);
+    leaves("--study\nmeasure\n--summary\n-", 2, "both go to '-'", NULL,
+           NULL);
+    leaves("--study\nmeasure\n-o\n" TABLE "\n-S\n" TABLE, 2, "", NULL,
+           NULL);
+    leaves("--study\nmeasure\n-o\n/dev/null", 0, "", NULL, NULL);
 }
 
 TEST(test_no_file, "a file that cannot be written leaves none behind")
 {
-    struct child c =
-        run("--study\nmeasure\n-o\n" TABLE "\n-S\nbuild/nowhere/s");
-    UNIT_TRUE(c.status == 1);
-    UNIT_TRUE(strstr(c.err, "drop: ") == c.err);
-    UNIT_TRUE(content(TABLE)[0] == '\0');
-    c = run("--study\nmeasure\n-o\nbuild/nowhere/t\n-S\n" SUMMARY);
-    UNIT_TRUE(c.status == 1);
-    UNIT_TRUE(content(SUMMARY)[0] == '\0');
-    c = run("--study\nmeasure\n-o\n/dev/full\n-S\n" SUMMARY);
-    UNIT_TRUE(c.status == 1);
-    UNIT_TRUE(content(SUMMARY)[0] == '\0');
+    leaves("--study\nmeasure\n-o\n" TABLE "\n-S\nbuild/nowhere/s", 1,
+           "drop: ", NULL, NULL);
+    leaves("--study\nmeasure\n-o\nbuild/nowhere/t\n-S\n" SUMMARY, 1, "",
+           NULL, NULL);
+    leaves("--study\nmeasure\n-o\n/dev/full\n-S\n" SUMMARY, 1, "", NULL,
+           NULL);
 }
 
-TEST(test_failure, "a study that fails leaves nothing")
+TEST(test_ends, "what a study leaves that fails, is stopped or breaks off")
 {
-    const struct child c = run("--study\nfall" FILES);
-    UNIT_TRUE(c.status == 1);
-    UNIT_SAYS(c.err, "drop: no ground\n");
-    UNIT_TRUE(content(TABLE)[0] == '\0');
-    UNIT_TRUE(content(SUMMARY)[0] == '\0');
-}
-
-TEST(test_signal, "a signal keeps the table, not the summary")
-{
-    const struct child c = run("--study\ninterrupt" FILES);
-    UNIT_TRUE(c.status == 1);
-    UNIT_TRUE(strstr(c.err, "drop: interrupted"));
-    UNIT_TRUE(strstr(content(TABLE), "\n1\n"));
-    UNIT_TRUE(content(SUMMARY)[0] == '\0');
-}
-
-TEST(test_broken, "a study that breaks off, too")
-{
-    const struct child c = run("--study\nburst" FILES);
-    UNIT_TRUE(c.status == 1);
-    UNIT_TRUE(strstr(content(TABLE), "\n1\n"));
-    UNIT_TRUE(content(SUMMARY)[0] == '\0');
+    leaves("--study\nfall" FILES, 1, "drop: no ground\n", NULL, NULL);
+    leaves("--study\ninterrupt" FILES, 1, "drop: interrupted", "\n1\n",
+           NULL);
+    leaves("--study\nburst" FILES, 1, "", "\n1\n", NULL);
 }
 
 TEST(test_unnamed, "the usual study needs no name")
 {
     usual = "burst";
-    struct child c = run("--output\n" TABLE);
-    UNIT_TRUE(c.status == 1);
-    UNIT_TRUE(strstr(content(TABLE), "# command: drop\n"));
-    c = run("--study\nmeasure" FILES);
-    UNIT_TRUE(c.status == 0);
-    c = run("--help");
+    leaves("--output\n" TABLE, 1, "", "# command: drop\n", NULL);
+    leaves("--study\nmeasure" FILES, 0, NULL, "", "");
+    const struct child c = run("--help");
     UNIT_TRUE(strstr(c.out, "burst: on the way\n"));
     UNIT_TRUE(strstr(c.out, " (burst)\n"));
     UNIT_TRUE(strstr(c.out, "The summary says:\n"));
     drawing = "--study fall";
-    c = run("--seed\n1" FILES);
-    UNIT_TRUE(c.status == 2);
-    UNIT_SAYS(c.err, "drop: --seed: means nothing without --study "
-                     "fall\n");
+    child_says(run("--seed\n1" FILES), 2,
+               "drop: --seed: means nothing without --study fall\n");
     drawing = usual = NULL;
 }
 
 TEST(test_check, "settings are looked at together")
 {
     checked = check;
-    struct child c = run("--study\nmeasure\n--mass\n2" FILES);
-    UNIT_TRUE(c.status == 0);
-    UNIT_TRUE(strstr(content(TABLE), "\n4\n"));
-    c = run("--mass\n9\n--study\nburst" FILES);
-    UNIT_TRUE(c.status == 2);
-    UNIT_SAYS(c.err, "drop: --mass: 9 is too heavy for burst\n");
-    UNIT_TRUE(content(TABLE)[0] == '\0');
+    leaves("--study\nmeasure\n--mass\n2" FILES, 0, NULL, "\n4\n", "");
+    leaves("--mass\n9\n--study\nburst" FILES, 2,
+           "drop: --mass: 9 is too heavy for burst\n", NULL, NULL);
     checked = NULL;
 }
 
@@ -267,11 +251,9 @@ TEST(test_no_seed, "no seeds: no option, and 0 in the head")
 {
     own_entries = NULL;
     seeds = 0;
-    struct child c = run("--study\nmeasure\n--seed\n1" FILES);
-    UNIT_TRUE(c.status == 2 && strstr(c.err, "unknown option"));
-    c = run("--study\nmeasure" FILES);
-    UNIT_TRUE(c.status == 0);
-    UNIT_TRUE(strstr(content(TABLE), "# seed: 0\n"));
+    leaves("--study\nmeasure\n--seed\n1" FILES, 2, "unknown option", NULL,
+           NULL);
+    leaves("--study\nmeasure" FILES, 0, NULL, "# seed: 0\n", "");
     own_entries = entries;
     seeds = 100;
 }
@@ -279,12 +261,11 @@ TEST(test_no_seed, "no seeds: no option, and 0 in the head")
 TEST(test_drawing, "a seed for the studies that draw")
 {
     drawing = "--study fall";
-    struct child c = run("--study\nmeasure\n--seed\n1" FILES);
-    UNIT_TRUE(c.status == 2);
-    UNIT_SAYS(c.err, "drop: --seed: means nothing with --study "
-                     "measure (only with fall)\n");
-    c = run("--study\nfall\n--seed\n1" FILES);
-    UNIT_TRUE(c.status == 1 && strstr(c.err, "no ground"));
+    child_says(
+        run("--study\nmeasure\n--seed\n1" FILES), 2,
+        "drop: --seed: means nothing with --study measure (only with "
+        "fall)\n");
+    leaves("--study\nfall\n--seed\n1" FILES, 1, "no ground", NULL, NULL);
     drawing = NULL;
 }
 

@@ -2,53 +2,28 @@
    stiffness, and forces that jump. */
 #include "unit.h"
 
-#include "forces/adaptive.h"
+#include "library/own_steps.h"
 
 #include <stdlib.h>
 
-static void orbit(void *what, const double x[], const double v[],
-                  double a[])
-{
-    const double r2 = x[0] * x[0] + x[1] * x[1], r = sqrt(r2);
-    (void)what, (void)v;
-    a[0] = -x[0] / (r * r2);
-    a[1] = -x[1] / (r * r2);
-}
-
-static void springs(void *what, const double x[], const double v[],
-                    double a[])
+FORCES(springs)
 {
     const double *stiff = what;
-    (void)v;
     a[0] = -x[0];
     a[1] = -*stiff * x[1];
 }
 
-static void jumps(void *what, const double x[], const double v[],
-                  double a[])
+FORCES(jumps)
 {
-    (void)what, (void)v;
     a[0] = x[0] > 0 ? -1 : 1;
-}
-
-static struct adaptive *begin(const char *name, struct stepping_forces f,
-                              double tolerance, const double x[],
-                              const double v[])
-{
-    struct adaptive *const a = adaptive_create(stepping_find(name), f);
-    UNIT_MUST(a);
-    adaptive_begin(a, tolerance, 1, 0, x, v);
-    return a;
 }
 
 /* The error of the energy after so many orbits of e = 0.5. */
 static double lost(const char *name, double orbits)
 {
-    const struct stepping_forces f = {2, false, orbit, NULL};
     double x[] = {0.5, 0}, v[] = {0, sqrt(3)};
-    struct adaptive *const a = begin(name, f, 1e-6, x, v);
+    OWN a = begun(name, orbit_forces, 1e-6, 1, x, v);
     UNIT_TRUE(adaptive_reach(a, orbits * 8 * atan(1), x, v));
-    adaptive_free(a);
     return fabs((v[0] * v[0] + v[1] * v[1]) / 2 - 1 / hypot(x[0], x[1]) +
                 0.5);
 }
@@ -66,11 +41,9 @@ static double steps(double stiff, double tolerance)
 {
     const struct stepping_forces f = {2, false, springs, &stiff};
     double x[] = {1, 1e-12}, v[] = {0, 0};
-    struct adaptive *const a = begin("dopri5", f, tolerance, x, v);
+    OWN a = begun("dopri5", f, tolerance, 1, x, v);
     UNIT_TRUE(adaptive_reach(a, 10, x, v));
-    const double taken = (double)a->taken;
-    adaptive_free(a);
-    return taken;
+    return (double)a->taken;
 }
 
 /* At most 1.2 of its radians fit into a step, however rough a result is
@@ -86,9 +59,8 @@ TEST(test_jumps, "edges cost steps and digits")
 {
     const struct stepping_forces f = {1, false, jumps, NULL};
     double x = 0.5, v = 0;
-    struct adaptive *const a = begin("dopri5", f, 1e-9, &x, &v);
+    OWN a = begun("dopri5", f, 1e-9, 1, &x, &v);
     UNIT_TRUE(adaptive_reach(a, 400, &x, &v));
     UNIT_TRUE(a->refused > 200 * 10);
     UNIT_TRUE(fabs(fabs(x) + v * v / 2 - 0.5) > 1e-7);
-    adaptive_free(a);
 }

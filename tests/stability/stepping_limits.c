@@ -5,6 +5,7 @@
    eq:stability-limit). */
 #include "unit.h"
 
+#include "library/forces.h"
 #include "forces/stepping.h"
 #include "library/methods.h"
 
@@ -15,8 +16,7 @@ struct linear {
     double w, c;
 };
 
-static void force(void *what, const double x[], const double v[],
-                  double a[])
+FORCES(force)
 {
     const struct linear *l = what;
     a[0] = -l->w * l->w * x[0] - l->c * v[0];

@@ -6,18 +6,18 @@
 
 enum { MOST = 16, WAVE = START_KINDS };
 
-/* Parameters: the kind of start, or WAVE; the seed; how many masses follow;
-   those masses (kg), which replace the first ones of the start. To change a
-   mass the script begins anew and runs to where it was, so that the reader
-   sees the whole past drawn again. */
+/* Parameters: the kind of start, or WAVE; the seed; the number of masses
+   that follow; those masses (kg), which replace the first ones of the
+   start. To change a mass the script starts again and runs to the same
+   time, so that the reader sees the whole past drawn again. */
 double page_number[PAGE_NUMBERS];
 
 static struct start start;
 static struct bonkers beads;
 static double seen[4 + 3 * (MOST + 2)];
 
-/* Makes the start of the figure of world lines, which is none of the
-   starts of bonkers: the book gives it as a list of options. */
+/* Makes the start of the figure of world lines. It is not one of the starts
+   of bonkers: the book gives it as a list of options. */
 static bool start_wave(struct start *s)
 {
     static const double mass[] = {9.3, 2.1, 5.2, 0.9, 3.4,
@@ -45,8 +45,7 @@ static bool choose_start(struct start *s)
     return s->movers <= MOST;
 }
 
-/* Frees the run before; the first time there is none, and nothing
-   happens. */
+/* Frees the previous run, if there is one, and begins a new run. */
 bool page_begin(void)
 {
     size_t wrong;
@@ -57,7 +56,7 @@ bool page_begin(void)
            wrong == beads.gaps;
 }
 
-/* An event is a collision. */
+/* Runs; an event is a collision. */
 double page_run(double until, double events)
 {
     const uint64_t before = beads.collisions;
@@ -65,8 +64,9 @@ double page_run(double until, double events)
     return (double)(beads.collisions - before);
 }
 
-/* Returns the time, collisions, energy, how many bodies; all x, all v, all
-   masses. The first and the last body are the walls. */
+/* Returns the time, the numbers of collisions and bodies with the energy
+   between them; all x, all v, all masses. The first and last bodies are
+   walls. */
 const double *page_look(void)
 {
     const size_t bodies = beads.gaps + 1;

@@ -6,14 +6,15 @@
 
 #include <math.h>
 
-/* Bins are a hundredth of the box wide, from the radius to the middle. */
+/* Bins are a hundredth of the box wide, from one radius to the middle;
+   FIRST is the radius in bins. */
 enum { DISKS = 4, FIRST = 15, BINS = 35 };
 
-/* The loops of the hard-disk article look right, and so do their films. The
-   script shows beside them what gives them away: the density of positions
-   against direct sampling, the pressure, and how deep the disks overlap.
-   Parameters: the `offset` of the article's loop (box/loop.h), 0 for the
-   right one; the tick, s; the seed. */
+/* Parameters: the `offset` of the article's loop (box/loop.h), 0 for the
+   right one; the tick, s; the seed. The loops of the hard-disk article look
+   right, and so do their films. The script shows what reveals the error:
+   the density of positions against direct sampling, the pressure, and how
+   deep the disks overlap. */
 double page_number[PAGE_NUMBERS];
 
 static struct loop loop;
@@ -21,7 +22,8 @@ static struct means density;
 static double tick, overlap, records;
 static double seen[8 + 2 * DISKS + 2 * BINS];
 
-/* Places four disks on a lattice, as disks and disks-studies do. */
+/* Places four disks on a lattice with velocities, as disks and
+   disks-studies do. */
 static bool begin_disks(struct disks *d)
 {
     struct random r;
@@ -48,12 +50,12 @@ bool page_begin(void)
     return true;
 }
 
-/* Takes a record: counts the distances of all disks from the nearer wall,
+/* Adds a record: counts the distances of all disks from the nearer wall,
    along both axes. These are 8 distances, and a bin stands for two
    hundredths of the box, one at either wall: hence 100 / 16. A disk at a
    wall lies on the edge of a bin; the 1e-9 keeps rounding from deciding
-   where it belongs. The means compare blocks of records, so their errors
-   allow for what neighbouring records have in common. */
+   which bin counts it. The means compare blocks of records, so their errors
+   allow for correlations of neighbouring records. */
 static void sample(void)
 {
     for (size_t i = 0; i < DISKS; ++i) {
@@ -71,9 +73,9 @@ static void sample(void)
     ++records;
 }
 
-/* An event is a record. The article's loop makes one at each event of the
-   disks, too, and counts its next tick from there; the right one makes them
-   at multiples of the tick. */
+/* Runs; an event is a record. The article's loop makes a record also at
+   each event of the disks, and counts its next tick from there; the right
+   loop makes records at multiples of the tick. */
 double page_run(double until, double events)
 {
     const double before = records;

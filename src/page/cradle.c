@@ -11,11 +11,11 @@
 
 enum { MOST = 12, WAYS = 3 };
 
-/* The scene cradle runs three times, side by side: by events (line/), in
-   steps with instantaneous contacts, and in steps with contacts that are
-   springs. Parameters: how many balls, how many fly in, the gap, m; the
+/* Parameters: the number of balls, how many of them fly in, the gap, m; the
    step of the second run, s; of the third: 1 for Hertz's springs, their
-   stiffness, the step, s. */
+   stiffness, the step, s. The scene cradle runs three times, side by side:
+   by events (line/), in steps with instantaneous contacts, and in steps
+   with contacts that are springs. */
 double page_number[PAGE_NUMBERS];
 
 static struct bonkers events;
@@ -56,7 +56,7 @@ static bool begin_way(struct way *w, bool by_springs)
     return w->begun;
 }
 
-/* Turns the scene into a start of beads, as bonk does. */
+/* Begins the run by events from the scene, as bonk does. */
 static bool begin_events(void)
 {
     struct scene scene;
@@ -87,7 +87,7 @@ static void step_to(struct way *w, double until)
             break;
 }
 
-/* An event is a step of the second run; the others follow to its time. */
+/* Runs; an event is a step of the second run. The others follow. */
 double page_run(double until, double number)
 {
     const double before = (double)steps.motion.stepping.steps;
@@ -99,8 +99,7 @@ double page_run(double until, double number)
     return (double)steps.motion.stepping.steps - before;
 }
 
-/* Writes collisions, energy, all x and all v to next. Returns the place
-   behind them. */
+/* Writes collisions, energy, all x and all v to next. Returns their end. */
 static double *look_at(const struct way *w, double *next)
 {
     const struct scene *s = &w->scene;
@@ -111,8 +110,8 @@ static double *look_at(const struct way *w, double *next)
     return next + 2 * s->bodies;
 }
 
-/* Returns the time, how many balls; of events, steps and springs:
-   collisions, energy, all x, all v. */
+/* Returns the time and the number of balls; then for the runs by events,
+   steps and springs: collisions, energy, all x, all v. */
 const double *page_look(void)
 {
     double x[MOST + 2], v[MOST + 2], *next = seen + 4;

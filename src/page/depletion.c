@@ -6,12 +6,13 @@
 #include <math.h>
 
 enum { LARGE = 2, MOST = 400 };
-#define SIDE 5.0   /* of the periodic box, m */
-#define SHELL 0.05 /* width of the shell of contact, in small radii */
+#define SIDE 5.0   /* side of the periodic box, m */
+#define SHELL 0.05 /* width of the contact shell, in small radii */
 
-/* Parameters: how many small disks, their radius, m; the step of the large
-   ones, m, 0 to hold them; the seed; where page_make puts a large one, x
-   and y, m. The small disks may overlap each other. */
+/* Parameters: the number of small disks, their radius, m; the step of the
+   large ones, m, 0 to keep them in place; the seed; where page_make puts a
+   large disk, x and y, m. The small disks may overlap each other. The
+   radius of the large disks is 1 m. */
 double page_number[PAGE_NUMBERS];
 
 static struct sampling box;
@@ -19,7 +20,7 @@ static struct random dice;
 static struct means force;
 static double tries, seen[10 + 2 * (LARGE + MOST)];
 
-/* Starts as sample does. */
+/* Begins a run as the program sample does. */
 bool page_begin(void)
 {
     const double sides[] = {SIDE, SIDE};
@@ -35,7 +36,8 @@ bool page_begin(void)
     return sampling_start(&box, &dice);
 }
 
-/* Returns the gap between disks i and j, m; apart: from i to j. */
+/* Returns the gap between disks i and j, m; apart: the vector from i to
+   j. */
 static double gap(size_t i, size_t j, double apart[])
 {
     const struct disk *a = &box.disks.disk[i], *b = &box.disks.disk[j];
@@ -44,8 +46,7 @@ static double gap(size_t i, size_t j, double apart[])
            b->radius;
 }
 
-/* Throws the small disks that a large one covers elsewhere, until they
-   fit. */
+/* Moves small disks that overlap a large one at random until they fit. */
 static void scatter(void)
 {
     double apart[DISKS_AXES];
@@ -56,9 +57,9 @@ static void scatter(void)
                     random_between(&dice, 0, SIDE);
 }
 
-/* Puts large disk `which` where the mouse is, unless the other one is in
-   the way. The force measured so far belongs to another distance and is
-   dropped. */
+/* Puts large disk `which` where the mouse is; returns false if the other
+   one is in the way. Drops the force measured so far, at another
+   distance. */
 bool page_make(double which)
 {
     struct disk *hand = &box.disks.disk[(size_t)which];
@@ -80,10 +81,12 @@ bool page_make(double which)
 
 /* Returns the force between the large disks in units of kT per metre,
    negative if it pushes them together. The pressure of an ideal gas on a
-   surface is n kT with n at the surface; so each small disk within a shell
-   of width d around a large one pushes it with kT/d along the line of their
-   centres, of which the part along the line of the large disks counts. The
-   shell is wider outside, by s / reach, so that each counts reach / s. */
+   surface is n kT with n the density at the surface. So each small disk
+   within a shell of width d around a large one pushes it with kT/d along
+   the line of their centres, and its component along the line of the large
+   disks counts. At the distance s of the centres, in place of `reach` at
+   contact, the shell has more area, by s / reach: so each push is
+   multiplied by reach / s. */
 static double sample_force(void)
 {
     double line[DISKS_AXES], apart[DISKS_AXES], sum = 0;
@@ -100,8 +103,8 @@ static double sample_force(void)
     return sum / (2 * width);
 }
 
-/* An event is a try. The force is sampled each time when as many tries have
-   been made as there are disks. */
+/* Runs; an event is a try. The force is sampled once in as many tries as
+   there are disks. */
 double page_run(double until, double events)
 {
     const double before = tries, all = (double)box.disks.count;
@@ -115,10 +118,9 @@ double page_run(double until, double events)
     return tries - before;
 }
 
-/* Returns the exact force at the distance r, in kT per metre: the chord
-   that the two excluded zones have in common, times the density of small
-   disks in the area that is left to them. It is the derivative of
-   (6.14, eq:lens). */
+/* Returns the exact force at the distance r, in kT per metre: the common
+   chord of the two excluded zones, times the density of small disks in the
+   area left to them. It is the derivative of (6.14, eq:lens). */
 static double exact_force(double r)
 {
     const double pi = 3.14159265358979324, reach = 1 + page_number[1];
@@ -128,8 +130,9 @@ static double exact_force(double r)
     return half > 0 ? -page_number[0] / room * 2 * sqrt(half) : 0;
 }
 
-/* Returns tries; disks, the distance of the large ones, the force and its
-   error, the exact force; the samples; all x and y. */
+/* Returns the numbers of tries and disks, the distance of the large ones,
+   the force, its error, the exact force, the number of samples; all x,
+   y. */
 const double *page_look(void)
 {
     double apart[DISKS_AXES], *next = seen + 10;
@@ -147,8 +150,8 @@ const double *page_look(void)
     return seen;
 }
 
-/* The exact force at 100 distances from contact to `most`, for the line in
-   the plot. */
+/* Returns the exact force at 100 distances from contact to `most`, for the
+   line in the plot. */
 const double *page_array(double most)
 {
     static double line[100];

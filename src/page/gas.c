@@ -7,20 +7,21 @@
 #include <math.h>
 
 enum { MOST = 2000, BINS = 30 }; /* disks; bins of u = v sqrt(m/(2kT)) */
-#define WIDTH 0.1                /* of a bin of the histogram */
+#define WIDTH 0.1                /* of a bin, in u */
 
-/* Parameters: how many disks, the fraction of the box that they fill, the
-   seed, 1 for a periodic box. The box is that of `disks --box 7.5,5`. */
+/* Parameters: the number of disks, the fraction of the box that they fill,
+   the seed, 1 for a periodic box. The sides of the box are 7.5 m and 5
+   m. */
 double page_number[PAGE_NUMBERS];
 
 static struct disks gas;
 static struct cells cells;
-static bool fast; /* the engine with cells runs */
+static bool fast; /* the engine is cells_run, not disks_run */
 static double law_of_bin[BINS];
 static double seen[9 + 2 * BINS + 3 * MOST];
 
-/* Places the disks. The lattice needs no random numbers, so the first ones
-   of the seed are for the directions, as in disks. */
+/* Places the disks on a lattice. This needs no random numbers, so the first
+   ones of the seed are for the directions, as in disks. */
 static bool place_gas(struct disks *d, size_t count)
 {
     const double pi = 3.14159265358979324;
@@ -35,10 +36,10 @@ static bool place_gas(struct disks *d, size_t count)
     return disks_place_lattice(d);
 }
 
-/* Starts the gas. The line in the histogram is not Maxwell's law but that
-   of this many disks, (7.3, eq:speed-law): for a thousand nobody sees the
-   difference, for ten one does. A few large disks leave no space for three
-   cells along an axis and run without them. */
+/* Starts the gas. The line in the histogram is the law for this number of
+   disks, (7.3, eq:speed-law), not Maxwell's: the difference is invisible
+   for a thousand disks and visible for ten. A few large disks leave no
+   space for three cells along an axis and are run without cells. */
 bool page_begin(void)
 {
     const size_t count = (size_t)page_number[0];
@@ -56,7 +57,7 @@ bool page_begin(void)
     return fast ? cells_create(&cells, &gas) : disks_plan(&gas);
 }
 
-/* An event is a collision. */
+/* Runs; an event is a collision. */
 double page_run(double until, double events)
 {
     const uint64_t before = gas.collisions;
@@ -87,9 +88,10 @@ static double count_speeds(double density[BINS])
     return four / (two * two);
 }
 
-/* Returns the time, collisions, with walls, kT, energy, <v^4>/<v^2>^2, how
-   many disks, their radius, bins; of each bin the density, then the law; of
-   each disk x and y, folded back into a periodic box, and the speed. */
+/* Returns the time, the numbers of collisions between disks and with walls,
+   kT, energy, <v^4>/<v^2>^2, the numbers of disks and, behind their radius,
+   of bins; the density in each bin, the law in each; of each disk x and y,
+   folded back into a periodic box, and the speed. */
 const double *page_look(void)
 {
     double *density = seen + 9, *law = density + BINS, *next = law + BINS;

@@ -10,8 +10,8 @@
 enum { BEADS = 10, BINS = 40, MOST = 200000 };
 enum { BEAD, POSITION, EVERY, SEED }; /* indices into page_number */
 
-/* Parameters: which bead, from 1; 1 to count its position, 0 its velocity;
-   the time between samples, s; the seed. */
+/* Parameters: the number of the bead, from 1; 1 to count its position, 0
+   its velocity; the time between samples, s; the seed. */
 double page_number[PAGE_NUMBERS];
 
 static struct start start;
@@ -22,9 +22,9 @@ static double sample[MOST], inefficiency, law[BINS];
 static size_t samples, measured;
 static double seen[8 + 3 * BINS + BEADS + 2];
 
-/* The density of bead k, up to a factor, at the fraction u of the range:
-   that of a velocity in one dimension (3.2, eq:velocity-law), or the beta
-   distribution of the k-th of n places (3.7, eq:beta). */
+/* Returns the density of bead k, up to a factor, at the fraction u of the
+   range: of its velocity (3.2, eq:velocity-law), or of its position, the
+   beta distribution of the k-th of n places (3.7, eq:beta). */
 static double shape(size_t k, double u)
 {
     if (page_number[POSITION] != 0)
@@ -32,8 +32,8 @@ static double shape(size_t k, double u)
     return pow(1 - (2 * u - 1) * (2 * u - 1), (BEADS - 3) / 2.0);
 }
 
-/* Averages the density over each bin. The bins cover all that is possible,
-   so the factor follows from their sum. */
+/* Averages the density over each bin. The bins cover the whole range, so
+   the factor follows from their sum. */
 static void draw_law(size_t k, double range)
 {
     enum { PARTS = 16 };
@@ -47,8 +47,8 @@ static void draw_law(size_t k, double range)
         law[b] /= sum;
 }
 
-/* Begins a histogram for bead k. The range of velocities is that of a bead
-   that has all the energy. */
+/* Begins a histogram for bead k. The range of velocities ends at the speed
+   of a bead that has all the energy. */
 static bool begin_histogram(size_t k)
 {
     const double energy = bonkers_energy(&beads);
@@ -76,10 +76,10 @@ bool page_begin(void)
            begin_histogram((size_t)page_number[BEAD]);
 }
 
-/* Estimates how many samples are worth one independent sample, as the
-   program histogram does, again whenever their number has grown by 5 %: so
-   the error bars allow for correlations, and the total cost stays a small
-   multiple of that of the last estimate. */
+/* Estimates the statistical inefficiency, the number of samples that are
+   worth one independent sample, as the program histogram does. It does so
+   again whenever there are 5 % more samples: then the error bars allow for
+   correlations, and the total cost is a small multiple of the last one. */
 static void measure(void)
 {
     struct statistics_description d;
@@ -90,7 +90,7 @@ static void measure(void)
     measured = samples;
 }
 
-/* An event is a sample; there are no more than MOST. */
+/* Runs; an event is a sample, of which there are at most MOST. */
 double page_run(double until, double events)
 {
     const size_t before = samples, k = (size_t)page_number[BEAD];
@@ -106,9 +106,9 @@ double page_run(double until, double events)
     return (double)(samples - before);
 }
 
-/* Returns the time, samples, their statistical inefficiency, the range from
-   low to high, bins, beads, energy; of each bin the density, its error, the
-   law; the positions of walls and beads. */
+/* Returns the time, the number of samples, their statistical inefficiency,
+   the range from low to high, the numbers of bins and beads, the energy;
+   all densities, their errors, the law; the x of walls and beads. */
 const double *page_look(void)
 {
     double *next = seen + 8;

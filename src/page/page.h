@@ -4,18 +4,18 @@
 
 #include <stdbool.h>
 
-/* Each figure is a program of its own, so all of them define the same
-   names. Numbers pass as doubles, because JavaScript has nothing else, and
-   through arrays in memory that both sides see, so that the functions have
-   the same parameters in every figure. None of them reads a clock: the
-   script asks for as much time as the last picture was shown. The number of
-   calls of page_run does not affect the results, so the speed of the
-   browser does not matter. */
+/* Each figure is a program of its own, so all of them define these names.
+   Numbers pass as doubles, because JavaScript has nothing else, and through
+   arrays in memory that both sides see, so that the functions have the same
+   parameters in every figure. No function reads a clock: the script asks
+   for as much time as the last picture was shown. The number of calls of
+   page_run does not affect the results, nor does the speed of the
+   browser. */
 
 enum { PAGE_NUMBERS = 64 };
 
 /* The parameters of a run, which the script writes before page_begin; each
-   figure says what its numbers mean. */
+   figure lists them at its definition of page_number. */
 extern double page_number[PAGE_NUMBERS];
 
 /* Starts a new run and frees the old one. Returns false if it cannot: the
@@ -24,14 +24,14 @@ bool page_begin(void);
 
 /* Runs until the time `until`, or for this number of events, whichever ends
    first; an event is a collision, a step or a record, as the figure says.
-   Returns how many there were. Requires events < 2^63. */
+   Returns the number of events in this call. Requires events < 2^63. */
 double page_run(double until, double events);
 
 /* Copies the present state into an array and returns it, the time first. */
 const double *page_look(void);
 
-/* Only some figures have these. page_word returns the name of item `number`
-   of a list, NULL behind the last; page_array returns more numbers;
+/* Functions of some figures only. page_word returns the name of item
+   `number` of a list, NULL after the last; page_array returns more numbers;
    page_make does what the reader did with the mouse or a menu. */
 const char *page_word(double number);
 const double *page_array(double which);

@@ -6,13 +6,14 @@
 #include <math.h>
 
 enum { MOST = 401 };
-#define STEP 0.01 /* of the model, s */
+#define STEP 0.01 /* time step of the model, s */
 
-/* The model treats the two gases as springs (line/piston.h). It takes no
-   more from the start than the gases' energies and the piston's position
-   and velocity, and goes on from there by itself. */
+/* The model treats the two gases as springs (line/piston.h). From the start
+   it takes only the gases' energies and masses and the piston's position
+   and velocity; then it runs by itself. */
 
-/* Parameters: the kind of start, how many movers, the mass ratio, seed. */
+/* Parameters: the kind of start, the number of movers, the mass ratio,
+   seed. */
 double page_number[PAGE_NUMBERS];
 
 static struct start start;
@@ -46,8 +47,7 @@ static void begin_model(void)
     model_time = 0;
 }
 
-/* Uses the heap, which is the right engine for short pieces of a run with
-   many beads. */
+/* Begins a run with the heap, best for short pieces with many beads. */
 bool page_begin(void)
 {
     const struct start_request request = {
@@ -67,7 +67,7 @@ bool page_begin(void)
     return true;
 }
 
-/* An event is a collision. The model follows in whole steps. */
+/* Runs; an event is a collision. The model follows in whole steps. */
 double page_run(double until, double events)
 {
     const uint64_t before = beads.collisions;
@@ -78,9 +78,9 @@ double page_run(double until, double events)
     return (double)(beads.collisions - before);
 }
 
-/* Returns the time, collisions, bodies; kinetic energies of the left gas,
-   the right one, the piston; the piston's position in the model; the
-   energies that the model's gases have there; all x, all v. */
+/* Returns the time, the numbers of collisions and bodies; kinetic energies
+   of the left gas, the right one, the piston; in the model, the piston's
+   position and the energies of the left and the right gas; all x, all v. */
 const double *page_look(void)
 {
     const size_t bodies = beads.gaps + 1, middle = bodies / 2;

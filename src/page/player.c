@@ -9,10 +9,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What page_word is asked for: kind * 1000 + number. */
+/* The kinds of word; page_word takes kind * 1000 + number. */
 enum word { SCENES, ABOUT, KEYS, HELP, METHODS, NAMES, MESSAGE, WRITTEN };
 
-/* What page_array is asked for. */
+/* The arrays that page_array returns. */
 enum array { PLACES, RADII, COLOURS, MASSES, FREE, SPRINGS, OBSERVED };
 
 /* What can be changed while the scene runs. */
@@ -24,10 +24,9 @@ bool page_change(double what, double value);
 bool page_save(bool table, double every);
 
 /* Parameters: the number of the method, before page_begin; the values of a
-   scene's keys, before page_make. The player is the core of step,
-   forces/motion.h, between other ends: the scene comes from the reader's
-   hands and the rows go into pictures. What it saves are the bytes that
-   step would write. */
+   scene's keys, before page_make. The player runs scenes as step does
+   (forces/motion.h), but the scene comes from the reader and the rows go
+   into pictures. What it saves are the bytes that step would write. */
 double page_number[PAGE_NUMBERS];
 
 static struct scene start, scene; /* at the start of the run, and now */
@@ -37,7 +36,7 @@ static enum stepping_end stopped;
 static struct observables observed;
 static char *given, *written; /* texts from the script, and for it */
 static char message[320];
-static size_t line; /* of the text with an error, 0: none */
+static size_t line; /* line of an error in the text; 0: none */
 
 /* Returns memory for a text of `size` bytes, which the script fills before
    it calls the function that reads it. Frees the previous text. */
@@ -56,7 +55,7 @@ static bool finish(struct table *t)
     return written != NULL;
 }
 
-/* Returns scene `number` of all in the gallery, NULL behind the last. */
+/* Returns scene `number` of the whole gallery, NULL after the last. */
 static const struct gallery_scene *scene_of(size_t number)
 {
     static const struct gallery_scene *const lists[] = {
@@ -68,10 +67,10 @@ static const struct gallery_scene *scene_of(size_t number)
     return NULL;
 }
 
-static const struct gallery_scene *chosen; /* the one named last */
+static const struct gallery_scene *chosen; /* last named by page_word */
 
-/* Returns key k of the chosen scene as one line of five words: name, usual
-   value, limits, 1 if it is a whole number. */
+/* Returns key k of the chosen scene as five words: name, usual value, lower
+   and upper limit, 1 if it is a whole number. */
 static const char *describe_key(size_t k)
 {
     const struct gallery_key *key = chosen ? &chosen->key[k] : NULL;
@@ -82,7 +81,7 @@ static const char *describe_key(size_t k)
     return message;
 }
 
-/* Returns the name of observable k with as many bodies as it wants. */
+/* Returns the name of observable k, followed by the bodies it needs. */
 static const char *name_of(size_t k)
 {
     size_t bodies;
@@ -94,8 +93,8 @@ static const char *name_of(size_t k)
     return name ? message : NULL;
 }
 
-/* Unlike the other figures the player has all methods, also those that
-   choose their own steps. */
+/* Returns words; among the methods are all, also those with steps of
+   variable length, which the other figures leave out. */
 const char *page_word(double number)
 {
     const size_t k = (size_t)number % 1000;
@@ -116,8 +115,8 @@ const char *page_word(double number)
     return NULL;
 }
 
-/* Makes a text of a scene of the gallery, which the reader sees and may
-   change before it runs. */
+/* Makes the text of scene `number` of the gallery, which the reader sees
+   and may change before it runs. */
 bool page_make(double number)
 {
     const struct gallery_scene *g = scene_of((size_t)number);
@@ -153,7 +152,8 @@ static bool begin_motion(struct motion *m, struct scene *s)
     return true;
 }
 
-/* Runs a copy, so that page_save can run it again from the first row. */
+/* Begins a run of a copy of `start`, so that page_save can run the scene
+   again from the first row. */
 static bool begin_anew(void)
 {
     stop();
@@ -167,8 +167,9 @@ static bool begin_anew(void)
     return moving;
 }
 
-/* An error in the text has its line; why a scene cannot be stepped is
-   printed on standard error, which the script reads. */
+/* Reads the scene and begins. Keeps the line of an error in the text;
+   prints on standard error, which the script reads, why a scene cannot be
+   stepped. */
 bool page_begin(void)
 {
     struct scene_error e;
@@ -187,7 +188,7 @@ bool page_begin(void)
     return begin_anew();
 }
 
-/* An event is a step. */
+/* Runs; an event is a step. */
 double page_run(double until, double events)
 {
     double steps = 0;
@@ -229,14 +230,14 @@ bool page_change(double what, double value)
 
 enum { HEAD = 26 };
 static double seen[HEAD + 4 * OBSERVABLES_MOST];
-static double *listed; /* of each spring: its ends, its colour */
+static double *listed; /* for each spring: its ends, its colour */
 
-/* Returns the time, steps, bodies, springs, how the last step ended (enum
-   stepping_end, -1 without a scene), collisions, the line with an error;
-   dt, gravity, damping, restitution, k2, contact; walls and box, axis by
-   axis; how many values are observed; whether contacts are instantaneous.
-   What there is for each body is in page_array, axis by axis as in the
-   scene. */
+/* Returns the time, the numbers of steps, bodies and springs, how the last
+   step ended (enum stepping_end, -1 without a scene), collisions, the line
+   with an error; dt, gravity, damping, restitution, k2, contact; walls and
+   box, axis by axis; the number of values observed; whether contacts are
+   instantaneous. The values of each body are in page_array, axis by
+   axis. */
 const double *page_look(void)
 {
     const struct scene *s = &scene;
@@ -266,8 +267,8 @@ const double *page_look(void)
     return seen;
 }
 
-/* Chooses what to observe, by the names that step knows; an empty text:
-   nothing. The values are computed when page_array asks for them, since the
+/* Chooses the observables by the names that step knows; an empty text means
+   none. The values are computed when page_array asks for them, since the
    energy of many bodies costs as much as a step. */
 bool page_observe(void)
 {
@@ -329,8 +330,7 @@ const double *page_array(double which)
 
 /* Runs the motion again up to the present step, with a row after every
    `every` steps: the observables, or all states if none are chosen. The
-   head names the command of step that makes the same table, which the
-   script wrote. */
+   head has the command of step that makes this table, from the script. */
 static bool write_rows(struct table *t, struct motion *m, uint64_t every,
                        size_t body[], double row[])
 {
@@ -374,8 +374,8 @@ static bool write_table(struct table *t, uint64_t every)
     return good;
 }
 
-/* Writes a table of the run, or the present scene, with what the method has
-   to know to go on to the same bits. */
+/* Writes a table of the run, or the present scene with what the method
+   needs to continue with the same bits. */
 bool page_save(bool table, double every)
 {
     struct table *t = moving ? page_table_open("step") : NULL;

@@ -5,23 +5,23 @@
 
 #include <string.h>
 
-enum { METHODS = 2, OWN = 8 }; /* values shown for each method */
+enum { METHODS = 2, OWN = 8 }; /* OWN: values shown for each method */
 
 /* Parameters: the step, s, and the damping; the two methods, by their
-   numbers in page_word. The scene is oscillator of the gallery and the core
-   that of step: `scene oscillator --damping 0 | step -` with the same
-   method and step gives the same positions. */
+   numbers in page_word. The scene is oscillator of the gallery, and it is
+   run as step runs it: `scene oscillator --damping 0 | step -` with the
+   same method and step gives the same positions. */
 double page_number[PAGE_NUMBERS];
 
 static struct swing {
     struct scene scene;
     struct motion motion;
-    double matrix[4]; /* of a step: from x and v to x and v */
+    double matrix[4]; /* of a step, from x and v to x and v */
     bool begun, stopped;
 } swing[METHODS];
 static double seen[1 + METHODS * OWN];
 
-/* Leaves out the methods for planets and those that choose their steps. */
+/* Returns method `number` of those with fixed steps and not for planets. */
 static const struct stepping_method *method_of(double number)
 {
     const struct stepping_method *m = stepping_next(NULL);
@@ -61,7 +61,7 @@ static bool begin(struct swing *s, const char *method, double x, double v)
     return s->begun;
 }
 
-enum { REST = 4 }; /* m: the length of the spring */
+enum { REST = 4 }; /* length of the spring at rest, m */
 
 static double place(const struct swing *s)
 {
@@ -69,13 +69,13 @@ static double place(const struct swing *s)
 }
 
 /* Measures the matrix (a b; c d) of one step by a step from (1, 0) and one
-   from (0, 1). If its determinant is 1, the form
+   from (0, 1). If its determinant is 1, each step leaves the form
 
-       c x^2 - (a - d) x v - b v^2
+   c x^2 - (a - d) x v - b v^2
 
-   does not change, and the script draws the ellipse on which the method
-   stays, whatever the method; for leapfrog it is a multiple of the modified
-   energy (8.6, eq:modified-energy). */
+   unchanged, and the script draws the ellipse that it defines, on which the
+   motion by this method stays; for leapfrog the form is a multiple of the
+   modified energy (8.6, eq:modified-energy). */
 static bool measure(struct swing *s, const char *method)
 {
     for (int k = 0; k < 2; ++k) {
@@ -106,7 +106,7 @@ static double now(void)
     return a > b ? a : b;
 }
 
-/* An event is a step. An oscillator whose numbers have overflowed stops. */
+/* Runs; an event is a step. An oscillator stops if its numbers overflow. */
 double page_run(double until, double events)
 {
     double steps = 0;

@@ -8,9 +8,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* The number (-1)^negative digits 10^exponent. Nineteen digits fit, and a
-   twentieth if they are small enough; `whole` is false if some were left
-   out. */
+/* The number (-1)^negative digits 10^exponent. `digits` has room for 19
+   digits, 20 if they are small enough; `whole`: no digit was left out. */
 struct decimal {
     uint64_t digits;
     int exponent;
@@ -23,8 +22,8 @@ static bool is_digit(char c)
 }
 
 /* Reads digits with a point or without; returns where they end, or NULL
-   when there is no digit. A digit behind the point lowers the exponent; one
-   for which there is no room raises it, if it stands before the point. */
+   when there is no digit. A digit after the point lowers the exponent; a
+   digit before the point for which there is no room raises it. */
 static const char *read_digits(const char *c, const char *end,
                                struct decimal *d)
 {
@@ -47,8 +46,7 @@ static const char *read_digits(const char *c, const char *end,
 }
 
 /* Adds the exponent after an e to that of d; returns where it ends, or NULL
-   if it has no digit. An exponent such as e99999999999 is legal and must
-   not overflow. */
+   if it has no digit. The legal exponent e99999999999 must not overflow. */
 static const char *read_exponent(const char *c, const char *end,
                                  struct decimal *d)
 {
@@ -65,8 +63,8 @@ static const char *read_exponent(const char *c, const char *end,
     return c;
 }
 
-/* Splits a text into sign, digits and exponent. Returns whether nothing is
-   left of it. */
+/* Splits a text into sign, digits and exponent. Returns whether they are
+   all of it. */
 static bool find_decimal(const char *c, size_t length, struct decimal *d)
 {
     const char *end = c + length;
@@ -79,33 +77,32 @@ static bool find_decimal(const char *c, size_t length, struct decimal *d)
     return c == end;
 }
 
-/* The powers of ten that are doubles exactly: 10^22 = 2^22 5^22, and 5^22
-   is less than 2^53. */
+/* The powers of ten that are exact doubles: 10^22 = 2^22 5^22, 5^22 <
+   2^53. */
 enum { POWERS = 23 };
 static const double power[POWERS] = {
     1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
     1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
-/* Returns whether the power of ten of this number is an exact double.
-   FLT_EVAL_METHOD tells whether arithmetic is that of doubles and nothing
-   wider, as x87 has. */
+/* Returns whether all digits were kept and the power of ten is an exact
+   double. FLT_EVAL_METHOD excludes the wider arithmetic of x87. */
 static bool is_easy(const struct decimal *d)
 {
     return FLT_EVAL_METHOD == 0 && d->whole && abs(d->exponent) < POWERS;
 }
 
-/* Returns the double nearest to digits of at most 2^53 times a power of
-   ten: both are exact, and IEEE 754 rounds their product or quotient, the
-   only rounding that there is, to the nearest. */
+/* Returns the double nearest to digits 10^exponent with digits <= 2^53:
+   both factors are exact, and IEEE 754 rounds their product or quotient to
+   the nearest, which is the only rounding. */
 static double round_short(const struct decimal *d)
 {
     const double w = (double)d->digits, p = power[abs(d->exponent)];
     return d->exponent < 0 ? w / p : w * p;
 }
 
-/* Returns a * b - product, exactly, for product = a * b as rounded. Each
-   factor is split into halves of 26 bits, whose products are exact. Source:
-   Dekker, Numerische Mathematik 18:224, 1971. */
+/* Returns the rounding error a * b - product, exactly, of product = a * b.
+   Each factor is split into halves of 26 bits, whose products are exact.
+   Source: Dekker, Numerische Mathematik 18:224, 1971. */
 static double lost_product(double a, double b, double product)
 {
     const double split = 134217729; /* 2^27 + 1 */
@@ -145,7 +142,7 @@ static bool round_pair(const struct decimal *d, double *value)
 }
 
 /* Returns the number as strtod converts it. Its decimal point is removed
-   first, 12.5e-40 becomes 125e-41, so that no locale can misread it. */
+   first, so that 12.5e-40 becomes 125e-41, which no locale can misread. */
 static double round_by_library(const char *c, size_t length)
 {
     char text[DECIMAL_LONGEST + 16];

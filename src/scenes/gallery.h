@@ -12,16 +12,16 @@ struct gallery_key {
     const char *help; /* one phrase, with the unit */
 };
 
-enum { GALLERY_KEYS = 15 }; /* of a scene, at most */
+enum { GALLERY_KEYS = 15 }; /* most keys of a scene */
 
-/* A scene that can be made. Tests set each key to both ends of its range:
-   build must then make a scene that can be written and read, or say why
-   not. */
+/* A scene that can be made. build must make a scene that can be written and
+   read, or say why not, for all values in the keys' ranges; tests set each
+   key to both ends of its range. */
 struct gallery_scene {
     const char *name, *about; /* a name of NULL ends a list */
     struct gallery_key key[GALLERY_KEYS + 1];
-    /* Makes the scene; value[k] belongs to key[k]. Returns NULL, or says
-       what is wrong with the values, and then there is nothing to free. */
+    /* Makes the scene; value[k] belongs to key[k]. Returns NULL, or a
+       message about the values, and then there is nothing to free. */
     const char *(*build)(struct scene *s, const double value[]);
 };
 
@@ -42,24 +42,24 @@ extern const struct gallery_scene hard_scenes[];
 const struct gallery_scene *gallery_find(const struct gallery_scene list[],
                                          const char *name);
 
-/* Fills value with the usual values of the keys; returns how many. */
+/* Fills value with the usual values of the keys; returns their number. */
 size_t gallery_usual(const struct gallery_scene *g,
                      double value[GALLERY_KEYS]);
 
-/* Returns which of the scene's keys has this name, or, if none, how many
-   keys there are. */
+/* Returns the index of the scene's key of this name, or, if there is none,
+   the number of keys. */
 size_t gallery_key(const struct gallery_scene *g, const char *name);
 
-/* Makes the scene of this name with its usual values, but for those that
-   are chosen (NULL: none). Returns as build does, or a message when there
-   is no such scene or key: a misspelled key would change nothing. */
+/* Makes the scene of this name with its usual values, except for the chosen
+   ones (NULL: none). Returns as build does, or a message when there is no
+   such scene or key. */
 const char *gallery_choose(struct scene *s,
                            const struct gallery_scene list[],
                            const char *name,
                            const struct gallery_choice chosen[]);
 
-/* As gallery_choose, for a scene that was found and one key, whose name may
-   be NULL. */
+/* Makes a scene as gallery_choose does, but g is given, and one key only,
+   whose name may be NULL: none. */
 const char *gallery_make(struct scene *s, const struct gallery_scene *g,
                          const char *name, double value);
 

@@ -66,8 +66,7 @@ static void *copy_list(const void *list, size_t count, size_t size)
     return copy;
 }
 
-/* Copies the lists that may be NULL. Returns false if there is no memory.
- */
+/* Copies the lists that may be NULL. Returns false without memory. */
 static bool copy_rare(struct scene *to, const struct scene *from)
 {
     const size_t n = from->bodies, size = sizeof(double);
@@ -108,11 +107,10 @@ void scene_take_state(struct scene *s, const struct scene *from)
     memcpy(s->velocity, from->velocity, size);
 }
 
-/* Returns the list with room for one item more, or NULL. It grows by
-   doubling, so that each of n entries is moved less than twice on average.
-   Its room is always a power of two and need not be remembered: it is full
-   exactly when count is a power of two, that is count & (count - 1) is 0.
- */
+/* Returns the list with room for one item more, or NULL. The capacity is
+   always a power of two and need not be stored: the list is full exactly
+   when count is a power of two, that is if count & (count - 1) is 0. Thus
+   each of n items is moved less than twice on average. */
 static void *make_room(void *list, size_t count, size_t size)
 {
     if ((count & (count - 1)) != 0)
@@ -156,17 +154,15 @@ bool scene_add_spring(struct scene *s, size_t a, size_t b, size_t kind,
     return true;
 }
 
-/* Part of a text. */
 struct piece {
     const char *start;
     size_t length;
 };
 
-/* The sorts of lines. Those of a body come first: each body may have one.
- */
-enum { POS, VEL, VFIX, DIS, SPECIES, CARRY, KEPT };    /* of a body */
-enum { S = KEPT + 1, SL, DASHPOT };                    /* of springs */
-enum { GRAV = DASHPOT + 1, DAMP, K2, SOFT, DT, TIME }; /* of all */
+/* The sorts of lines; those of a body come first. */
+enum { POS, VEL, VFIX, DIS, SPECIES, CARRY, KEPT };
+enum { S = KEPT + 1, SL, DASHPOT };
+enum { GRAV = DASHPOT + 1, DAMP, K2, SOFT, DT, TIME };
 enum { CONTACT = TIME + 1, RESTITUTION, LINEAR, HERTZ, BOX, WALLS, LINES };
 
 enum { MOST_FIELDS = 10 };
@@ -175,13 +171,13 @@ struct reader {
     struct scene *scene;
     struct scene_error *error;
     const char *next, *end;                /* the rest of the line */
-    size_t line;                           /* its number */
+    size_t line;                           /* number of that line */
     struct piece first, word[MOST_FIELDS]; /* its first word, the others */
-    size_t lines[LINES], read[LINES]; /* of each sort, in all and so far */
-    unsigned char *seen; /* [bodies + kinds] bit: had a line of this sort */
+    size_t lines[LINES], read[LINES];      /* in all and so far, by sort */
+    unsigned char *seen; /* [bodies + kinds] bit s: sort s was read */
 };
 
-/* A carriage return is a blank, for files from Windows. */
+/* Returns whether c separates words; \r does, for files from Windows. */
 static bool is_blank(char c)
 {
     return c == ' ' || c == '\t' || c == '\r';
@@ -198,7 +194,8 @@ static struct piece next_word(struct reader *r)
     return (struct piece){start, (size_t)(r->next - start)};
 }
 
-/* Writes a word for a message: short, and only what can be printed. */
+/* Copies a word for a message: its beginning, with ? for characters that
+   cannot be printed. */
 static void quote(struct piece p, char text[], size_t size)
 {
     const size_t most = 40;
@@ -252,7 +249,7 @@ struct field {
     bool optional;
 };
 
-/* Returns the next name of *fields, which it moves on. */
+/* Returns the next field of *fields, and makes *fields the rest. */
 static struct field next_field(const char **fields)
 {
     const char *c = *fields;
@@ -299,8 +296,8 @@ static bool read_choice(struct piece p, const char *const names[],
 static const char *const wall_names[] = {"open", "hard", "periodic", NULL};
 static const char *const axial_names[] = {"axial", NULL};
 
-/* Reads a word as a value of the kind that the mark of its field stands
-   for. Returns false if it is none. */
+/* Reads a word as a value of the type that the mark stands for. Returns
+   false if it is none. */
 static bool read_value(const struct reader *r, char mark, struct piece p,
                        double *value)
 {
@@ -319,7 +316,7 @@ static bool read_value(const struct reader *r, char mark, struct piece p,
                           : true);
 }
 
-/* Returns what kind of value a mark stands for, for messages. */
+/* Returns a description of the values that a mark allows, for messages. */
 static const char *describe(char mark)
 {
     switch (mark) {
@@ -334,8 +331,8 @@ static const char *describe(char mark)
     return "a number";
 }
 
-/* Fails with what the field wants; for a body or a kind, with those that
-   there are. */
+/* Fails with the values that the field allows; for a body or a kind with
+   the range of numbers. */
 static bool refuse_value(struct reader *r, const struct field *f,
                          struct piece p)
 {
@@ -352,8 +349,8 @@ static bool refuse_value(struct reader *r, const struct field *f,
                 n - 1, word, n);
 }
 
-/* Reads the rest of a line into value and *count, going along the form and
-   the text at once. */
+/* Reads the rest of a line into value and its number of values into *count,
+   field by field of its form. */
 static bool read_fields(struct reader *r, const char *fields,
                         double value[], size_t *count)
 {
@@ -370,7 +367,7 @@ static bool read_fields(struct reader *r, const char *fields,
     return rest.length == 0 || fail(r, rest, "the end of the line");
 }
 
-/* Stores the numbers behind a body's, value[0], axis by axis. */
+/* Stores value[1], value[2], ... as coordinates of body value[0]. */
 static void store_axes(double *to, const struct reader *r,
                        const double value[], size_t count)
 {
@@ -406,7 +403,7 @@ static bool store_vfix(struct reader *r, const double value[], size_t count)
     return true;
 }
 
-/* A species is a number whose meaning is up to the program. */
+/* Stores the species of a body, a number that each program interprets. */
 static bool store_species(struct reader *r, const double value[],
                           size_t count)
 {
@@ -415,7 +412,7 @@ static bool store_species(struct reader *r, const double value[],
     return true;
 }
 
-/* Two huge numbers may add up to infinity, which is refused. */
+/* Adds a displacement to a position. Refuses an infinite sum. */
 static bool store_dis(struct reader *r, const double value[], size_t count)
 {
     const size_t n = r->scene->bodies, i = (size_t)value[0];
@@ -437,8 +434,8 @@ static bool fail_text(struct reader *r, const char *what)
     return false;
 }
 
-/* As store_axes, for a list that most scenes lack: it is made, of zeros,
-   when the first of its lines comes. */
+/* Stores coordinates as store_axes does, in a list that most scenes lack:
+   its first line makes the list, of zeros. */
 static bool store_rare(double **to, struct reader *r, const double value[],
                        size_t count)
 {
@@ -450,16 +447,15 @@ static bool store_rare(double **to, struct reader *r, const double value[],
     return true;
 }
 
-/* Remainders may be 0 for most bodies: those need no line. */
 static bool store_carry(struct reader *r, const double value[],
                         size_t count)
 {
     return store_rare(&r->scene->carry, r, value, count);
 }
 
-/* Either every body has a line "kept" or none has: a body without one would
-   feel no force for half a step, and nobody would notice. check_once sees
-   to it that no body has two. */
+/* Stores the acceleration that a body continues with. Requires a line
+   "kept" for each body if there is one: a body without it would feel no
+   force for half a step, unnoticed. check_once refuses two for one body. */
 static bool store_kept(struct reader *r, const double value[], size_t count)
 {
     const size_t bodies = r->scene->bodies, lines = r->lines[KEPT];
@@ -471,7 +467,7 @@ static bool store_kept(struct reader *r, const double value[], size_t count)
     return store_rare(&r->scene->kept, r, value, count);
 }
 
-/* Stores a kind of spring, which prepare has made, with zeros. */
+/* Stores the values of a kind of spring, which prepare has allocated. */
 static bool store_kind(struct reader *r, const double value[], size_t count)
 {
     struct scene_kind *kind = &r->scene->kind[(size_t)value[0]];
@@ -482,8 +478,7 @@ static bool store_kind(struct reader *r, const double value[], size_t count)
     return true;
 }
 
-/* The square of a distance beyond 1e154 m overflows: such a spring has no
-   length and is refused. */
+/* Adds a spring. Refuses a length whose square overflows. */
 static bool store_spring(struct reader *r, const double value[],
                          size_t count)
 {
@@ -539,7 +534,7 @@ static bool store_dashpot(struct reader *r, const double value[],
     return r->scene->axial = true;
 }
 
-/* Contacts that are springs are contacts, with or without the switch. */
+/* Stores contacts that act as springs; no line contact is needed. */
 static bool store_linear(struct reader *r, const double value[],
                          size_t count)
 {
@@ -612,8 +607,8 @@ static bool refuse_word(struct reader *r)
 
 _Static_assert(S < 8, "a byte of `seen` has a bit for each sort");
 
-/* Refuses a second line of a sort, or for the same body or kind. That is
-   how missing numbers are found: n different ones below n are all there. */
+/* Refuses a second line of a sort, or for the same body or kind. This also
+   finds missing numbers: n different ones below n are complete. */
 static bool check_once(struct reader *r, size_t sort, const double value[])
 {
     if (sort > S)
@@ -644,7 +639,7 @@ static bool read_values(struct reader *r, size_t sort)
     return true;
 }
 
-/* Reads one line in this pass; in pass 0 only counts it. */
+/* Reads one line if it belongs to this pass; pass 0 only counts it. */
 static bool read_line(struct reader *r, const char *start, const char *stop,
                       int pass)
 {
@@ -661,11 +656,10 @@ static bool read_line(struct reader *r, const char *start, const char *stop,
     return forms[sort].pass != pass || read_values(r, sort);
 }
 
-/* Goes through the text once. Lines come in any order, yet a velocity needs
-   its body, a spring the places of two bodies and its kind, walls the box,
-   and a displacement all springs. So pass 0 counts, pass 1 reads what
-   stands on its own, pass 2 sl and walls, pass 3 dis: simpler than a tree.
- */
+/* Reads the lines of one pass. Lines come in any order, yet a velocity
+   needs its body, a spring its kind and the positions of two bodies, walls
+   the box, and a displacement all springs. So pass 0 counts, pass 1 reads
+   all lines but those of pass 2, sl and walls, and pass 3, dis. */
 static bool read_pass(struct reader *r, const char *text, size_t length,
                       int pass)
 {
@@ -711,8 +705,8 @@ bool scene_parse(struct scene *s, const char *text, size_t length,
     return good;
 }
 
-/* Returns all of a stream, to be freed, or NULL with errno set. Its size is
-   not asked for first: a pipe has none. */
+/* Returns the whole content of a stream, to be freed, or NULL with errno
+   set. It asks for no file size, since a pipe has none. */
 static char *read_all(FILE *stream, size_t *length)
 {
     size_t room = 1 << 16;
@@ -733,8 +727,8 @@ static char *read_all(FILE *stream, size_t *length)
     return NULL;
 }
 
-/* Returns the text of a file or of standard input. fclose may change what
-   errno says of the reading. */
+/* Returns the text of a file or of standard input, or NULL with errno set.
+   errno is saved, since fclose may change it. */
 static char *load(const char *path, size_t *length)
 {
     if (strcmp(path, "-") == 0)
@@ -767,8 +761,8 @@ bool scene_read(struct scene *s, const char *program, const char *path)
     return good;
 }
 
-/* Returns whether these numbers of a body, axis by axis, are all +0. A line
-   is left out only for those: -0 would be read as +0. */
+/* Returns whether these numbers of a body, axis by axis, are all +0, so
+   that their line can be left out: -0 would be read as +0. */
 static bool is_nothing(const double *x, size_t bodies, size_t i,
                        size_t count)
 {
@@ -802,10 +796,10 @@ static void write_places(const struct scene *s, struct table *out)
                     c[2 * n + i]);
 }
 
-/* Writes what compensated sums and a damped leapfrog leave behind. The
-   first body has its line carry even if it is all 0, so that the reader
-   knows that there are remainders; of the lines kept none may be missing.
- */
+/* Writes the remainders of compensated sums and the acceleration that a
+   damped leapfrog continues with. The first body has a line carry even if
+   it is all 0, so that the reader knows that there are remainders; no line
+   kept may be left out. */
 static void write_carried(const struct scene *s, struct table *out)
 {
     const size_t n = s->bodies;

@@ -24,13 +24,13 @@ struct scene_kind {
 /* A spring from one body to another: a line "sl". */
 struct scene_spring {
     uint32_t a, b, kind;
-    double rest; /* m */
+    double rest; /* rest length, m */
 };
 
-/* Bodies, what acts on them, and where they are. Arrays with three numbers
-   per body are ordered by axis: coordinate k of body i is at
-   [k * bodies + i]. Thus a method sees one long array of coordinates, and
-   loops over bodies read memory in sequence. */
+/* Bodies with their state, and what acts on them. Arrays with three numbers
+   per body are ordered by axis: coordinate k of body i is at [k * bodies +
+   i]. Thus a method sees one long array of coordinates, and loops over
+   bodies read memory in sequence. */
 struct scene {
     size_t bodies, kinds, springs;
     double *mass, *charge, *radius; /* [bodies] kg, none, m */
@@ -45,20 +45,20 @@ struct scene {
     struct scene_kind *kind;
     struct scene_spring *spring;
     double k2;                  /* gravity between bodies; 0: none */
-    double softening;           /* its epsilon, m */
-    double gravity[SCENE_AXES]; /* the same for all, m/s^2 */
+    double softening;           /* of that gravity, m */
+    double gravity[SCENE_AXES]; /* uniform acceleration, m/s^2 */
     double damping;  /* each body feels the force -damping * v, kg/s */
-    double dt, time; /* s; dt 0: not given */
+    double dt, time; /* s; a dt of 0: not given */
     bool axial;      /* dashpots act along their spring only */
     bool contact;    /* bodies collide; if not, radii are for drawing */
     double restitution;
-    enum scene_law law;        /* how they collide */
-    double stiffness, dashpot; /* of soft contacts: N/m or N/m^1.5, kg/s */
+    enum scene_law law;        /* how bodies collide */
+    double stiffness, dashpot; /* of soft contacts, N/m or N/m^1.5; kg/s */
     enum scene_wall wall[SCENE_AXES];
     double low[SCENE_AXES], high[SCENE_AXES]; /* of the box, m */
 };
 
-/* Where and why a text is no scene. */
+/* The first error in the text of a scene. */
 struct scene_error {
     size_t line;    /* the first line is 1 */
     char text[240]; /* "found this, expected that" */
@@ -72,24 +72,24 @@ bool scene_create(struct scene *s, size_t bodies);
 /* Frees the scene and makes *s empty. */
 void scene_free(struct scene *s);
 
-/* Makes *to a copy of the scene. Returns as scene_create does. */
+/* Makes *to a copy of the scene. Returns false, with nothing to free, when
+   there is no memory. */
 bool scene_copy(struct scene *to, const struct scene *from);
 
-/* Copies the positions and velocities of another scene, which has as many
-   bodies. */
+/* Copies the positions and velocities of a scene with as many bodies. */
 void scene_take_state(struct scene *s, const struct scene *from);
 
-/* Adds a kind of spring, whose number is then kinds - 1. Returns false
+/* Adds a kind of spring; its number is then s->kinds - 1. Returns false
    when there is no memory. */
 bool scene_add_kind(struct scene *s, double stiffness, double damping);
 
-/* Adds a spring between two bodies. With rest < 0 its rest length is the
-   distance of the two now. Returns false when there is no memory. */
+/* Adds a spring between two bodies. If rest < 0, its rest length is their
+   present distance. Returns false when there is no memory. */
 bool scene_add_spring(struct scene *s, size_t a, size_t b, size_t kind,
                       double rest);
 
-/* Reads a scene from a file; "-" is standard input. On failure says why on
-   standard error, as in "program: file:line: found ..., expected ...", and
+/* Reads a scene from a file; "-" is standard input. On failure prints why
+   on standard error, as "program: file:line: found ..., expected ...", and
    returns false, with nothing to free. */
 bool scene_read(struct scene *s, const char *program, const char *path);
 
@@ -98,9 +98,9 @@ bool scene_read(struct scene *s, const char *program, const char *path);
 bool scene_parse(struct scene *s, const char *text, size_t length,
                  struct scene_error *e);
 
-/* Writes the scene so that reading it gives the same bits: the positions
-   now, each rest length, the time, `carry` and `kept`. A run that goes on
-   from the file is the run that would have gone on without it. */
+/* Writes the scene so that reading it gives the same bits: the present
+   positions, each rest length, the time, `carry` and `kept`. A run
+   continued from the file gives the bits of an uninterrupted run. */
 void scene_write(const struct scene *s, struct table *out);
 
 #endif

@@ -5,9 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* For n = 0 takes one byte, so that NULL always means that there is no
-   memory; otherwise no more than asked for, so that a sanitizer notices
-   whoever reads behind the end. */
+/* Takes one byte for n = 0, so that NULL always means that there is no
+   memory; otherwise no more than asked for, so that a sanitizer notices a
+   read beyond the end. */
 double *aligned_doubles(size_t n)
 {
     void *memory;

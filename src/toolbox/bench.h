@@ -15,9 +15,9 @@ enum { BENCH_ROUNDS = 5 }; /* runs to take a median of */
 /* Returns the processor time that this process has used, s. */
 double bench_seconds(void);
 
-/* Returns the time of a clock that nobody can set, s. It is for work that
-   several threads share: processor time adds up over threads, and what
-   they save is time on this clock. */
+/* Returns the time of a clock that cannot be set, s. It measures work
+   shared by several threads: processor time adds up over threads, and they
+   save only time on this clock. */
 double bench_clock(void);
 
 /* Sorts n values, n > 0, and returns the middle one, the upper of two. */

@@ -7,7 +7,7 @@
 #include <string.h>
 
 /* Returns a b / 2^shift, rounded to the nearest whole number, a half to the
-   even one. It must fit into 64 bits; shift is 1 to 63. */
+   even one. The result must fit into 64 bits; shift is 1 to 63. */
 static uint64_t scaled(uint64_t a, uint64_t b, int shift)
 {
     const uint64_t a0 = a & UINT32_MAX, a1 = a >> 32;
@@ -23,10 +23,10 @@ static uint64_t scaled(uint64_t a, uint64_t b, int shift)
 
 enum { DIGITS = 17, HALF = 8 };
 
-/* Writes n, of 17 digits, as a number from 10^point to ten times that, and
-   returns the end. Zeros at the end of a fraction are left out, as %.17g
-   does. The two halves of the digits are independent, so a processor works
-   at both at once. */
+/* Writes n, which has 17 digits, as the decimal number n 10^(point - 16),
+   and returns the end of the text. Zeros at the end of a fraction are left
+   out, as %.17g does. The two halves of the digits are independent, so a
+   processor works at both at once. */
 static char *write_digits(char *c, uint64_t n, int point)
 {
     char digit[DIGITS];
@@ -64,7 +64,7 @@ static uint64_t five_to(int k)
     return power;
 }
 
-/* Returns the integer b of a normal number b 2^(e - 53), and e. */
+/* Splits a normal number b 2^(e - 53): returns the integer b, sets *e. */
 static uint64_t take_apart(double size, int *e)
 {
     uint64_t bits;
@@ -73,13 +73,13 @@ static uint64_t take_apart(double size, int *e)
     return (bits & UINT64_C(0xfffffffffffff)) | UINT64_C(1) << 52;
 }
 
-/* With 10^p <= x < 10^(p+1) the digits are those of 10^(16-p) x, and for
-   x = b 2^(e-53) that is b 5^(16-p) / 2^(37+p-e). From 1e-4 to 1e15 the
-   power of five has at most 49 bits, the product 102, and the power of two
-   is 2^1 to 2^45: the division is a shift, and the bits shifted out say
-   exactly how to round. p is floor((e-1) log10 2) or one more. If one more,
-   the first try has 18 digits, and so has a number that rounds up to 10^17:
-   both take the second try. */
+/* Multiplies by a power of ten in integers. If 10^p <= x < 10^(p+1), the
+   digits are those of 10^(16-p) x, and for x = b 2^(e-53) that is b
+   5^(16-p) / 2^(37+p-e). From 1e-4 to 1e15 the power of five has at most 49
+   bits, the product 102, and the power of two is 2^1 to 2^45: the division
+   is a shift, and the bits shifted out say exactly how to round. The first
+   p is floor((e-1) log10 2) or one more. One more gives 18 digits, and so
+   does a number that rounds up to 10^17: then the next p is right. */
 size_t digits_write(char text[DIGITS_ROOM], double value)
 {
     const double size = fabs(value);

@@ -12,8 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A stream writes later than it is told to, so any call may be the first
-   to notice a full disk; table_close reports the first error. */
+/* Records the first error. Any call may be the first to notice a full disk,
+   since streams are buffered; table_close reports it. */
 void lines_note_error(struct table *t, bool good)
 {
     if (!good && t->error == 0)
@@ -33,12 +33,11 @@ void lines_release_head(struct table *t)
     t->head = NULL;
 }
 
-/* The largest part of a head that is kept in memory, bytes: a head may be
-   long. */
+/* Bytes of a head that are kept in memory at most: a head may be long. */
 enum { MOST_HEAD = 65536 };
 
 /* Returns whether a text of this format continues the head: as one of its
-   lines, as an empty one, or as the rest of a line. */
+   lines, as an empty line, or as the rest of a line. */
 static bool continues_head(struct table *t, const char *format)
 {
     fflush(t->stream);
@@ -59,10 +58,10 @@ bool table_print(struct table *t, const char *format, ...)
     return t->error == 0;
 }
 
-/* Writes 17 digits, which give every double back: around x, decimals of 17
-   digits are at most 1e-16 |x| apart, doubles at least 1.1e-16 |x|. So a
-   run can be continued from its table. The sign of a NaN means nothing and
-   differs between compilers: it is left out. */
+/* Writes 17 digits, which determine every double, so that a run can be
+   continued from its table: around x, decimals of 17 digits are at most
+   1e-16 |x| apart, doubles at least 1.1e-16 |x|. The sign of a NaN is left
+   out: it means nothing and differs between compilers. */
 static void print_real(struct table *t, double value)
 {
     char text[DIGITS_ROOM] = "nan";
@@ -70,7 +69,7 @@ static void print_real(struct table *t, double value)
     lines_note_error(t, fwrite(text, 1, n, t->stream) == n);
 }
 
-/* No date, machine or folder: the same command gives the same bytes. */
+/* Writes no date, machine or folder: equal commands give equal bytes. */
 void table_begin(struct table *t, const char *command, uint64_t seed)
 {
     table_print(t, "# %s (Bonkers) %s\n", t->program, TOOLBOX_VERSION);
@@ -97,8 +96,8 @@ static void put(struct table *t, char c)
     lines_note_error(t, putc(c, t->stream) != EOF);
 }
 
-/* A row with too few values would shift every later plot. That is a mistake
-   of the program, not of its user: hence the assert. */
+/* Asserts the number of values, since a row with too few would shift every
+   later plot. That is a mistake of the program, not of its user. */
 bool table_row(struct table *t, size_t n, const double values[])
 {
     assert(t->columns == 0 || n == t->columns);
@@ -124,9 +123,9 @@ static bool is_named(const char *key, const char *name)
     return false;
 }
 
-/* Begins a line. A key that is not listed, or written twice, is a mistake
-   of the program; table_close asserts that none is missing. Otherwise
-   --help, which prints the list, would be wrong. */
+/* Writes a key and a space. A key that is not listed, or is written twice,
+   is a mistake of the program, since --help prints the list; table_close
+   asserts that none is missing. */
 static void print_key(struct table *t, const char *key)
 {
     uint64_t fit = 0;
@@ -147,7 +146,7 @@ void table_real(struct table *t, const char *key, double value)
     table_print(t, "\n");
 }
 
-/* A double would lose counts above 2^53. */
+/* Takes an integer, since a double would round counts above 2^53. */
 void table_count(struct table *t, const char *key, uint64_t value)
 {
     print_key(t, key);

@@ -35,9 +35,9 @@ void options_fail(struct options *o, const char *format, ...)
     exit(OPTIONS_FAILURE);
 }
 
-/* Prints an explanation from column 28 on, each of its lines; `width` is
-   what stands on the line already. If that is too wide, the explanation
-   begins on a line of its own. */
+/* Prints each line of an explanation from column 28 on; `width` letters are
+   on the first line already. If they reach that column, the explanation
+   begins on the next line. */
 static void print_from(int width, const char *text)
 {
     const int column = 28;
@@ -53,7 +53,7 @@ static void print_from(int width, const char *text)
     }
 }
 
-/* Returns the short name of an option, or 0: its letter without flags. */
+/* Returns the letter of an option, without its flags; 0: it has none. */
 static int letter_of(const struct options_entry *e)
 {
     return e->letter & 0xff;
@@ -69,8 +69,8 @@ static void print_entry(const struct options_entry *e)
     print_from(width, e->help);
 }
 
-/* Prints a heading, "always" for the end of a group; returns it as the one
-   `before` the next. */
+/* Prints a heading; for NULL "always:", if a heading came before. Returns
+   it, as `before` for the next call. */
 static const char *print_heading(const char *heading, const char *before)
 {
     if (heading)
@@ -113,8 +113,8 @@ void options_keys(struct options *o, const struct table_key *keys)
     o->keys = keys;
 }
 
-/* Prints help or version to standard output, for it was asked for; even
-   here a full disk is an error. */
+/* Prints help or version to standard output and exits, with failure if it
+   cannot be written. */
 static _Noreturn void print_and_exit(const struct options *o, bool help)
 {
     if (help)
@@ -146,10 +146,9 @@ static void begin_command(struct options *o)
     fputs(o->program, command_stream);
 }
 
-/* Writes a value as a shell reads it: plain if nothing in it is special,
-   else in single quotes. A single quote closes them, comes behind a
-   backslash, and opens them again. A newline, which would end the line of
-   the head, becomes $'\n' between closed quotes. */
+/* Writes a value so that a shell reads it back: plain if it has no special
+   character, else in single quotes. A single quote becomes '\''. A newline,
+   which would end the line of the head, becomes $'\n'. */
 static void write_quoted(FILE *stream, const char *text)
 {
     static const char *const plain =
@@ -169,8 +168,8 @@ static void write_quoted(FILE *stream, const char *text)
     fputc('\'', stream);
 }
 
-/* Adds an option by its full name, however it was abbreviated, unless it
-   does not change the numbers. */
+/* Adds an option to the command by its full name, unless it is marked
+   OPTIONS_SILENT. */
 static void add_to_command(struct options *o)
 {
     if (o->current->letter & OPTIONS_SILENT)
@@ -196,8 +195,8 @@ static const struct options_entry *named(const struct options *o,
     return e;
 }
 
-/* Copies the value of an option, or, if it was not given, its default: what
-   its help has in parentheses at the end. Returns whether there is one. */
+/* Copies the value of an option or, if it was not given, its default, which
+   is in parentheses at the end of its help. Returns whether it has one. */
 static bool get_value(const struct options *o,
                       const struct options_entry *e, char value[],
                       size_t size)
@@ -228,7 +227,7 @@ static bool is_among(const char *value, const char *list)
 }
 
 /* Ends in options_fail if a condition of the heading over option e does not
-   hold; the message names the option that is in the way. */
+   hold; the message names the other option of that condition. */
 static void check_heading(struct options *o, const struct options_entry *e,
                           const char *heading)
 {
@@ -262,8 +261,8 @@ static void check_heading(struct options *o, const struct options_entry *e,
     }
 }
 
-/* Checks the headings of all options given, after the last was read: an
-   option that a heading depends on may come last. */
+/* Checks the headings of all options given. It is called after the last one
+   was read, since an option that a heading depends on may come last. */
 static void check_headings(struct options *o)
 {
     const char *heading = NULL;
@@ -286,8 +285,8 @@ void options_refuse(struct options *o, const char *name, const char *why)
     options_fail(o, "means nothing %s", why);
 }
 
-/* Refuses an output that would replace a file to be read, whatever it is
-   called: a link leads to it as well. */
+/* Refuses an output that would replace an input file under any of its
+   names, links included. */
 static void protect_inputs(struct options *o)
 {
     for (int i = 0; o->entries[i].name; ++i)
@@ -311,15 +310,15 @@ void options_begin(struct options *o, const char *program,
     o->count = argc;
     o->arguments = argv;
     begin_command(o);
-    optind = 1; /* where getopt_long begins: tests read several commands */
+    optind = 1; /* restarts getopt_long: tests read several commands */
 }
 
 enum { HELP = OPTIONS_LONG + OPTIONS_MAXIMUM, VERSION };
 
-/* Asks getopt_long for the next option, whose code is that of its place in
-   the list. In the letters "-" asks for other arguments in their order, the
-   first ":" for silence, as refusals are worded here, and ":" behind a
-   letter promises a value. */
+/* Returns what getopt_long returns for the next option; a long one has the
+   code OPTIONS_LONG + its index. In `letters`, "-" makes it return other
+   arguments in their order, the first ":" suppresses its messages, which
+   are written here, and ":" after a letter announces a value. */
 static int ask_getopt(struct options *o)
 {
     struct option list[OPTIONS_MAXIMUM + 3] = {0}, *l = list;
@@ -341,8 +340,8 @@ static int ask_getopt(struct options *o)
     return getopt_long(o->count, o->arguments, letters, list, NULL);
 }
 
-/* Returns the entry of a code, which may be its letter or its place. The
-   entry without a name matches what is no option. */
+/* Returns the entry with this code (its letter, or OPTIONS_LONG + its
+   index), or NULL. The entry without name has the code OPTIONS_ARGUMENT. */
 static const struct options_entry *find_entry(const struct options *o,
                                               int code)
 {
@@ -355,8 +354,7 @@ static const struct options_entry *find_entry(const struct options *o,
     return NULL;
 }
 
-/* The help, which lists the values there are, is put on one line: whoever
-   gives none may not know them. */
+/* Fails with the option's help, which lists the values, on one line. */
 static _Noreturn void fail_without_value(struct options *o)
 {
     char help[2048];
@@ -366,7 +364,7 @@ static _Noreturn void fail_without_value(struct options *o)
     options_fail(o, "needs a value, %s: %s", o->current->argument, help);
 }
 
-/* Fails if a long name that was cut short begins several. */
+/* Fails if a shortened long name is the beginning of several names. */
 static void fail_if_ambiguous(struct options *o, const char *given)
 {
     const char *first = NULL;
@@ -381,9 +379,9 @@ static void fail_if_ambiguous(struct options *o, const char *given)
     }
 }
 
-/* Words what getopt_long did not like: it returns ":" for a missing value
-   and "?" for the rest, and leaves in optopt the option's code if it was
-   known, the letter if it was one, otherwise 0. */
+/* Fails with a message for what getopt_long refuses. It returns ":" for a
+   missing value and "?" for the rest, and leaves in optopt the code of a
+   known option, the letter of an unknown short one, otherwise 0. */
 static _Noreturn void refuse_option(struct options *o, int code)
 {
     const char *given = o->arguments[optind - 1];
@@ -401,9 +399,9 @@ static _Noreturn void refuse_option(struct options *o, int code)
                  o->program);
 }
 
-/* Everything behind a double dash is an argument. getopt_long returns -1
-   when it meets one and must not be called again, or it would read those
-   arguments as options: hence `ended`. */
+/* Sets `ended` when getopt_long returns -1: at the end, or at a double
+   dash, after which everything is an argument. Called again, it would read
+   those arguments as options. */
 int options_next(struct options *o)
 {
     o->current = NULL;
@@ -439,8 +437,9 @@ static bool is_digit(char c)
     return '0' <= c && c <= '9';
 }
 
-/* Adds a decimal exponent to *scale. Beyond three digits it belongs to a
-   zero or a mistake, and the limit keeps read_count's loops short. */
+/* Adds an exponent such as e6 to *scale; returns false if there is none
+   from -999 to 999. A larger one is a mistake or belongs to a zero, and
+   would make read_count's loops long. */
 static bool read_exponent(const char *text, int *scale)
 {
     char *end;
@@ -458,8 +457,8 @@ static bool read_exponent(const char *text, int *scale)
 
 /* Reads a whole number, exactly, as digits and a power of ten: 300e-2 is 3,
    1.5 is refused. atoi makes 0 of "ten" and 1 of "1e6"; a double would
-   round seeds above 2^53. 10 n + d passes 2^64 exactly if n is larger than
-   the whole part of (2^64 - 1 - d) / 10. */
+   round seeds above 2^53. 10 n + d exceeds 2^64 - 1 exactly if n is larger
+   than the whole part of (2^64 - 1 - d) / 10. */
 static bool read_count(const char *text, uint64_t *value)
 {
     int scale = 0;
@@ -500,8 +499,8 @@ uint64_t options_count(struct options *o, uint64_t low, uint64_t high)
 }
 
 /* Reads a finite decimal number, and nothing else: strtod skips spaces,
-   reads nan, infinity and base 16, and stops at the first letter that it
-   does not know. */
+   reads nan, infinity and base 16, and stops at the first unknown
+   letter. */
 static bool read_real(const char *text, double *value)
 {
     char *end;
@@ -535,8 +534,8 @@ double options_positive(struct options *o, double high)
     return options_real(o, OPTIONS_POSITIVE, high);
 }
 
-/* The message shows the whole value beside the wrong piece, since "1,,2" is
-   easily mistyped and hard to see. */
+/* Fails with a message that shows the whole value beside the wrong piece,
+   since "1,,2" is easily mistyped and hard to see. */
 size_t options_list(struct options *o, double values[], size_t max)
 {
     char item[64];

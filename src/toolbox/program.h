@@ -7,9 +7,9 @@
 
 #include <stdbool.h>
 
-/* Ends in options_fail if the summary would go where the output goes
-   (NULL: standard output), since they would mix. `name` is what the message
-   calls the output, as in "table". /dev/null takes both. */
+/* Ends in options_fail if the summary would go where the output goes (NULL:
+   standard output), since they would mix. `name` is what the message calls
+   the output, as in "table". Both may go to /dev/null. */
 void program_apart(struct options *o, const char *output,
                    const char *summary, const char *name);
 
@@ -30,22 +30,22 @@ void program_open(const char *program, const char *output,
    all. Returns the status to exit with: EXIT_SUCCESS if both are there. */
 int program_close(struct table *out, struct table *results, bool whole);
 
-/* Removes what has been written, and ends the process with the status. It
-   may be called at any depth: nothing written is worth keeping then. */
+/* Removes the files being written, and ends the process with the status. It
+   may be called at any depth. */
 _Noreturn void program_leave(int status);
 
-/* Prints a line on standard error, as printf does, after the name that
-   options_begin was given and a colon. */
+/* Prints a line on standard error, formatted as by printf, after the
+   program's name and a colon. */
 void program_say(const char *format, ...);
 
-/* Say why, as program_say does, and then leave: program_refuse with
-   OPTIONS_FAILURE, for a wrong command or input; program_give_up with
+/* Print a line as program_say does, then call program_leave: program_refuse
+   with OPTIONS_FAILURE, for a wrong command or input; program_give_up with
    EXIT_FAILURE, for a run that has failed. */
 _Noreturn void program_refuse(const char *format, ...);
 _Noreturn void program_give_up(const char *format, ...);
 
-/* Gives up for want of memory unless it was got. `what` says what for, as
-   in "for the disks", and may be NULL. */
+/* Ends the process for lack of memory unless `got` is true. `what` says
+   what the memory was for, as in "for the disks", and may be NULL. */
 void program_memory(bool got, const char *what);
 
 #endif

@@ -29,16 +29,15 @@ void progress_begin(struct progress *p, const char *program, uint64_t total,
     p->visible = isatty(STDERR_FILENO) == 1;
 }
 
-/* Returns the fraction of the work that is done, 0 if the total is not
-   known. */
+/* Returns the fraction of the work that is done; 0: unknown. */
 static double fraction_done(const struct progress *p)
 {
     return p->total > 0 ? (double)p->done / (double)p->total : 0;
 }
 
-/* Writes the line over the one before, and spaces over what of that is
-   longer. If a fraction f took the time T, the rest takes T (1-f)/f,
-   provided the work is spread evenly. */
+/* Overwrites the line printed before, its end with spaces if it was longer.
+   If a fraction f took the time T, the rest takes T (1-f)/f, provided the
+   work is spread evenly. */
 static void print_progress(struct progress *p, double elapsed,
                            uint64_t events)
 {
@@ -68,13 +67,13 @@ void progress_update(struct progress *p, uint64_t done, uint64_t events)
     print_progress(p, now - p->start, events);
 }
 
-/* A run has so many seconds to end after a signal: some loops look rarely,
-   and a program that waits for its input does not look at all. */
+/* Seconds that a run has to end after a signal: some loops check for one
+   rarely, and a program that waits for its input does not check at all. */
 enum { SECONDS_TO_END = 10 };
 static volatile sig_atomic_t signal_seen;
 
-/* Only stores the number, in the one type that a handler can write whole:
-   there is little that a handler may do safely. */
+/* Stores the first signal's number, in the one type that a handler can
+   write whole, and ends the process at the second. */
 static void note_signal(int number)
 {
     if (signal_seen) {
@@ -86,7 +85,8 @@ static void note_signal(int number)
     alarm(SECONDS_TO_END);
 }
 
-/* Ends a process that was asked to stop and has not, by that signal. */
+/* Ends the process, when its time to stop is over (SIGALRM), by the signal
+   that asked it to stop. */
 static void end_process(int number)
 {
     (void)number;
@@ -100,8 +100,8 @@ int progress_signal(void)
     return signal_seen;
 }
 
-/* SA_RESTART: otherwise a write that the signal interrupts would fail, and
-   a run that its user stopped would report a disk error. */
+/* Sets SA_RESTART: otherwise a write that the signal interrupts would fail,
+   and a run that its user stopped would report a disk error. */
 void progress_catch_signals(void)
 {
     const int numbers[] = {SIGINT, SIGTERM, SIGHUP, SIGXCPU};

@@ -9,36 +9,36 @@
 struct progress {
     const char *program, *what;
     uint64_t total, done;
-    double start, last; /* in seconds */
+    double start, last; /* times of the first and latest call, s */
     int width;          /* of the line on the terminal; 0: none */
     bool visible;
 };
 
-/* Starts the clock. total is what done will be at the end, 0 if that is
-   not known; what names the events, as in "collisions". The strings are
-   kept, not copied. */
+/* Starts the clock. total is the final value of done, 0 if that is not
+   known; what names the events, as in "collisions". Strings are not
+   copied. */
 void progress_begin(struct progress *p, const char *program, uint64_t total,
                     const char *what);
 
-/* Shows the fraction done, events a second and the time left, on standard
-   error: at most 5 times a second, and only if that is a terminal and the
-   run has lasted a second. Reads the clock each time, so once in a
-   thousand events is often enough. */
+/* Shows the fraction done, events a second and the time left on standard
+   error, at most 5 times a second, if that is a terminal and the run has
+   lasted a second. Each call reads the clock; one in a thousand events is
+   enough. */
 void progress_update(struct progress *p, uint64_t done, uint64_t events);
 
 /* Makes the first SIGINT, SIGTERM, SIGHUP or SIGXCPU only set what
-   progress_signal returns: the main loop asks for it now and then, leaves,
-   and closes its tables as if it had finished. The second signal ends the
-   process, and so do ten seconds without progress_end. A signal that the
-   process was started to ignore stays ignored. */
+   progress_signal returns: the main loop checks it now and then, ends, and
+   closes its tables as usual. The second signal ends the process, and so do
+   ten seconds without progress_end. A signal that the process was started
+   to ignore stays ignored. */
 void progress_catch_signals(void);
 
 /* Returns the signal that asks the run to stop, or 0. */
 int progress_signal(void);
 
-/* Wipes the line. Returns true if no signal has asked the run to stop;
+/* Clears the line. Returns true if no signal has asked the run to stop;
    otherwise says on standard error how far it came and returns false: the
-   program then exits with 1, lest a script takes a shorter table for the
+   program then exits with 1, so that no script takes a part for the
    whole. */
 bool progress_end(struct progress *p);
 

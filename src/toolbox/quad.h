@@ -19,8 +19,8 @@ typedef long double quad;
 #endif
 
 /* Returns the square root; the C library has none with this precision.
-   Newton's iteration doubles those that are right, and from the 53 bits of
-   sqrt() two rounds suffice. */
+   Newton's iteration doubles the number of right bits, so two rounds
+   suffice after the 53 bits of sqrt(). */
 static inline quad quad_root(quad square)
 {
     quad r = (quad)sqrt((double)square);

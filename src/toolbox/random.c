@@ -4,14 +4,14 @@
 #include <assert.h>
 #include <math.h>
 
-/* Returns the next word of a counter with a mixer behind it. The counter
-   grows by 2^64 over the golden ratio, made odd, so it returns only after
-   all 2^64 values; each step of the mixer can be undone. So different
-   counters give different words, and of four words in a row at most one is
-   zero: the one forbidden state of xoshiro256**, four zeros, cannot occur.
-   Writing the seed itself into the state was no choice: the scrambler sees
-   only the second word, so every seed would begin with 0, and a state of
-   mostly zeros stays so for dozens of linear steps. */
+/* Returns a word made by a mixer from a counter. The counter grows by 2^64
+   over the golden ratio, made odd, so it repeats only after all 2^64
+   values; each step of the mixer can be undone. So different counters give
+   different words, and of four words in a row at most one is zero: the one
+   forbidden state of xoshiro256**, four zeros, cannot occur. The seed
+   itself would be a poor state: the scrambler sees only the second word, so
+   every seed would begin with 0, and a state of mostly zeros stays so for
+   dozens of linear steps. */
 static uint64_t splitmix64(uint64_t *counter)
 {
     uint64_t z = *counter += 0x9e3779b97f4a7c15;
@@ -31,10 +31,10 @@ static uint64_t rotate_left(uint64_t x, int by)
     return (x << by) | (x >> (64 - by));
 }
 
-/* The scrambler (multiply, rotate, multiply) hides that the step below is
-   linear over the field of two elements; the step alone would be
-   recognised. Its constants give the period 2^256 - 1. By hand: the state
-   (1, 2, 3, 4) gives 11520, then 0. */
+/* Scrambles (multiplies, rotates, multiplies) a word of the state, then
+   steps. The step is linear over the field of two elements and would be
+   recognised without the scrambler. Its constants give the period 2^256 -
+   1. By hand: the state (1, 2, 3, 4) gives 11520, then 0. */
 uint64_t random_bits(struct random *r)
 {
     uint64_t *s = r->state;
@@ -49,8 +49,8 @@ uint64_t random_bits(struct random *r)
     return result;
 }
 
-/* Only the upper 53 bits are used: they convert exactly. All 64 bits would
-   be rounded, and once in 2^54 calls up to 1, which [0,1) excludes. */
+/* Uses the upper 53 bits, which convert exactly. All 64 bits would be
+   rounded, and once in 2^54 calls up to 1, which [0,1) excludes. */
 double random_uniform(struct random *r)
 {
     return (double)(random_bits(r) >> 11) * 0x1p-53;
@@ -62,9 +62,9 @@ double random_between(struct random *r, double low, double high)
     return low + (high - low) * random_uniform(r);
 }
 
-/* With 2^64 = q n + surplus, plain remainders would favour the first
-   `surplus` values. So as many draws are rejected, and each remainder has
-   exactly q of those that are left. */
+/* Rejects the lowest draws. With 2^64 = q n + surplus, plain remainders
+   would favour the first `surplus` values; after `surplus` draws are
+   rejected, each remainder has exactly q of the others. */
 uint64_t random_below(struct random *r, uint64_t n)
 {
     uint64_t bits;
@@ -76,12 +76,12 @@ uint64_t random_below(struct random *r, uint64_t n)
     return bits % n;
 }
 
-/* Draws an octave, all equally likely since the integral of dx/x over
-   [a, 2a) is log 2 for every a, and in it m from 1 to 2, kept with
-   probability 1/m. What lies at or above `high` in the last octave is
-   drawn anew, octave and all. Within a single octave m is drawn no wider
-   than needed: a range of 1 to 1.001 would reject nearly everything. At
-   least log 2 / 2, one in three, of the draws are kept. The number of
+/* Draws one of the octaves [2^k low, 2^(k+1) low), all equally likely since
+   the integral of dx/x over [a, 2a) is log 2 for every a, and in it m from
+   1 to 2, kept with probability 1/m. A value of at least `high` is
+   rejected, and the octave is drawn again, too. In a single octave m ends
+   at high / low, or a range of 1 to 1.001 would reject nearly everything.
+   At least log 2 / 2, one in three, of the draws are kept. The number of
    octaves is the smallest K with 2^K low >= high, from frexp, which does
    not round: log and exp of the C library differ between machines. */
 double random_log_uniform(struct random *r, double low, double high)
@@ -134,18 +134,18 @@ double random_log(double x)
     double sum = 0;
     for (int k = 19; k > 1; k -= 2)
         sum = (sum + 1.0 / k) * square;
-    const double high = 0x1.62e42fefa38p-1;  /* log 2, 42 bits of it */
-    const double low = 0x1.ef35793c7673p-45; /* and what is left */
+    const double high = 0x1.62e42fefa38p-1;  /* upper 42 bits of log 2 */
+    const double low = 0x1.ef35793c7673p-45; /* the rest of log 2 */
     return exponent * high + (2 * s + (2 * s * sum + exponent * low));
 }
 
-/* A point (u, v) that is uniform in the unit disk has a uniform angle with
-   the cosine u / sqrt(t), and t = u^2 + v^2 is uniform in (0,1) and
-   independent of the angle. So t serves as the radius as well: the square
-   of the radius of two normal variates is distributed as -2 log t. The
-   second variate, with v, is thrown away: to keep it the generator would
-   have to remember more than its 256 bits, and two programs that draw in
-   another order could no longer be compared. */
+/* Draws a point (u, v) that is uniform in the unit disk. Its angle is
+   uniform, with the cosine u / sqrt(t), and t = u^2 + v^2 is uniform in
+   (0,1) and independent of the angle. So t serves for the radius as well:
+   the square of the radius of two normal variates is distributed as -2 log
+   t. The second variate, with v, is thrown away: to keep it the generator
+   would have to remember more than its 256 bits, and two programs that draw
+   in another order could no longer be compared. */
 double random_normal(struct random *r)
 {
     double u, v, t;
@@ -158,9 +158,9 @@ double random_normal(struct random *r)
 }
 
 /* Rejects points outside the ball: uniform coordinates divided by their
-   length would favour the corners of the cube. In space 52 % are kept.
-   Points within 2^-20 of the centre are rejected, too: coordinates are
-   multiples of 2^-52, so few directions exist there. */
+   length would favour the corners of the cube. In three dimensions 52 % are
+   kept. Points within 2^-20 of the centre are rejected, too: coordinates
+   are multiples of 2^-52, so few directions exist there. */
 void random_direction(struct random *r, size_t dimensions,
                       double direction[])
 {

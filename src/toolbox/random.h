@@ -1,9 +1,9 @@
 /* Random numbers that are the same on every machine. */
-/* The C library's rand differs from one to the next, so generator,
-   logarithm and variates are our own. They are no secret: from a few
-   outputs the rest follows. Two threads must not draw from one generator,
-   since which of them is first is chance: draw a seed for each run before
-   the threads start. */
+/* The C library's rand differs from machine to machine, so generator,
+   logarithm and variates are our own. They are not for secrets: a few
+   outputs determine the rest. Two threads must not draw from one generator,
+   since the order of their draws would be chance: draw a seed for each run
+   before the threads start. */
 #ifndef TOOLBOX_RANDOM_H
 #define TOOLBOX_RANDOM_H
 
@@ -28,9 +28,8 @@ void random_seed(struct random *r, uint64_t seed);
 /* Returns a multiple of 2^-53 in [0,1), each equally likely. */
 double random_uniform(struct random *r);
 
-/* Returns low + (high - low) u with u from random_uniform. Requires
-   low <= high with a finite difference. high itself comes only by
-   rounding. */
+/* Returns low + (high - low) u with u from random_uniform. Requires low <=
+   high with a finite difference. Only rounding can give high itself. */
 double random_between(struct random *r, double low, double high);
 
 /* Returns a whole number from 0 to n-1, each exactly equally likely.

@@ -17,14 +17,15 @@
 /* The temporaries to be removed if the process ends early: plain pointers,
    NULL for a free place, since a signal handler may read them at any
    moment, in the middle of malloc or printf. A child of fork inherits the
-   list but must not remove what its parent is writing: hence `owner`. */
+   list but must not remove what its parent is writing: hence `owner`, the
+   process that filled the list. */
 enum { MOST_FILES = 8 };
 static char *volatile temporaries[MOST_FILES];
 static pid_t owner;
 
-/* unlink is one of the few functions that a signal handler may call. Only
-   SIGKILL leaves a file bonkers.XXXXXX behind, and never half a table under
-   its final name. */
+/* Removes the files by unlink, one of the few functions that a signal
+   handler may call. Only SIGKILL leaves a file bonkers.XXXXXX behind, and
+   never half a table under its final name. */
 void replace_abandon(void)
 {
     for (int i = 0; i < MOST_FILES && owner == getpid(); ++i)
@@ -54,11 +55,11 @@ static void die_tidily(int number)
     raise(number);
 }
 
-/* A child of fork is a new process: it forgets the files of its parent but
-   has inherited the call at exit. SIGPIPE (the reader of a pipe has gone)
-   and SIGXFSZ (a limit on the size of files) kill silently; ignored, they
-   become errors of write, which can be reported. Signals that are ignored,
-   as under nohup, or that somebody handles stay as they are. */
+/* Forgets, in a child of fork, the files of its parent; the call at exit is
+   inherited. SIGPIPE (the reader of a pipe has gone) and SIGXFSZ (a limit
+   on the size of files) kill silently; ignored, they become errors of
+   write, which can be reported. Signals that are ignored, as under nohup,
+   or handled already stay as they are. */
 bool replace_prepare(void)
 {
     static const int fatal[] = {SIGHUP,  SIGINT,  SIGQUIT,
@@ -81,7 +82,7 @@ bool replace_prepare(void)
 }
 
 /* Removes a temporary, or forgets one that was renamed. Its entry in the
-   list is cleared before the name is freed, for a signal may come in
+   list is cleared before the name is freed, since a signal may come in
    between. errno is saved because unlink may overwrite it. */
 static void forget(char *temporary, bool renamed)
 {
@@ -108,10 +109,10 @@ int replace_above(int file)
     return high;
 }
 
-/* The name is short and of its own: an ending behind the final name could
-   pass the limit of a file name, mostly 255 bytes. mkstemp makes a file
-   that only its owner can read, so the permissions are set. The mask of the
-   process can only be read by setting it, twice. */
+/* Makes a short name: the final name with an ending could exceed the limit
+   of a file name, mostly 255 bytes. Sets the permissions, since only the
+   owner can read what mkstemp makes. The process's mask is set twice, since
+   it can be read in no other way. */
 int replace_begin(const char *path, mode_t mode, char **temporary)
 {
     const char *slash = strrchr(path, '/');
@@ -141,7 +142,8 @@ int replace_begin(const char *path, mode_t mode, char **temporary)
     return -1;
 }
 
-/* link fails where rename would replace. */
+/* Calls link for only_new: it fails if the name exists, where rename would
+   replace the file. */
 bool replace_finish(char *temporary, const char *path, bool only_new)
 {
     const bool done = only_new ? link(temporary, path) == 0

@@ -12,11 +12,11 @@ struct command {
     const char *output, *summary, *line;
 };
 
-enum { LINE = 64 }; /* letters for a study in the help */
+enum { LINE = 64 }; /* most letters of one study in the help */
 
-/* Fills names and the help of --study from the list of studies, and
-   returns how many there are. The usual study stands in parentheses at the
-   end, as every option's default does. */
+/* Fills names and the help of --study from the list of studies, and returns
+   their number. The usual study is in parentheses at the end, as every
+   option's default is. */
 static size_t list_studies(const struct study_program *p,
                            const char *names[STUDY_MOST + 1],
                            char help[STUDY_MOST * LINE])
@@ -36,8 +36,8 @@ static size_t list_studies(const struct study_program *p,
 }
 
 /* Fills the list of options, the program's own between the common ones.
-   --seed stands under the heading p->drawing, which is written unless the
-   last heading of the program's own options is the same. */
+   --seed comes under the heading p->drawing, which is written unless it is
+   also the last heading of the program's own options. */
 static void list_options(const struct study_program *p, const char *help,
                          struct options_entry entries[])
 {
@@ -108,8 +108,8 @@ static void read_command(const struct study_program *p, struct command *c,
         p->check(&o, names[c->study]);
 }
 
-/* Finds first what is wrong with the command, then what is wrong with the
-   files, and only then spends time. */
+/* Checks the command first, then opens the files, and only then runs the
+   study, so that no time is lost on a wrong command. */
 int study_main(const struct study_program *p, int argc, char *argv[])
 {
     struct command c = {.seed = p->seeds > 0, .summary = "/dev/null"};

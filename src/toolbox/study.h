@@ -1,6 +1,6 @@
 /* The common main() and options of the programs of studies. */
-/* Such a program measures what figures show: it lists its studies, and its
-   main is one call. */
+/* A program of studies makes the measurements for figures. It lists its
+   studies, and its main is one call of study_main. */
 #ifndef TOOLBOX_STUDY_H
 #define TOOLBOX_STUDY_H
 
@@ -12,8 +12,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* What a study gets to work with. One that knows how much there is to do
-   may begin `progress` again with that total. */
+/* What a study works with. A study that knows its amount of work may call
+   progress_begin again with that total. */
 struct study {
     struct table *out, *summary; /* open; out has its first lines */
     uint64_t seed;
@@ -33,20 +33,20 @@ struct study_entry {
 
 /* A program of fewer than STUDY_MOST studies. Its options are --study,
    --output, --summary, --seed if it draws numbers, and its own. --help
-   lists the keys of the summary of the study named before it only, since
-   those of forty studies would help nobody. */
+   lists the keys of only one study's summary, the study named before it,
+   since those of forty studies would help nobody. */
 struct study_program {
     const char *name, *purpose; /* for options_begin */
     const char *events;         /* for progress_begin */
     const struct study_entry *studies;
-    /* Runs without --study. NULL: one must be named, since a run by mistake
-       may take minutes, and a message takes none. */
+    /* The study that runs without --study. NULL: one must be named, so that
+       nobody starts a run of minutes by mistake. */
     const char *usual;
     uint64_t seeds;      /* the highest --seed; 0: no such option */
-    const char *drawing; /* its heading; NULL: all studies draw numbers */
-    /* Options of its own, or NULL; take keeps the value of each, and may
-       end in options_fail. A program has one command line, so its studies
-       find the values in variables of its file. */
+    const char *drawing; /* heading of --seed; NULL: all draw numbers */
+    /* The program's own options, or NULL; take stores the value of each in
+       a static variable of the program's file, where the studies find it,
+       and may end in options_fail. */
     const struct options_entry *options;
     void (*take)(struct options *o, int letter);
     /* Completes the values when all options are taken; may end in

@@ -13,9 +13,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-static struct table *tables; /* all that are open */
+static struct table *tables; /* list of the open tables */
 
-/* Prints the one line that tells why there is no table. */
+/* Prints the reason why there is no table. */
 static void complain(const char *program, const char *path,
                      const char *reason)
 {
@@ -72,10 +72,10 @@ static bool is_same(const struct stat *a, const struct stat *b)
 }
 
 /* Returns whether an open table goes to the same place; errno is then 0,
-   since the system has no number for that. Two tables on one file would
-   replace each other silently. Names may differ (x, ./x, a link), so the
-   resolved names are compared, and for existing files device and inode. A
-   device may be opened twice. */
+   since no number means that. Two tables on one file would replace each
+   other silently. Names may differ (x, ./x, a link), so the resolved names
+   are compared, and for existing files device and inode. A device may be
+   opened twice. */
 static bool is_taken(const struct table *t)
 {
     errno = 0;
@@ -89,11 +89,11 @@ static bool is_taken(const struct table *t)
     return false;
 }
 
-/* Returns the descriptor that already writes this file, or -1. Looks at 0
-   to 9, which a shell can hand over. After `-o /dev/stdout >>log` a new
-   file in log's place would lose what log had. A descriptor that only reads
-   does not count: with `-o gas.dat <gas.dat` the old table can be read to
-   its end while the new one grows beside it. */
+/* Returns the descriptor, from 0 to 9, which a shell can pass, that already
+   writes this file, or -1. After `-o /dev/stdout >>log` a new file in log's
+   place would lose the content of log. A descriptor that only reads does
+   not count: with `-o gas.dat <gas.dat` the old table can be read to its
+   end while the new one grows beside it. */
 static int find_descriptor(const struct stat *file)
 {
     struct stat status;
@@ -115,7 +115,7 @@ static bool is_special(const char *path)
 }
 
 /* Returns the final name of a file that does not exist yet, to be freed, or
-   NULL: realpath needs an existing file, so it resolves the folder. */
+   NULL. It resolves the folder, since realpath needs an existing file. */
 static char *resolve_new(const char *path)
 {
     const char *slash = strrchr(path, '/');
@@ -175,13 +175,13 @@ static bool open_table(struct table *t, const char *path)
            open_stream(t, replace_begin(t->path, mode, &t->temporary));
 }
 
-/* Keeps the head in memory until there is a row. A program often finds what
-   is wrong with a command or a file only after it has begun a table: then a
+/* Keeps the head in memory until there is a row. A program often finds a
+   mistake in its command or input only after it has begun a table: then a
    head alone on standard output would look like the result of a run. */
 static void hold_head(struct table *t)
 {
     FILE *memory = open_memstream(&t->head, &t->head_size);
-    if (!memory) /* then it is written at once */
+    if (!memory) /* then the head is written at once */
         return;
     t->held = t->stream;
     t->stream = memory;
@@ -191,7 +191,7 @@ struct table *table_open(const char *program, const char *path)
 {
     struct table *t = calloc(1, sizeof *t);
     if (replace_prepare())
-        tables = NULL; /* those of the parent, after fork */
+        tables = NULL; /* after fork they belong to the parent */
     if (path && strcmp(path, "-") == 0)
         path = NULL;
     if (t && open_table(t, path)) {
@@ -221,8 +221,8 @@ static bool is_complete(const struct table *t)
     return !k || !k->name || !*k->name;
 }
 
-/* Only here is it known whether everything was written: the buffer is
-   flushed and the file closed before the temporary gets the final name. */
+/* Flushes the buffer and closes the file before the temporary gets the
+   final name: only then is it known whether everything was written. */
 bool table_close(struct table *t)
 {
     if (!t)

@@ -1,7 +1,6 @@
 /* Tables and summaries that are whole or absent. */
-/* Nothing waits until the disk has written a table (fsync), which would
-   cost time; so a power cut soon after the renaming may spoil it. It can be
-   made again. */
+/* Tables are not forced to disk (fsync), which would cost time; so a power
+   cut soon after the renaming may spoil a table. It can be made again. */
 #ifndef TOOLBOX_TABLE_H
 #define TOOLBOX_TABLE_H
 
@@ -10,9 +9,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* The same command and seed give the same bytes with every compiler and on
-   every machine. -Ofast may reorder sums, and the x87 unit keeps more
-   digits than a double has: both are refused. */
+/* The same command and seed must give the same bytes with every compiler
+   and on every machine. -Ofast may reorder sums, and the x87 unit keeps
+   more digits than a double has: both are refused. */
 #if !defined BONKERS_ANY_ROUNDING &&                                       \
     (defined __FAST_MATH__ || defined __ASSOCIATIVE_MATH__ ||              \
      defined __RECIPROCAL_MATH__ || FLT_EVAL_METHOD != 0)
@@ -44,28 +43,28 @@ uint64_t table_sum(uint64_t sum, const char *bytes, size_t n);
    false, with errno set, if t is no file that can be read. */
 bool table_sum_so_far(struct table *t, uint64_t *sum);
 
-/* Opens path for writing; NULL or "-" is standard output. A file is
-   written to a temporary beside it, which takes its name, and the place
-   and permissions of an older file, in table_close. A link is followed.
-   Written as it is, and added to, is what exists and is no regular file
-   (/dev/null, a pipe: opening one waits for its reader), what lies under
-   /dev or /proc, and what this process has been given to write already
-   (standard output sent to that file). On failure says why on standard
-   error, after program, and returns NULL. program is kept, not copied. At
-   most 8 files are open at once; a second on the same file is refused,
-   whatever its name, unless it is a device. From the first call on a closed
-   pipe is an error for table_close to report and no longer a signal, and
-   signals that end the process remove the temporaries first. */
+/* Opens path for writing; NULL or "-" is standard output. A file is written
+   to a temporary beside it, which takes its name, and the place and
+   permissions of an older file, in table_close. A link is followed. Three
+   kinds are opened as they are and appended to: an existing file that is
+   not regular (/dev/null, a pipe: opening one waits for its reader),
+   everything under /dev or /proc, and a file that this process was given to
+   write already (standard output sent to that file). On failure prints the
+   reason on standard error, after program, and returns NULL. program is
+   kept, not copied. At most 8 files are open at once; a second on the same
+   file is refused, whatever its name, unless it is a device. From the first
+   call on table_close reports a closed pipe, which is no signal any more,
+   and signals that end the process remove the temporaries first. */
 struct table *table_open(const char *program, const char *path);
 
 /* Writes text as printf does. Returns false once writing has failed. Lines
-   that begin with # are the head: until there is another one, or the table
-   is closed, they wait in memory, and are not written if the process ends
-   before or gives the table up. */
+   that begin with # form the head. It is kept in memory until another line
+   is written or the table is closed, and is not written if the process ends
+   before or calls table_discard. */
 bool table_print(struct table *t, const char *format, ...);
 
-/* Writes the head: program and version, the command (options_command has
-   it), the seed. */
+/* Writes the head: program, version, command (from options_command),
+   seed. */
 void table_begin(struct table *t, const char *command, uint64_t seed);
 
 /* Adds a column to the head, as in "# 1 t [s] time". A unit of NULL or ""
@@ -73,21 +72,21 @@ void table_begin(struct table *t, const char *command, uint64_t seed);
 void table_column(struct table *t, const char *symbol, const char *unit,
                   const char *meaning);
 
-/* What table_column takes; a list of them ends with {0}. */
+/* The arguments of table_column; a list of them ends with {0}. */
 struct table_label {
     const char *symbol, *unit, *meaning;
 };
 
-/* Adds the columns of a list, and those that follow t. */
+/* Adds the columns of a list; the macro, those given after t. */
 void table_columns(struct table *t, const struct table_label list[]);
 #define TABLE_COLUMNS(t, ...)                                              \
     table_columns(t, (const struct table_label[]){__VA_ARGS__, {0}})
 
-/* Writes a row of n values with all their digits. Requires n to be the
-   number of columns, if any were named. Returns as table_print does. */
+/* Writes a row of n values with all their digits. n must be the number of
+   columns, if any were named. Returns false once writing has failed. */
 bool table_row(struct table *t, size_t n, const double values[]);
 
-/* Writes a row of the values that follow t, as table_row does. */
+/* Writes the values given after t as a row, as table_row does. */
 #define TABLE_ROW(t, ...)                                                  \
     table_row(t, sizeof((double[]){__VA_ARGS__}) / sizeof(double),         \
               (double[]){__VA_ARGS__})
@@ -100,36 +99,37 @@ void table_real(struct table *t, const char *key, double value);
 void table_count(struct table *t, const char *key, uint64_t value);
 void table_text(struct table *t, const char *key, const char *text);
 
-/* What table_real takes; a list of them ends with {0}. */
+/* The arguments of table_real; a list of them ends with {0}. */
 struct table_result {
     const char *key;
     double value;
 };
 
-/* Writes the lines of a list, and those that follow t. */
+/* Writes the lines of a list; the macro, those given after t. */
 void table_results(struct table *t, const struct table_result list[]);
 #define TABLE_RESULTS(t, ...)                                              \
     table_results(t, (const struct table_result[]){__VA_ARGS__, {0}})
 
-/* As table_results, for keys that end in _WHICH, as in mean_v4. */
+/* Writes the lines of a list, with _WHICH added to each key, as in
+   mean_v4. */
 void table_results_of(struct table *t, const char *which,
                       const struct table_result list[]);
 #define TABLE_RESULTS_OF(t, which, ...)                                    \
     table_results_of(t, which,                                             \
                      (const struct table_result[]){__VA_ARGS__, {0}})
 
-/* As table_real, for a key that is written as printf does, of at most 95
-   letters. */
+/* Writes a line as table_real does, with a key formatted as by printf, of
+   at most 95 letters. */
 void table_keyed(struct table *t, double value, const char *key, ...);
 
-/* Writes what is left, gives the file its name and frees t. Returns
-   whether every byte was written; if not, says why on standard error,
-   removes the temporary and leaves an older file of that name as it was,
-   but for one written in place. A t of NULL is well and closed. Requires
-   that a summary has all its keys. */
+/* Writes the rest, gives the file its name and frees t. Returns whether
+   every byte was written; if not, prints the reason on standard error,
+   removes the temporary and keeps an older file of that name as it was,
+   unless it was written in place. For NULL returns true. A summary must
+   have all its keys. */
 bool table_close(struct table *t);
 
-/* Gives up: removes the temporary and frees t, which may be NULL. */
+/* Abandons the table: removes the temporary and frees t. Ignores NULL. */
 void table_discard(struct table *t);
 
 #endif

@@ -148,6 +148,18 @@ static inline void unit_says(const char *file, unsigned line,
                             "the text is another one", file, "", CU_FALSE);
 }
 
+/* Copies the next text of a list in which each ends with a bar, "1|x||",
+   and goes behind it. Returns whether there was one. */
+static inline bool unit_item(const char **list, char text[80])
+{
+    const char *bar = strchr(*list, '|');
+    if (!bar)
+        return false;
+    snprintf(text, 80, "%.*s", (int)(bar - *list), *list);
+    *list = bar + 1;
+    return true;
+}
+
 /* Runs these tests under CUnit, a line each; returns what main returns. */
 static inline int unit_run_these(const char *suite_name,
                                  struct unit_test tests[])

@@ -13,12 +13,8 @@
 static void make(struct scene *s, const char *name, const char *key,
                  double value)
 {
-    const char *why =
-        gallery_make(s, gallery_find(hard_scenes, name), key, value);
-    if (why) {
-        fprintf(stderr, "%s: %s\n", name, why);
-        exit(1);
-    }
+    UNIT_MUST(
+        !gallery_make(s, gallery_find(hard_scenes, name), key, value));
 }
 
 /* So many rods of different masses and radii between walls. */
@@ -461,7 +457,7 @@ static double mean_of_run(const struct scene *start, double T, bool place)
         .model = models_find(start->freedom[start->bodies] > 0 ? "disks"
                                                                : "line")};
     struct models_run r;
-    struct scene s;
+    FREED(scene) s;
     const char *why;
     double sum = 0, energy = 0;
     const int rows = 20000;
@@ -475,7 +471,6 @@ static double mean_of_run(const struct scene *start, double T, bool place)
         sum += r.scene.position[0];
     const double Z = 1 + r.virial / (2 * energy * T);
     models_end(&r);
-    scene_free(&s);
     return place ? sum / rows : Z;
 }
 
@@ -520,7 +515,7 @@ TEST(test_honest, "errors hold nineteen times out of twenty")
     double given = 0, beyond = 0, squares = 0;
     for (size_t k = 0; k < sizeof asked / sizeof asked[0]; ++k)
         for (uint64_t seed = 1; seed <= 40; ++seed) {
-            struct scene s;
+            FREED(scene) s;
             throw_scene(&s, asked[k].bodies, asked[k].line, seed);
             const struct averages_found f =
                 ask(&s, asked[k].name, asked[k].until, asked[k].tolerance,
@@ -528,7 +523,6 @@ TEST(test_honest, "errors hold nineteen times out of twenty")
             const double mean =
                 mean_of_run(&s, asked[k].until, asked[k].name[0] == 'x');
             const double off = fabs(f.value - mean) / f.scale;
-            scene_free(&s);
             if (refused(&f))
                 continue;
             UNIT_TRUE(f.error <= asked[k].tolerance);
@@ -550,18 +544,17 @@ TEST(test_scatter, "errors cover what two runs differ by")
 {
     enum { STARTS = 200 };
     const double T = 300;
-    struct scene t;
     FREED(scene) s;
     double sum = 0, squares = 0;
     make(&s, "four-disks", NULL, 0);
     for (int k = 0; k < STARTS; ++k) {
+        FREED(scene) t;
         UNIT_MUST(scene_copy(&t, &s));
         for (size_t c = 0; c < 8; ++c)
             t.velocity[c] *= 1 + 1e-12 * (double)(k * 8) * (double)(c + 1);
         const double Z = mean_of_run(&t, T, false);
         sum += Z;
         squares += Z * Z;
-        scene_free(&t);
     }
     const double Z = sum / STARTS, variance = squares / STARTS - Z * Z;
     const double two = 2 * sqrt(2 * variance) / Z; /* standard errors */

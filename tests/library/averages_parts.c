@@ -86,9 +86,9 @@ TEST(test_tonks, "Tonks's law")
     UNIT_TRUE(found.refusal[0] == '\0');
     request.tolerance = 0.0298; /* it is 0.029848 */
     answer_tonks(&h);
-    UNIT_TRUE(strcmp(found.refusal,
-                     "a run of 100 s may be off by 0.03 from the law that "
-                     "long runs obey; ask for that, or for 110 s") == 0);
+    UNIT_SAYS(found.refusal,
+              "a run of 100 s may be off by 0.03 from the law that "
+              "long runs obey; ask for that, or for 110 s");
 }
 
 TEST(test_rounded_up, "two digits, upwards")
@@ -232,48 +232,30 @@ TEST(test_refusals, "why it is not enough")
     w.run.work[MODELS_ROW] = 2 / 40e-9; /* 2 s so far, of 60 */
     /* At least 1.2 0.01 sqrt(0.75) = 0.0104; paid: 0.01 sqrt(6/60). */
     refuse(text, &w);
-    UNIT_TRUE(strcmp(text, "the mean over 100 s may be off by more than "
-                           "0.005, that over 4.3e+02 s need not; 0.011 "
-                           "fits") == 0);
+    UNIT_SAYS(text, "the mean over 100 s may be off by more than "
+                    "0.005, that over 4.3e+02 s need not; 0.011 fits");
     request.tolerance = 0.009; /* 1e-4/(8.1e-5 - 3.75e-5) = 2.299 */
     refuse(text, &w);
-    UNIT_TRUE(strcmp(text,
-                     "0.009 would cost about 4.6 s by the price list, "
-                     "of 60 that are reasonable; 0.011 fits") == 0);
+    UNIT_SAYS(text, "0.009 would cost about 4.6 s by the price list, "
+                    "of 60 that are reasonable; 0.011 fits");
     w.run.rows = 128;
     w.most = 128; /* all of the time: 1.2 0.01 sqrt(1.5 0.5) */
     refuse(text, &w);
-    UNIT_TRUE(strcmp(text, "the mean over 100 s may be off by more than "
-                           "0.009, that over 1.3e+02 s need not; 0.011 "
-                           "fits") == 0);
+    UNIT_SAYS(text, "the mean over 100 s may be off by more than "
+                    "0.009, that over 1.3e+02 s need not; 0.011 fits");
     w.se = 0.3;
     refuse(text, &w);
     UNIT_TRUE(strstr(text, "; no tolerance fits") != NULL);
     w.se = 0.01;
     w.why = "it moves";
     refuse(text, &w);
-    UNIT_TRUE(strcmp(text,
-                     "it does not settle in 64 s: it moves; ask for a "
-                     "longer time, or for the rows of a run") == 0);
+    UNIT_SAYS(text, "it does not settle in 64 s: it moves; ask for a "
+                    "longer time, or for the rows of a run");
     w.run.rows = 64;
     refuse(text, &w);
-    UNIT_TRUE(strcmp(text, "it does not settle in 32 s: it moves; to go on "
-                           "costs at least 4 s by the price list, of 60 "
-                           "that are reasonable") == 0);
-}
-
-/* Fills blocks of one sample with a value in column 0 and another one in
-   the last. */
-static void fill(struct measurement *w, size_t n, double (*value)(size_t),
-                 double (*memory)(size_t))
-{
-    blocks_free(&w->blocks);
-    UNIT_TRUE(blocks_create(&w->blocks, w->columns));
-    for (size_t i = 0; i < n; ++i) {
-        double x[3] = {value(i), 0, 0};
-        x[w->columns - 1] = memory(i);
-        blocks_add(&w->blocks, x);
-    }
+    UNIT_SAYS(text, "it does not settle in 32 s: it moves; to go on "
+                    "costs at least 4 s by the price list, of 60 "
+                    "that are reasonable");
 }
 
 static double noise(size_t i) /* number i of those drawn by a seed */
@@ -285,34 +267,30 @@ static double noise(size_t i) /* number i of those drawn by a seed */
     return drawn[i];
 }
 
-static double steady(size_t i)
+/* A steady value; one whose first quarter does not count; one that rises;
+   one of which sixteen samples are alike. */
+enum value { STEADY, JUMP, SLOPE, ALIKE };
+
+static double value_of(enum value kind, size_t i)
 {
-    return 2 + 0.1 * noise(i);
+    return kind == JUMP && i < 64
+               ? 77
+               : 2 + 0.1 * noise(kind == ALIKE ? i / 48 : i) +
+                     (kind == SLOPE ? 0.1 * (double)i / 256 : 0);
 }
 
-static double other(size_t i)
+/* Fills blocks of one sample with a value in column 0 and, in the last,
+   what is left of the start. */
+static void fill(struct measurement *w, size_t n, enum value kind,
+                 double left)
 {
-    return 1 + 0.2 * noise(i + 512);
-}
-
-static double far_from(size_t i)
-{
-    return 1.1 + 0.2 * noise(i + 512);
-}
-
-static double jump(size_t i) /* its first quarter does not count */
-{
-    return i < 64 ? 77 : steady(i);
-}
-
-static double slope(size_t i)
-{
-    return 2 + 0.1 * noise(i) + 0.1 * (double)i / 256;
-}
-
-static double long_memory(size_t i) /* sixteen samples are alike */
-{
-    return 2 + 0.1 * noise(i / 48);
+    blocks_free(&w->blocks);
+    UNIT_TRUE(blocks_create(&w->blocks, w->columns));
+    for (size_t i = 0; i < n; ++i) {
+        double x[3] = {value_of(kind, i), 0, 0};
+        x[w->columns - 1] = left + 0.2 * noise(i + 512);
+        blocks_add(&w->blocks, x);
+    }
 }
 
 /* What a run of 256 samples says of itself. */
@@ -325,9 +303,9 @@ TEST(test_settled, "when a run has settled")
     struct statistics_blocking b;
     double x[BLOCKS_MOST];
     UNIT_TRUE(blocks_create(&w.blocks, 2));
-    fill(&w, 63, steady, other);
+    fill(&w, 63, STEADY, 1);
     UNIT_TRUE(judge(&w) && strcmp(w.why, "no run") == 0); /* too few */
-    fill(&w, 256, steady, other);
+    fill(&w, 256, STEADY, 1);
     UNIT_TRUE(judge(&w) && !w.why);
     if (w.why)
         printf("# %s\n", w.why);
@@ -335,22 +313,22 @@ TEST(test_settled, "when a run has settled")
     const double mean = w.mean;
     double sum = 0;
     for (size_t i = 64; i < 256; ++i)
-        sum += x[i - 64] = steady(i);
+        sum += x[i - 64] = value_of(STEADY, i);
     UNIT_NEAR(w.mean, sum / 192, 1e-14);
     /* One standard error, and twice what is not known of that. */
     UNIT_TRUE(statistics_blocking(192, x, &b));
     UNIT_NEAR(w.se, b.error + 2 * b.level[b.chosen].uncertainty, 1e-17);
-    fill(&w, 256, jump, other);
+    fill(&w, 256, JUMP, 1);
     UNIT_TRUE(judge(&w) && !w.why);
     UNIT_EQUAL(w.first, 77);
     UNIT_EQUAL(w.mean, mean);
-    fill(&w, 256, slope, other);
+    fill(&w, 256, SLOPE, 1);
     UNIT_TRUE(judge(&w) && w.why);
-    fill(&w, 256, long_memory, other);
+    fill(&w, 256, ALIKE, 1);
     UNIT_TRUE(judge(&w) && w.why &&
               strcmp(w.why, "long blocks still remember each other") == 0);
     /* Off by 0.1, of a standard error of 0.2/sqrt(12 192) = 0.0042. */
-    fill(&w, 256, steady, far_from);
+    fill(&w, 256, STEADY, 1.1);
     UNIT_TRUE(judge(&w) && w.why &&
               strcmp(w.why, "velocities still remember the start") == 0);
     blocks_free(&w.blocks);
@@ -364,7 +342,7 @@ TEST(test_look_without_memory, "no memory for a look")
     struct search h = begin(&s, AVERAGES_PRESSURE, 0, 0);
     struct measurement w = {.h = &h, .most = 1000, .columns = 2};
     UNIT_TRUE(blocks_create(&w.blocks, 2));
-    fill(&w, 64, steady, other);
+    fill(&w, 64, STEADY, 1);
     heap_failing = 2;
     const bool well = judge(&w), refused = heap_failing < 0;
     heap_failing = -1;

@@ -76,6 +76,20 @@ static void clear(void)
     before_lock = NULL;
 }
 
+/* Standard error goes nowhere; and where it went before. */
+static int hush(void)
+{
+    const int saved = dup(STDERR_FILENO);
+    UNIT_MUST(freopen("/dev/null", "w", stderr) != NULL);
+    return saved;
+}
+static void speak(int saved)
+{
+    fflush(stderr);
+    dup2(saved, STDERR_FILENO);
+    close(saved);
+}
+
 /* A light body round a heavy one, by a method whose steps are its own. */
 static void orbit(struct scene *s, struct motion *m, const char *method)
 {
@@ -145,7 +159,6 @@ TEST(test_comes_back, "a run comes back to the last bit")
         }
         checkpoint_row(&d, 3, rows[1]);
         checkpoint_end(&d, true);
-        motion_end(&m);
     }
     char text[256];
     get(ROWS, text, sizeof text);
@@ -160,8 +173,8 @@ TEST(test_comes_back, "a run comes back to the last bit")
 /* A checkpoint of one method is none of another. */
 TEST(test_other_method, "not for another method")
 {
-    struct scene s, t, u;
-    struct motion m, n;
+    FREED(scene) s, t;
+    ENDED(motion) m;
     struct checkpoint c;
     struct checkpoint_numbers known;
     clear();
@@ -171,19 +184,14 @@ TEST(test_other_method, "not for another method")
     checkpoint_end(&c, true);
     UNIT_TRUE(
         checkpoint_resume(&c, "checkpoint", command, OUTPUT, &t, &known));
-    orbit(&u, &n, "leapfrog");
-    UNIT_TRUE(!checkpoint_recall(&c, &n));
-    motion_end(&n);
-    scene_free(&u);
-    orbit(&u, &n, "dopri5");
-    UNIT_TRUE(!checkpoint_recall(&c, &n));
-    motion_end(&n);
-    scene_free(&u);
+    for (int other = 0; other < 2; ++other) {
+        FREED(scene) u;
+        ENDED(motion) n;
+        orbit(&u, &n, other ? "dopri5" : "leapfrog");
+        UNIT_TRUE(!checkpoint_recall(&c, &n));
+    }
     UNIT_TRUE(checkpoint_recall(&c, &m));
     checkpoint_end(&c, false);
-    motion_end(&m);
-    scene_free(&s);
-    scene_free(&t);
     clear();
 }
 
@@ -206,8 +214,8 @@ TEST(test_mode, "the umask says who may read the rows")
    its rows a run could not be resumed: the checkpoint goes first. */
 TEST(test_end, "a checkpoint goes before its rows")
 {
-    struct scene s;
-    struct motion m;
+    FREED(scene) s;
+    ENDED(motion) m;
     struct checkpoint c;
     clear();
     orbit(&s, &m, "leapfrog");
@@ -233,8 +241,6 @@ TEST(test_end, "a checkpoint goes before its rows")
     UNIT_TRUE(get(ROWS, text, sizeof text) == 15 &&
               strcmp(text, "# rows of step\n") == 0);
     checkpoint_end(&c, false);
-    motion_end(&m);
-    scene_free(&s);
     clear();
 }
 
@@ -278,8 +284,8 @@ static void says(int (*does)(void *), void *with, int status,
 /* A run that is under way keeps its files from another. */
 TEST(test_lock, "one run at a time")
 {
-    struct scene s;
-    struct motion m;
+    FREED(scene) s;
+    ENDED(motion) m;
     struct checkpoint c;
     clear();
     orbit(&s, &m, "leapfrog");
@@ -290,8 +296,6 @@ TEST(test_lock, "one run at a time")
     checkpoint_end(&c, true);
     says(resumes, NULL, BEGUN, NULL);
     says(begins, NULL, BEGUN, NULL);
-    motion_end(&m);
-    scene_free(&s);
     clear();
 }
 
@@ -345,8 +349,8 @@ TEST(test_foreign, "what is not ours stays")
 /* Each bit of a checkpoint and of its rows counts, and so does the end. */
 TEST(test_damage, "no bit may be changed")
 {
-    struct scene s;
-    struct motion m;
+    FREED(scene) s;
+    ENDED(motion) m;
     struct checkpoint c;
     static char text[8192], bad[8192], line[256];
     clear();
@@ -358,8 +362,7 @@ TEST(test_damage, "no bit may be changed")
     const char *head_end = strstr(text, "#= end ");
     UNIT_MUST(length > 500 && head_end);
     const size_t head = (size_t)(head_end - text);
-    FILE *quiet = freopen(OUTPUT ".said", "w", stderr);
-    UNIT_MUST(quiet != NULL);
+    const int saved = hush();
     for (size_t at = 0; at < length; at += at < head ? 1 : 3) {
         memcpy(bad, text, length);
         bad[at] ^= 1;
@@ -376,10 +379,7 @@ TEST(test_damage, "no bit may be changed")
                                          &known));
         }
     }
-    fflush(stderr);
-    UNIT_MUST(freopen("/dev/tty", "w", stderr) ||
-              freopen("/dev/null", "w", stderr));
-    syscall(SYS_unlinkat, AT_FDCWD, OUTPUT ".said", 0);
+    speak(saved);
     put(SAVED, text, length);
     says(resumes, "step scene --until 4", REFUSED,
          SAVED ": is of another command");
@@ -392,8 +392,6 @@ TEST(test_damage, "no bit may be changed")
     line[most - 2] ^= 1;
     put(ROWS, line, most);
     says(resumes, NULL, BEGUN, NULL);
-    motion_end(&m);
-    scene_free(&s);
     clear();
 }
 
@@ -401,8 +399,8 @@ TEST(test_damage, "no bit may be changed")
    counts on them: the run may be killed at once. */
 TEST(test_flushed, "rows are written before what counts on them")
 {
-    struct scene s;
-    struct motion m;
+    FREED(scene) s;
+    ENDED(motion) m;
     struct checkpoint c;
     static char text[8192], line[256];
     clear();
@@ -414,8 +412,6 @@ TEST(test_flushed, "rows are written before what counts on them")
     UNIT_EQUAL(get(ROWS, line, sizeof line), length);
     UNIT_TRUE(length > 50);
     checkpoint_end(&c, false);
-    motion_end(&m);
-    scene_free(&s);
     clear();
 }
 
@@ -442,42 +438,24 @@ static void forge(const char *text, const char *key, const char *number)
 TEST(test_forged, "what no run has written")
 {
     static const struct {
-        const char *key, *number;
-        bool good;
-    } lines[] = {{"steps", "7", true},
-                 {"steps", "0", true},
-                 {"steps", "9007199254740991", true},
-                 {"steps", "9007199254740992", false},
-                 {"steps", "-1", false},
-                 {"steps", "1.5", false},
-                 {"steps", "nan", false},
-                 {"steps", "7x", false},
-                 {"steps", "", false},
-                 {"energy", "-1.5", true},
-                 {"energy", "1e300", true},
-                 {"energy", "nan", false},
-                 {"energy", "-inf", false},
-                 {"energy", "1 2", false},
-                 {"energy", "x", false},
-                 {"start", "-3", true},
-                 {"collisions", "-1", false},
-                 {"evaluations", "0.5", false},
-                 {"rows", "-2", false},
-                 {"scene", "1e-3", false},
-                 {"depth", "inf", false},
-                 {"worst", "", false},
-                 {"last", "nan", false},
-                 {"own", "1", true},
-                 {"own", "nan", false},
-                 {"own", "", false},
-                 {"length", "-80", false},
-                 {"length", "x", false},
-                 {"length", "", false},
-                 {"length", "1e1", false},
-                 {"sum", "0", false},
-                 {"sum", "", false}};
-    struct scene s, t;
-    struct motion m;
+        const char *key, *good, *bad; /* numbers */
+    } lines[] = {{"steps", "7|0|9007199254740991|",
+                  "9007199254740992|-1|1.5|nan|7x||"},
+                 {"energy", "-1.5|1e300|", "nan|-inf|1 2|x|"},
+                 {"start", "-3|", ""},
+                 {"collisions", "", "-1|"},
+                 {"evaluations", "", "0.5|"},
+                 {"rows", "", "-2|"},
+                 {"scene", "", "1e-3|"},
+                 {"depth", "", "inf|"},
+                 {"worst", "", "|"},
+                 {"last", "", "nan|"},
+                 {"own", "1|", "nan||"},
+                 {"length", "", "-80|x||1e1|"},
+                 {"sum", "", "0||"}};
+    FREED(scene) s;
+    ENDED(motion) m;
+    struct scene t;
     struct checkpoint c;
     struct checkpoint_numbers known;
     static char text[8192];
@@ -487,42 +465,43 @@ TEST(test_forged, "what no run has written")
     save(&c, &m);
     checkpoint_end(&c, true);
     get(SAVED, text, sizeof text);
-    const int saved = dup(STDERR_FILENO);
-    UNIT_MUST(freopen("/dev/null", "w", stderr) != NULL);
-    for (size_t k = 0; k < sizeof lines / sizeof lines[0]; ++k) {
-        forge(text, lines[k].key, lines[k].number);
-        const bool good =
-            checkpoint_resume(&c, "step", command, OUTPUT, &t, &known);
-        if (good != lines[k].good)
-            printf("# %s %s\n", lines[k].key, lines[k].number);
-        UNIT_TRUE(good == lines[k].good);
-        if (good) {
-            scene_free(&t);
-            checkpoint_end(&c, true);
+    const int saved = hush();
+    for (size_t k = 0; k < 2 * (sizeof lines / sizeof lines[0]); ++k) {
+        const bool good = k % 2;
+        const char *list = good ? lines[k / 2].good : lines[k / 2].bad;
+        char number[80];
+        while (unit_item(&list, number)) {
+            forge(text, lines[k / 2].key, number);
+            const bool taken =
+                checkpoint_resume(&c, "step", command, OUTPUT, &t, &known);
+            if (taken != good)
+                printf("# %s %s\n", lines[k / 2].key, number);
+            UNIT_TRUE(taken == good);
+            if (taken) {
+                scene_free(&t);
+                checkpoint_end(&c, true);
+            }
         }
     }
-    dup2(saved, STDERR_FILENO);
-    close(saved);
+    speak(saved);
     /* 0 is a number as others are: it is the rows that have another sum. */
     forge(text, "sum", "0");
     says(resumes, NULL, REFUSED, ROWS ": has other rows than");
-    motion_end(&m);
-    scene_free(&s);
     clear();
 }
 
 /* Which outputs can have a checkpoint beside them. */
 TEST(test_possible, "which outputs may have one")
 {
+    const char *no = "-|/dev/null|/dev/no-such|/proc/self/fd/1|build|";
+    const char *yes =
+        "/dev/shm/none-of-these|build/tests/none of these|--|";
+    char output[80];
     UNIT_TRUE(!checkpoint_possible(NULL));
-    UNIT_TRUE(!checkpoint_possible("-"));
-    UNIT_TRUE(!checkpoint_possible("/dev/null"));
-    UNIT_TRUE(!checkpoint_possible("/dev/no-such"));
-    UNIT_TRUE(!checkpoint_possible("/proc/self/fd/1"));
-    UNIT_TRUE(!checkpoint_possible("build"));
-    UNIT_TRUE(checkpoint_possible("/dev/shm/none-of-these"));
-    UNIT_TRUE(checkpoint_possible("build/tests/none of these"));
-    UNIT_TRUE(checkpoint_possible("--"));
+    while (unit_item(&no, output))
+        UNIT_TRUE(!checkpoint_possible(output));
+    while (unit_item(&yes, output))
+        UNIT_TRUE(checkpoint_possible(output));
     put(OUTPUT, "x", 1);
     UNIT_TRUE(checkpoint_possible(OUTPUT));
     syscall(SYS_unlinkat, AT_FDCWD, OUTPUT, 0);
@@ -571,12 +550,9 @@ TEST(test_copy, "all rows are copied")
         }
         struct table *t = table_open("step", OUTPUT);
         UNIT_MUST(t != NULL);
-        const int saved = dup(STDERR_FILENO);
-        if (changed)
-            UNIT_MUST(freopen("/dev/null", "w", stderr) != NULL);
+        const int saved = hush();
         UNIT_TRUE(checkpoint_copy(&c, t) == !changed);
-        dup2(saved, STDERR_FILENO);
-        close(saved);
+        speak(saved);
         UNIT_TRUE(table_close(t));
         if (!changed)
             UNIT_TRUE(get(OUTPUT, text, sizeof text) ==
@@ -597,12 +573,10 @@ TEST(test_lost, "rows that are lost are not copied")
     UNIT_MUST(checkpoint_begin(&c, "step", command, OUTPUT));
     struct table *t = table_open("step", OUTPUT);
     UNIT_MUST(t != NULL);
-    const int saved = dup(STDERR_FILENO);
-    UNIT_MUST(freopen("/dev/null", "w", stderr) != NULL);
+    const int saved = hush();
     c.lost = true;
     UNIT_TRUE(!checkpoint_copy(&c, t));
-    dup2(saved, STDERR_FILENO);
-    close(saved);
+    speak(saved);
     table_discard(t);
     checkpoint_end(&c, false);
     clear();

@@ -84,6 +84,17 @@ static void write_end(enum models_end end, size_t reached)
     write_run((struct played){end, reached, 0, 1e-3, 1, 0, NULL});
 }
 
+/* Several in a row: whole ones of these values; or their ends. */
+#define WHOLE(...)                                                         \
+    for (size_t i = 0;                                                     \
+         i < sizeof((double[]){__VA_ARGS__}) / sizeof(double); ++i)        \
+    write_whole((double[]){__VA_ARGS__}[i])
+#define ENDS(...)                                                          \
+    for (size_t i = 0;                                                     \
+         i < sizeof((int[][2]){__VA_ARGS__}) / sizeof(int[2]); ++i)        \
+    write_end((enum models_end)(int[][2]){__VA_ARGS__}[i][0],              \
+              (size_t)(int[][2]){__VA_ARGS__}[i][1])
+
 static struct choose_choice choice;
 static struct choose_request request;
 static struct record_view view;
@@ -105,6 +116,14 @@ static void begin(double tolerance)
                                 .rounding = last};
     reference = (struct reference){.seen = 0};
     played = written = 0;
+}
+
+static struct scene still; /* none of its bodies is ever asked for */
+
+static void begin_still(double tolerance)
+{
+    begin(tolerance);
+    request.scene = &still;
 }
 
 static struct models_plan steps_of(const char *name, uint64_t steps)
@@ -530,6 +549,14 @@ TEST(test_foreseen, "what a ladder promises")
     UNIT_TRUE(isinf(k->foreseen));
 }
 
+/* Refuses anew, with this text. */
+static void refuses(const char *text)
+{
+    choice.refusal[0] = '\0';
+    refuse(&task);
+    UNIT_SAYS(choice.refusal, text);
+}
+
 /* Refusals, each for its reason. */
 TEST(test_refusals, "refusals")
 {
@@ -542,47 +569,33 @@ TEST(test_refusals, "refusals")
     task_refuse_plan(&task, &p, "no luck", " or so");
     UNIT_SAYS(choice.refusal, "pefrl:24: no luck");
     task_refuse_plan(&task, &p, NULL, ", so far,");
-    UNIT_TRUE(
-        strcmp(choice.refusal,
-               "beyond reason: pefrl:24, so far, would bring the bill "
-               "above 100 s by the price list; spent: 1.2 s") == 0);
+    UNIT_SAYS(choice.refusal,
+              "beyond reason: pefrl:24, so far, would bring the bill "
+              "above 100 s by the price list; spent: 1.2 s");
     refuse_standstill(&task, &r);
-    UNIT_TRUE(strcmp(choice.refusal,
-                     "collisions without end: after t = 2.5 bodies come to "
-                     "rest on each other, and no model here carries them "
-                     "on from there; spent: 1.2 s") == 0);
+    UNIT_SAYS(choice.refusal,
+              "collisions without end: after t = 2.5 bodies come to "
+              "rest on each other, and no model here carries them "
+              "on from there; spent: 1.2 s");
     choice.candidates = 5;
     refuse(&task);
     UNIT_TRUE(strstr(choice.refusal, "collisions") == choice.refusal);
     UNIT_EQUAL(choice.taken, 5);
-    choice.refusal[0] = '\0';
-    refuse(&task);
-    UNIT_TRUE(strcmp(choice.refusal, "no model holds 1e-06; spent: 1.2 s "
-                                     "by the price list") == 0);
-    choice.refusal[0] = '\0';
+    refuses("no model holds 1e-06; spent: 1.2 s by the price list");
     choice.spent = 90.1;
-    refuse(&task);
-    UNIT_TRUE(strcmp(choice.refusal,
-                     "beyond reason: no run and its proof cost less than "
-                     "100 s by the price list; spent: 90 s") == 0);
+    refuses("beyond reason: no run and its proof cost less than "
+            "100 s by the price list; spent: 90 s");
     choice.refusal[0] = '\0';
     choice.spent = 89.9;
     refuse(&task);
     UNIT_TRUE(strstr(choice.refusal, "no model") == choice.refusal);
-    choice.refusal[0] = '\0';
     choice.horizon = 2.25;
-    refuse(&task);
-    UNIT_TRUE(
-        strcmp(choice.refusal,
-               "horizon: after t = 2.25 rounding decides by more than "
-               "1e-06 what happens; spent: 90 s") == 0);
-    choice.refusal[0] = '\0';
+    refuses("horizon: after t = 2.25 rounding decides by more than "
+            "1e-06 what happens; spent: 90 s");
     choice.acts.contact = true;
-    refuse(&task);
-    UNIT_TRUE(strcmp(choice.refusal,
-                     "horizon: after t = 2.25 rounding or the order of "
-                     "collisions at one moment decides by more than 1e-06 "
-                     "what happens; spent: 90 s") == 0);
+    refuses("horizon: after t = 2.25 rounding or the order of "
+            "collisions at one moment decides by more than 1e-06 "
+            "what happens; spent: 90 s");
 }
 
 static void says(struct models_plan taken, double price, bool holds,
@@ -663,8 +676,6 @@ TEST(test_next_best, "the next best")
     UNIT_TRUE(next_best(&choice, &price) == &choice.candidate[0]);
 }
 
-static struct scene still; /* none of its bodies is ever asked for */
-
 /* Looks for a reference as the script says; it has to be played out. */
 static bool found(void)
 {
@@ -681,25 +692,17 @@ static bool found(void)
 TEST(test_standstill, "two say that bodies come to rest")
 {
     begin(1e-3);
-    write_end(MODELS_STANDSTILL, 2);
-    write_end(MODELS_DONE, 2);
-    write_end(MODELS_STANDSTILL, 2);
-    write_end(MODELS_STANDSTILL, 2);
+    ENDS({MODELS_STANDSTILL, 2}, {MODELS_DONE, 2}, {MODELS_STANDSTILL, 2},
+         {MODELS_STANDSTILL, 2});
     UNIT_TRUE(!found());
     UNIT_TRUE(strstr(choice.refusal, "collisions without end: after t = 1 "
                                      "bodies") == choice.refusal);
     UNIT_TRUE(isinf(choice.horizon));
     begin(1e-3); /* after another row; and then the same breaks down */
-    write_end(MODELS_STANDSTILL, 2);
-    write_end(MODELS_DONE, 2);
-    write_end(MODELS_STANDSTILL, 1);
-    write_end(MODELS_DONE, 1);
-    write_end(MODELS_BROKEN, 1);
-    write_end(MODELS_DONE, 1);
-    write_end(MODELS_STANDSTILL, 1);
-    write_end(MODELS_DONE, 1);
-    write_whole(7);
-    write_whole(7);
+    ENDS({MODELS_STANDSTILL, 2}, {MODELS_DONE, 2}, {MODELS_STANDSTILL, 1},
+         {MODELS_DONE, 1}, {MODELS_BROKEN, 1}, {MODELS_DONE, 1},
+         {MODELS_STANDSTILL, 1}, {MODELS_DONE, 1});
+    WHOLE(7, 7);
     UNIT_TRUE(found());
     UNIT_TRUE(choice.refusal[0] == '\0');
     begin(1e-3); /* the finer one alone, in the first row */
@@ -733,12 +736,8 @@ TEST(test_no_reference, "no reference")
     UNIT_TRUE(!found());
     UNIT_SAYS(choice.refusal, "radau15:0.001: no memory");
     begin(1e-3);
-    write_end(MODELS_BROKEN, 3);
-    write_end(MODELS_BROKEN, 2);
-    write_end(MODELS_DONE, 3);
-    write_end(MODELS_BROKEN, 3);
-    write_end(MODELS_BROKEN, 2);
-    write_end(MODELS_BROKEN, 2);
+    ENDS({MODELS_BROKEN, 3}, {MODELS_BROKEN, 2}, {MODELS_DONE, 3},
+         {MODELS_BROKEN, 3}, {MODELS_BROKEN, 2}, {MODELS_BROKEN, 2});
     UNIT_TRUE(!found());
     UNIT_SAYS(choice.refusal, "radau15:1e-07: breaks down");
     begin(1e-3);
@@ -754,10 +753,7 @@ TEST(test_no_reference, "no reference")
 TEST(test_reference, "a reference")
 {
     begin(1e-3);
-    write_whole(7);
-    write_whole(7 + 0.051e-3);
-    write_whole(7);
-    write_whole(7 + 0.049e-3);
+    WHOLE(7, 7 + 0.051e-3, 7, 7 + 0.049e-3);
     UNIT_TRUE(found());
     UNIT_NEAR(reference.doubt, 0.049e-3, 1e-15);
     UNIT_EQUAL(reference.seen, reference.doubt);
@@ -772,8 +768,7 @@ TEST(test_reference, "a reference")
     begin(1e-3);
     write_run((struct played){MODELS_DONE, 4, 7, 1, 1e-9, 0, NULL});
     write_run((struct played){MODELS_DONE, 4, 7, 1, 2e-9, 0, NULL});
-    write_whole(7);
-    write_whole(7);
+    WHOLE(7, 7);
     UNIT_TRUE(found());
     UNIT_TRUE(!(choice.horizon < INFINITY));
 }
@@ -784,15 +779,13 @@ TEST(test_parting, "references that part")
 {
     begin(1e-9); /* from 1e-6 in steps of a hundred: five pairs */
     for (int pair = 0; pair < 5; ++pair) {
-        write_whole(7);
-        write_whole(7 + 0.6e-9);
+        WHOLE(7, 7 + 0.6e-9);
     }
     UNIT_TRUE(!found());
     UNIT_EQUAL(choice.horizon, 0);
     begin(1e-9); /* hardly: four twins bound it by less than a fifth */
     for (int pair = 0; pair < 5; ++pair) {
-        write_whole(7);
-        write_whole(7 + 0.06e-9);
+        WHOLE(7, 7 + 0.06e-9);
     }
     for (int twin = 0; twin < 4; ++twin)
         write_whole(7);
@@ -844,8 +837,7 @@ TEST(test_twins, "twins of a reference")
                  {5e-5, 0, 0.2, 2, 2.15e-3, true},
                  {0.01, 0, 0.09, 4, 0.043, true}};
     for (size_t k = 0; k < sizeof known / sizeof *known; ++k) {
-        begin(1e-3);
-        request.scene = &still;
+        begin_still(1e-3);
         set_reference(known[k].seen * 1e-3, 1, 1);
         for (unsigned twin = 1; twin < known[k].twins; ++twin)
             write_whole(-known[k].twin * 1e-3);
@@ -868,14 +860,12 @@ TEST(test_twins, "twins of a reference")
 TEST(test_surely, "they count in the error of what was taken")
 {
     const struct models_plan only = steps_of("leapfrog", 5);
-    begin(1e-3);
-    request.scene = &still;
+    begin_still(1e-3);
     request.only = &only;
     set_reference(0.01e-3, 1, 1);
     write_whole(-0.2e-3);
     write_whole(-0.25e-3); /* its twin: rounding counts */
-    write_whole(0);
-    write_whole(0);
+    WHOLE(0, 0);
     compare_surely(&task);
     UNIT_EQUAL(played, 4);
     UNIT_TRUE(choice.run.value != NULL);
@@ -908,8 +898,7 @@ TEST(test_exact_twins, "twins of an exact run")
     const struct models_plan p = {.model = models_find("line")};
     for (size_t k = 0; k < sizeof known / sizeof *known; ++k) {
         FREED(record) a, b;
-        begin(1e-3);
-        request.scene = &still;
+        begin_still(1e-3);
         const struct record_setup o = task_setup(&task, p, INFINITY);
         struct record_setup other = o;
         other.twin = 2;
@@ -935,12 +924,10 @@ TEST(test_price_of_twin, "what a twin would cost")
 {
     const struct models_plan p = {.model = models_find("disks")};
     struct record r = {.plan = p, .reached = 2, .cost = 3};
-    begin(1e-3);
-    request.scene = &still;
+    begin_still(1e-3);
     UNIT_EQUAL(price_of_twin(&task, &r), 6);
     r.reached = 0;
-    write_end(MODELS_COSTLY, 0);
-    write_end(MODELS_COSTLY, 0);
+    ENDS({MODELS_COSTLY, 0}, {MODELS_COSTLY, 0});
     write_whole(7);
     write_run((struct played){MODELS_DONE, 2, 7, 0.25, 1, 0, NULL});
     UNIT_EQUAL(price_of_twin(&task, &r), 0.25 * 256 * 4 / 2);
@@ -952,10 +939,8 @@ TEST(test_price_of_twin, "what a twin would cost")
         UNIT_EQUAL(ordered[k].twin, k % 2 ? 2 : 0);
     }
     UNIT_NEAR(choice.spent, 3e-3 + 0.25, 1e-15);
-    begin(1e-3);
-    request.scene = &still;
-    write_whole(7);
-    write_whole(7.1);
+    begin_still(1e-3);
+    WHOLE(7, 7.1);
     UNIT_TRUE(isinf(price_of_twin(&task, &r)));
     UNIT_EQUAL(choice.horizon, 0);
 }
@@ -965,8 +950,7 @@ TEST(test_price_of_twin, "what a twin would cost")
 TEST(test_slip, "clocks that are late")
 {
     FREED(record) a;
-    begin(1e-3);
-    request.scene = &still;
+    begin_still(1e-3);
     const struct record_setup o = task_setup(
         &task, (struct models_plan){.model = models_find("line")},
         INFINITY);
@@ -984,19 +968,16 @@ TEST(test_slip, "clocks that are late")
    twice as much as the finer run just met or missed, or by a hair. */
 TEST(test_balls, "balls a little larger")
 {
-    begin(1e-3);
-    request.scene = &still;
+    begin_still(1e-3);
     set_reference(1e-5, 1, 1.1);
     ask_balls(&task, &reference);
     UNIT_EQUAL(played, 0);
     drop_reference();
     for (int close = 0; close < 2; ++close) {
         const double swell = close ? 0x1p-39 : 2e-3;
-        begin(1e-3);
-        request.scene = &still;
+        begin_still(1e-3);
         set_reference(1e-5, 1, close ? 1e-20 : -1e-3);
-        write_whole(2e-4);
-        write_whole(-1e-4);
+        WHOLE(2e-4, -1e-4);
         ask_balls(&task, &reference);
         UNIT_EQUAL(played, 2);
         UNIT_EQUAL(ordered[0].grow, -swell);
@@ -1005,8 +986,7 @@ TEST(test_balls, "balls a little larger")
         UNIT_TRUE(isinf(choice.horizon));
         drop_reference();
     }
-    begin(1e-3);
-    request.scene = &still;
+    begin_still(1e-3);
     set_reference(1e-5, 1, -1);
     write_whole(0);
     write_whole(2.6e-4); /* it decides by more than a quarter */
@@ -1020,10 +1000,8 @@ TEST(test_balls, "balls a little larger")
 TEST(test_near_floor, "what rounding moves")
 {
     for (int near = 0; near < 2; ++near) {
-        begin(3e-3);
-        request.scene = &still;
-        write_whole(7);
-        write_whole(7 + (near ? 1.001e-5 : 0.999e-5));
+        begin_still(3e-3);
+        WHOLE(7, 7 + (near ? 1.001e-5 : 0.999e-5));
         task_run(&task, &choice.run,
                  &(struct record_setup){.plan = own_steps_of(1e-9)});
         UNIT_TRUE(is_near_floor(&task) == near);
@@ -1080,14 +1058,12 @@ TEST(test_neighbours, "neighbours on a ladder")
                  {1.1, 1.2, 40, 1.1},
                  {1.1, 1, 36, 1}};
     for (size_t k = 0; k < sizeof known / sizeof *known; ++k) {
-        begin(1e-3);
-        request.scene = &still;
+        begin_still(1e-3);
         set_reference(0, 1, 1);
         struct ladder l = ladder("leapfrog", 16, 1, 1e-3);
         struct record r;
         struct choose_point seen = {steps_of("leapfrog", 40), 0.5e-3, 40};
-        write_whole(0.5e-3);
-        write_whole(known[k].finer * 1e-3);
+        WHOLE(0.5e-3, known[k].finer * 1e-3);
         if (known[k].coarser > 0)
             write_whole(known[k].coarser * 1e-3);
         task_run(&task, &r,
@@ -1105,8 +1081,7 @@ TEST(test_neighbours, "neighbours on a ladder")
     }
     /* What is next to a run that is known: 44 was the last, and 36 fails.
      */
-    begin(1e-3);
-    request.scene = &still;
+    begin_still(1e-3);
     set_reference(0, 1, 1);
     struct ladder l = ladder("leapfrog", 44, 7, 1);
     struct record r = {.value = NULL};

@@ -100,63 +100,6 @@ TEST(test_slopes, "a density is the slope of its probability")
     }
 }
 
-/* What was not given comes from the column, and is counted. */
-TEST(test_complete, "what is not given is taken and counted")
-{
-    struct law law = {0};
-    UNIT_TRUE(!laws_read("normal", &law));
-    UNIT_TRUE(laws_complete(&law, 3, 2) == 2);
-    UNIT_EQUAL(laws_mean(&law), 3);
-    UNIT_EQUAL(laws_sd(&law), 2);
-    UNIT_TRUE(!laws_read("microcanonical:10", &law));
-    UNIT_TRUE(laws_complete(&law, 3, 2) == 1);
-    UNIT_NEAR(laws_sd(&law), 2, 1e-15);
-    UNIT_TRUE(!laws_read("microcanonical:10,6,0.5", &law));
-    UNIT_TRUE(laws_complete(&law, 3, 2) == 0);
-    UNIT_NEAR(laws_sd(&law), sqrt(2 * 6 / (10 * 0.5)), 1e-15);
-    UNIT_TRUE(!laws_read("beta:2,8", &law));
-    UNIT_TRUE(laws_complete(&law, 3, 2) == 0);
-    UNIT_TRUE(!laws_read("maxwell:0.5", &law));
-    UNIT_TRUE(laws_complete(&law, 3, 2) == 0);
-    UNIT_NEAR(laws_sd(&law), sqrt(0.5), 1e-15);
-}
-
-TEST(test_bad_texts, "bad texts are refused")
-{
-    static const char *const texts[] = {"",
-                                        "gauss",
-                                        "normal:",
-                                        "normal:1",
-                                        "normal:1,0",
-                                        "normal:1,2,3",
-                                        "normalx",
-                                        "microcanonical",
-                                        "microcanonical:1",
-                                        "microcanonical:2.5",
-                                        "microcanonical:10,6",
-                                        "microcanonical:10,-6,1",
-                                        "beta:1",
-                                        "beta:0,3",
-                                        "beta:4,3",
-                                        "beta:1,3,2,2",
-                                        "beta:1,3,",
-                                        "maxwell",
-                                        "maxwell:0",
-                                        "maxwell:1,0",
-                                        "maxwell:1,1,1.5",
-                                        "maxwell:nan",
-                                        "maxwell:inf",
-                                        "normal:a,b",
-                                        "beta:1,3x"};
-    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; ++i) {
-        struct law law = {0};
-        const char *wrong = laws_read(texts[i], &law);
-        UNIT_TRUE(wrong != NULL);
-        if (!wrong)
-            printf("# '%s' was accepted\n", texts[i]);
-    }
-}
-
 /* The usual critical values: Kolmogorov 10, 5 and 1 %; chi-square of 19
    degrees of freedom, 5 and 1 %. Four or five digits are given. Both sums
    of Kolmogorov's function meet at 1. */

@@ -92,8 +92,7 @@ TEST(test_sum, "what acts is the sum of all that is in the scene")
 TEST(test_springs_alone, "springs alone move as they do with others")
 {
     FREED(scene) s, t;
-    struct motion m;
-    ENDED(motion) n;
+    ENDED(motion) m, n;
     build(&s, false);
     s.k2 = 0;
     UNIT_MUST(scene_copy(&t, &s));
@@ -104,7 +103,6 @@ TEST(test_springs_alone, "springs alone move as they do with others")
     motion_run(&n, 100);
     for (size_t c = 0; c < 9; ++c)
         UNIT_NEAR(s.position[c], t.position[c], 1e-14);
-    motion_end(&m);
 }
 
 /* Two bodies alone take a shorter way, and a shorter one yet in the plane
@@ -149,8 +147,7 @@ TEST(test_two, "and two bodies alone, to the bit")
 {
     for (int way = 0; way < TWOS; ++way) {
         FREED(scene) s, t;
-        struct motion m;
-        ENDED(motion) n;
+        ENDED(motion) m, n;
         build_two(&s, way);
         UNIT_MUST(scene_copy(&t, &s));
         begin(&m, &s, "leapfrog");
@@ -165,19 +162,15 @@ TEST(test_two, "and two bodies alone, to the bit")
         UNIT_TRUE(!memcmp(s.velocity, t.velocity, 6 * sizeof(double)));
         UNIT_TRUE(!memcmp(m.stepping.acceleration, n.stepping.acceleration,
                           6 * sizeof(double)));
-        motion_end(&m);
     }
 }
 
 /* Has the motion of two bodies the shorter way, and not that of springs? */
 static bool is_short(struct scene *s, const char *method)
 {
-    struct motion m;
+    ENDED(motion) m;
     begin(&m, s, method);
-    const bool its_own =
-        m.stepping.sweep != NULL && m.stepping.sweep != springs_sweep;
-    motion_end(&m);
-    return its_own;
+    return m.stepping.sweep != NULL && m.stepping.sweep != springs_sweep;
 }
 
 /* It is for two bodies that attract each other, and for nothing else. */
@@ -215,7 +208,6 @@ TEST(test_compensated, "which sums are compensated")
 {
     for (int what = 0; what < 8; ++what) {
         FREED(scene) s;
-        ENDED(motion) m;
         UNIT_MUST(scene_create(&s, 2));
         s.position[1] = 1;
         s.velocity[0] = -1;
@@ -236,17 +228,13 @@ TEST(test_compensated, "which sums are compensated")
             s.stiffness = 1;
             s.radius[0] = s.radius[1] = 0.1;
         }
-        begin(&m, &s, "kahan-li8");
-        UNIT_TRUE(m.stepping.compensated == (what < 7));
-        motion_end(&m);
-        begin(&m, &s, "pefrl");
-        UNIT_TRUE(!m.stepping.compensated);
-        motion_end(&m);
-        begin(&m, &s, "yoshida6");
-        UNIT_TRUE(m.stepping.compensated == (what < 7));
-        motion_end(&m);
-        begin(&m, &s, "radau15");
-        UNIT_TRUE(!m.stepping.compensated);
+        static const char *const methods[] = {"kahan-li8", "yoshida6",
+                                              "pefrl", "radau15"};
+        for (int k = 0; k < 4; ++k) {
+            ENDED(motion) m;
+            begin(&m, &s, methods[k]);
+            UNIT_TRUE(m.stepping.compensated == (k < 2 && what < 7));
+        }
     }
 }
 
@@ -314,8 +302,7 @@ TEST(test_cuts, "how a run is cut changes no bit")
         for (const struct stepping_method *k = stepping_next(NULL); k;
              k = stepping_next(k)) {
             FREED(scene) s, t;
-            struct motion m;
-            ENDED(motion) n;
+            ENDED(motion) m, n;
             build(&s, contact);
             build(&t, contact);
             begin(&m, &s, k->name);
@@ -328,7 +315,6 @@ TEST(test_cuts, "how a run is cut changes no bit")
             UNIT_TRUE(is_same(&s, &t));
             UNIT_EQUAL(m.collisions, n.collisions);
             UNIT_TRUE(!contact || m.collisions > 0);
-            motion_end(&m);
         }
 }
 
@@ -370,8 +356,8 @@ static bool must_keep(const char *method, int way)
    keeps an acceleration only where it must. Returns whether it has. */
 static bool goes_on(const char *method, int way, uint64_t cut)
 {
-    struct scene s, t;
-    struct motion m, n;
+    FREED(scene) s, t;
+    ENDED(motion) m, n;
     build_way(&s, way);
     begin(&m, &s, method);
     m.stepping.compensated = way & COMPENSATED;
@@ -390,10 +376,6 @@ static bool goes_on(const char *method, int way, uint64_t cut)
     UNIT_MUST(motion_note(&m) && motion_note(&n));
     t.time = s.time; /* counted from another start: see below */
     UNIT_TRUE(scene_same(&s, &t));
-    motion_end(&m);
-    motion_end(&n);
-    scene_free(&s);
-    scene_free(&t);
     return kept;
 }
 
@@ -414,8 +396,7 @@ TEST(test_saved, "a saved run goes on to the same bits")
 TEST(test_saved_after_contact, "saved right after a contact as well")
 {
     FREED(scene) s, t;
-    struct motion m;
-    ENDED(motion) n;
+    ENDED(motion) m, n;
     build_way(&s, DAMPED | CONTACT);
     begin(&m, &s, "leapfrog");
     for (int k = 0; k < 1000 && m.collisions == 0; ++k)
@@ -427,7 +408,6 @@ TEST(test_saved_after_contact, "saved right after a contact as well")
     motion_run(&m, 5);
     motion_run(&n, 5);
     UNIT_TRUE(is_same(&s, &t));
-    motion_end(&m);
 }
 
 /* As a checkpoint has it, start and steps besides: the times are the same
@@ -435,8 +415,7 @@ TEST(test_saved_after_contact, "saved right after a contact as well")
 static void resume(uint64_t cut, bool carry, bool kept, bool same)
 {
     FREED(scene) s, t;
-    struct motion m;
-    ENDED(motion) n;
+    ENDED(motion) m, n;
     build(&s, false);
     s.time = 0.7;
     begin(&m, &s, "leapfrog");
@@ -455,7 +434,6 @@ static void resume(uint64_t cut, bool carry, bool kept, bool same)
     motion_run(&n, 500);
     UNIT_TRUE(is_same(&s, &t) == same);
     UNIT_EQUAL(motion_time(&m), motion_time(&n));
-    motion_end(&m);
 }
 
 TEST(test_resume, "and a resumed one to the same times")
@@ -470,8 +448,8 @@ TEST(test_resume, "and a resumed one to the same times")
    the motion? */
 static bool heeds(const char *method, int way, double dt)
 {
-    struct scene s, t;
-    struct motion m, n;
+    FREED(scene) s, t;
+    ENDED(motion) m, n;
     build_way(&s, way);
     UNIT_MUST(scene_copy(&t, &s));
     t.kept = calloc(9, sizeof *t.kept);
@@ -484,10 +462,6 @@ static bool heeds(const char *method, int way, double dt)
     const bool heeded = !is_same(&s, &t);
     UNIT_MUST(motion_note(&m) && motion_note(&n));
     UNIT_TRUE(heeded || scene_same(&s, &t));
-    motion_end(&m);
-    motion_end(&n);
-    scene_free(&s);
-    scene_free(&t);
     return heeded;
 }
 
@@ -525,7 +499,7 @@ TEST(test_forgotten, "and forgotten where it does not")
 TEST(test_contact, "after a contact the method looks again")
 {
     FREED(scene) s;
-    struct motion m;
+    ENDED(motion) m;
     bool met = false;
     build(&s, true);
     s.damping = 0;
@@ -550,7 +524,6 @@ TEST(test_contact, "after a contact the method looks again")
         met = true;
     }
     UNIT_TRUE(met);
-    motion_end(&m);
 }
 
 /* n bodies of radius 0.1 in a row along x, 1 m apart, held but along x. */
@@ -683,8 +656,7 @@ TEST(test_shorten, "steps may change their length")
     for (int k = 0; k < 3; ++k)
         for (int two = 0; two < 2; ++two) {
             FREED(scene) s, t;
-            struct motion m;
-            ENDED(motion) n;
+            ENDED(motion) m, n;
             if (two)
                 build_two(&s, SOFT);
             else
@@ -707,7 +679,6 @@ TEST(test_shorten, "steps may change their length")
             UNIT_TRUE(motion_shorten(&n, 0.25));
             motion_run(&n, 2);
             UNIT_NEAR(motion_time(&n), 2, 1e-15);
-            motion_end(&m);
         }
 }
 

@@ -226,7 +226,7 @@ TEST(test_limit, "a run ends at its limit, and two at one")
 static double scale(const struct scene *s, const char *name, double length,
                     const char *judged)
 {
-    struct record_view v;
+    FREED(record_view) v;
     struct observables asked;
     char message[OBSERVABLES_MESSAGE];
     UNIT_TRUE(!name || observables_read(&asked, name, s->bodies, message));
@@ -234,9 +234,7 @@ static double scale(const struct scene *s, const char *name, double length,
         record_view_create(&v, "record", s, name ? &asked : NULL, length));
     UNIT_SAYS(v.judged, judged);
     UNIT_EQUAL(v.weight[0], 1 / v.scale);
-    const double found = v.scale;
-    record_view_free(&v);
-    return found;
+    return v.scale;
 }
 
 /* Scales that can be found by hand: a body of 2 kg at (3, 0) with (0, 4)
@@ -329,7 +327,7 @@ TEST(test_grain, "far from the origin places are coarse")
             UNIT_NEAR(v.rounded, 0x1p-53 * 1e7 / 2, 1e-6 * v.rounded);
             /* And no two runs agree to less. */
             struct record_setup o = order(&s, "free", 1, 2);
-            struct record a = recorded(&v, &o), b = recorded(&v, &o);
+            FREED(record) a = recorded(&v, &o), b = recorded(&v, &o);
             /* (With a rounding of the rows themselves, of 2 m.) */
             UNIT_NEAR(record_difference(&v, &a, &b, 0, 2), v.rounded,
                       0x1p-52);
@@ -337,8 +335,6 @@ TEST(test_grain, "far from the origin places are coarse")
             UNIT_EQUAL(a.value[6 + axis], side * 1e7 + 2);
             UNIT_EQUAL(record_agree(&v, &a, &b, 1.01 * v.rounded), 2);
             UNIT_EQUAL(record_agree(&v, &a, &b, 0.9 * v.rounded), 0);
-            record_free(&a);
-            record_free(&b);
             record_view_free(&v);
             UNIT_TRUE(record_view_create(&v, "record", &s, &asked, 1));
             UNIT_EQUAL(v.rounded, 0);
@@ -361,7 +357,7 @@ TEST(test_grain, "far from the origin places are coarse")
    turns, velocities are not, and what is no number is infinitely far. */
 TEST(test_rows, "rows are compared round the box")
 {
-    struct scene s = all_at_once();
+    FREED(scene) s = all_at_once();
     FREED(record_view) v;
     UNIT_TRUE(record_view_create(&v, "record", &s, NULL, 2));
     const double scale = sqrt(6 * 6 + 2 * 2);
@@ -404,7 +400,6 @@ TEST(test_rows, "rows are compared round the box")
     UNIT_TRUE(isinf(record_difference(&v, &a, &b, 0, 2)));
     UNIT_TRUE(isinf(record_difference(&v, &b, &a, 0, 2)));
     UNIT_TRUE(record_difference(&v, &a, &b, 0, 1) < INFINITY);
-    scene_free(&s);
 }
 
 /* Two balls of radius 0.1 that pass at 0.2 + g, in steps: both the run and

@@ -32,6 +32,15 @@ static void forces(const struct scene *s, double a[])
     springs_accelerate(&p, s->position, s->velocity, a);
 }
 
+/* The springs of a scene, and its motion by a method. */
+static void begin(struct springs *p, struct stepping *t, struct scene *s,
+                  const char *method, double dt)
+{
+    UNIT_MUST(springs_create(p, s) &&
+              stepping_begin(t, stepping_find(method), springs_forces(p),
+                             dt, s->position, s->velocity));
+}
+
 /* Stretched from 1 to 5 m along (3, 4): 40 N, and the second is heavier. */
 TEST(test_pull, "a stretched spring draws its ends together")
 {
@@ -279,10 +288,7 @@ static void leap(const struct scene *from, uint64_t steps, uint64_t piece,
     s->damping = from->damping;
     for (size_t i = 0; i < s->kinds; ++i)
         s->kind[i] = from->kind[i];
-    UNIT_MUST(springs_create(&p, s) &&
-              stepping_begin(&stepping, stepping_find("leapfrog"),
-                             springs_forces(&p), 0.01, s->position,
-                             s->velocity));
+    begin(&p, &stepping, s, "leapfrog", 0.01);
     stepping.sweep = swept ? springs_sweep : NULL;
     for (uint64_t k = 0; k < steps; k += piece)
         stepping_run(&stepping, piece);
@@ -294,7 +300,6 @@ static void leap(const struct scene *from, uint64_t steps, uint64_t piece,
 TEST(test_leapfrog, "leapfrog swept and in pieces, the same bits")
 {
     for (int way = 0; way < 3; ++way) {
-        struct scene other;
         FREED(scene) s, one;
         make_membrane(&s, 40, 30, way == 0 ? 0.5 : 0);
         s.damping = way == 1 ? 0.2 : 0;
@@ -302,12 +307,12 @@ TEST(test_leapfrog, "leapfrog swept and in pieces, the same bits")
         static const uint64_t pieces[] = {1, 7, 140};
         for (int i = 0; i < 3; ++i)
             for (int swept = 0; swept < 2; ++swept) {
+                FREED(scene) other;
                 leap(&s, 140, pieces[i], swept, &other);
                 UNIT_TRUE(memcmp(one.position, other.position,
                                  3600 * sizeof *one.position) == 0);
                 UNIT_TRUE(memcmp(one.velocity, other.velocity,
                                  3600 * sizeof *one.velocity) == 0);
-                scene_free(&other);
             }
     }
 }
@@ -333,8 +338,7 @@ TEST(test_odd_lists, "so they do for lists that are no grid")
               scene_add_spring(&s, 90, 3, 0, 1) &&
               scene_add_spring(&s, 5, 6, 1, 0.5));
     same_bits(&s, 4);
-    if (!scene_add_spring(&s, 5, 6, 0, 0.5)) /* a second one: no band */
-        exit(1);
+    UNIT_MUST(scene_add_spring(&s, 5, 6, 0, 0.5)); /* a second: no band */
     same_bits(&s, 3);
     for (size_t i = 0; i < s.springs; ++i)
         if (i % 5 == 1)
@@ -347,8 +351,6 @@ TEST(test_odd_lists, "so they do for lists that are no grid")
 TEST(test_momentum, "inner forces keep the momentum")
 {
     FREED(scene) s;
-    struct springs p;
-    struct stepping t;
     const double values[] = {9, 5, 1, 1, 2, 100, 0.5, 2, 0, 0};
     UNIT_MUST(
         !gallery_find(elastic_scenes, "cantilever")->build(&s, values));
@@ -356,12 +358,11 @@ TEST(test_momentum, "inner forces keep the momentum")
         s.freedom[i] = 1;
     shake(&s);
     for (int axial = 0; axial < 2; ++axial) {
+        FREED(springs) p;
+        FREED(stepping) t;
         double before[3] = {0}, after[3] = {0};
         s.axial = axial;
-        UNIT_MUST(springs_create(&p, &s) &&
-                  stepping_begin(&t, stepping_find("leapfrog"),
-                                 springs_forces(&p), 0.01, s.position,
-                                 s.velocity));
+        begin(&p, &t, &s, "leapfrog", 0.01);
         for (size_t i = 0; i < 3 * s.bodies; ++i)
             before[i / s.bodies] += s.velocity[i];
         stepping_run(&t, 1000);
@@ -369,8 +370,6 @@ TEST(test_momentum, "inner forces keep the momentum")
             after[i / s.bodies] += s.velocity[i];
         for (int k = 0; k < 3; ++k) /* 1e6 sums of size 1 to 10 */
             UNIT_NEAR(after[k], before[k], 1e-11);
-        stepping_free(&t);
-        springs_free(&p);
     }
 }
 
@@ -386,10 +385,7 @@ TEST(test_spin, "what dashpots do to rotation")
         s.kind[0].damping = 0.3;
         s.velocity[2] = -1; /* y velocities: no momentum */
         s.velocity[3] = 0.5;
-        UNIT_MUST(springs_create(&p, &s) &&
-                  stepping_begin(&t, stepping_find("yoshida4"),
-                                 springs_forces(&p), 1e-3, s.position,
-                                 s.velocity));
+        begin(&p, &t, &s, "yoshida4", 1e-3);
         double spin[2];
         for (int k = 0; k < 2; ++k) {
             const double *x = s.position, *v = s.velocity;
@@ -437,12 +433,8 @@ TEST(test_regimes, "the stepped oscillator follows it")
             FREED(springs) p;
             FREED(stepping) t;
             const double h = fine ? 0.01 : 0.02;
-            if (gallery_make(&s, o, "damping", 2 * g[i]) ||
-                !springs_create(&p, &s) ||
-                !stepping_begin(&t, stepping_find("leapfrog"),
-                                springs_forces(&p), h, s.position,
-                                s.velocity))
-                exit(1);
+            UNIT_MUST(!gallery_make(&s, o, "damping", 2 * g[i]));
+            begin(&p, &t, &s, "leapfrog", h);
             stepping_run(&t, fine ? 300 : 150);
             error[fine] = fabs(s.position[1] - 4 - closed(g[i], 3));
         }
@@ -460,12 +452,10 @@ static void swing(double damping, const char *method, double dt,
     FREED(scene) s;
     FREED(springs) p;
     FREED(stepping) t;
-    if (gallery_make(&s, gallery_find(elastic_scenes, "double-pendulum"),
-                     "damping", damping) ||
-        !springs_create(&p, &s) ||
-        !stepping_begin(&t, stepping_find(method), springs_forces(&p), dt,
-                        s.position, s.velocity))
-        exit(1);
+    UNIT_MUST(!gallery_make(&s,
+                            gallery_find(elastic_scenes, "double-pendulum"),
+                            "damping", damping));
+    begin(&p, &t, &s, method, dt);
     for (size_t i = 0; i < rows; ++i) {
         const double *e = expected[i];
         stepping_run(&t, (uint64_t)(e[0] / dt + 0.5) - t.steps);

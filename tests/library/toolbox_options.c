@@ -169,72 +169,44 @@ TEST(test_count, "whole numbers are read exactly")
     accepted("--seed\n0e99", "seed=0\ngas --seed 0e99\n");
 }
 
-TEST(test_count_refused, "what is no whole number is refused")
+/* Each text of a list is refused as a value. */
+static void each_refused(const char *option, const char *values,
+                         const char *why)
 {
-    static const char *const wrong[] = {"ten",
-                                        "",
-                                        " 3",
-                                        "3 ",
-                                        "-3",
-                                        "+3",
-                                        "0x10",
-                                        "1.5",
-                                        "1e-1",
-                                        "1e",
-                                        "1e+",
-                                        "1e1x",
-                                        "5x",
-                                        ".",
-                                        "e3",
-                                        "nan",
-                                        "inf",
-                                        "1e8",
-                                        "0",
-                                        "10000001",
-                                        "1,5",
-                                        "1e99999999999999999999",
-                                        "1e-99999999999999999999"};
-    list = entries;
-    for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; ++i) {
-        char arguments[80], message[160];
-        snprintf(arguments, sizeof arguments, "--particles\n%s", wrong[i]);
-        snprintf(message, sizeof message,
-                 "--particles: '%s' is not a whole number from 1 to "
-                 "10000000",
-                 wrong[i]);
+    char text[80];
+    while (unit_item(&values, text)) {
+        char arguments[100], message[160];
+        snprintf(arguments, sizeof arguments, "--%s\n%s", option, text);
+        snprintf(message, sizeof message, "--%s: '%s' is not %s", option,
+                 text, why);
         refused(arguments, message);
     }
-    refused(
-        "--seed\n18446744073709551616",
-        "--seed: '18446744073709551616' is not a whole number from 0 to "
-        "18446744073709551615");
-    refused("--seed\n1e20",
-            "--seed: '1e20' is not a whole number from 0 to "
-            "18446744073709551615");
+}
+
+TEST(test_count_refused, "what is no whole number is refused")
+{
+    list = entries;
+    each_refused("particles",
+                 "ten|| 3|3 |-3|+3|0x10|1.5|1e-1|1e|1e+|1e1x|5x|.|e3|nan|"
+                 "inf|1e8|0|10000001|1,5|1e99999999999999999999|"
+                 "1e-99999999999999999999|",
+                 "a whole number from 1 to 10000000");
+    each_refused("seed", "18446744073709551616|1e20|",
+                 "a whole number from 0 to 18446744073709551615");
 }
 
 TEST(test_real, "real numbers keep to their range")
 {
-    static const char *const wrong[] = {
-        "2",   "-0.1", "",         " 1",
-        "1 ",  "x",    "0x1",      "nan",
-        "inf", "-inf", "infinity", "1e999",
-        "1e",  "0,5",  "1..0",     "1.0000000000000003"};
     list = entries;
     accepted("--restitution\n0.1",
              "e=0.10000000000000001\ngas --restitution 0.1\n");
     accepted("--restitution\n1", "e=1\ngas --restitution 1\n");
     accepted("--restitution=+5e-1", "e=0.5\ngas --restitution +5e-1\n");
     accepted("--mass\n1e-320", "m=9.99989e-321\ngas --mass 1e-320\n");
-    for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; ++i) {
-        char arguments[80], message[160];
-        snprintf(arguments, sizeof arguments, "--restitution\n%s",
-                 wrong[i]);
-        snprintf(message, sizeof message,
-                 "--restitution: '%s' is not a number from 0 to 1",
-                 wrong[i]);
-        refused(arguments, message);
-    }
+    each_refused("restitution",
+                 "2|-0.1|| 1|1 |x|0x1|nan|inf|-inf|infinity|1e999|1e|0,5|"
+                 "1..0|1.0000000000000003|",
+                 "a number from 0 to 1");
     refused("--mass\n0", "--mass: '0' is not a number more than 0");
     refused("--mass\n1e999", "--mass: '1e999' is not a number more than 0");
     refused("--free\ninf", "--free: 'inf' is not a number");
@@ -408,8 +380,7 @@ TEST(test_help, "help and version succeed or say why not")
         UNIT_TRUE(end && end - line <= 78);
     }
     child_says(child_run(program, help, ""), 1,
-               "gas: cannot write standard output: Bad file "
-               "descriptor\n");
+               "gas: cannot write standard output: Bad file descriptor\n");
     if (access("/dev/full", W_OK) != 0)
         return;
     child_says(child_run(program, version, "/dev/full"), 1,

@@ -69,12 +69,11 @@ TEST(test_lines, "five times a second at most a line is renewed")
 {
     struct child c = told(whole_run, true);
     UNIT_TRUE(c.status == 0 && *c.out == '\0');
-    UNIT_TRUE(strcmp(c.err,
-                     "\rdrop: 25 % done, 40 falls/s, 3 s left"
+    UNIT_SAYS(c.err, "\rdrop: 25 % done, 40 falls/s, 3 s left"
                      "\rdrop: 50 % done, 64 falls/s, 2 s left"
                      "\rdrop: 99 % done, 0.5 falls/s, 1 s left"
                      "\rdrop: 10 % done, 1 falls/s, 180 s left"
-                     "\r                                      \r") == 0);
+                     "\r                                      \r");
     c = told(whole_run, false);
     UNIT_TRUE(c.status == 0 && *c.err == '\0');
 }
@@ -101,11 +100,10 @@ static int short_line(void *unused)
 TEST(test_short_line, "what is not known is not said")
 {
     const struct child c = told(short_line, true);
-    UNIT_TRUE(strcmp(c.err,
-                     "\rdrop: 25 % done, 1.2 falls/s, 300 s left"
+    UNIT_SAYS(c.err, "\rdrop: 25 % done, 1.2 falls/s, 300 s left"
                      "\rdrop: 0 % done, 2 falls/s               "
                      "\rdrop: 0 % done, 4 falls/s"
-                     "\rdrop: 100 % done, 5 falls/s, 0 s left") == 0);
+                     "\rdrop: 100 % done, 5 falls/s, 0 s left");
 }
 
 static int long_lines(void *unused)
@@ -124,14 +122,13 @@ static int long_lines(void *unused)
 TEST(test_long_lines, "a line ends before the terminal does")
 {
     const struct child c = told(long_lines, true);
-    UNIT_TRUE(
-        strcmp(c.err,
-               "\ra-program-whose-name-alone-is-so-long-that-the-line-does-"
-               "not-fit-into-eighty"
-               "\rdrop: 0 % done, 0.01 falls/s, 1844674407370955161600 s "
-               "left"
-               "\rdrop: 0 % done, 0.001 falls/s, 18446744073709551616000 s "
-               "lef") == 0);
+    UNIT_SAYS(c.err,
+              "\ra-program-whose-name-alone-is-so-long-that-the-line-does-"
+              "not-fit-into-eighty"
+              "\rdrop: 0 % done, 0.01 falls/s, 1844674407370955161600 s "
+              "left"
+              "\rdrop: 0 % done, 0.001 falls/s, 18446744073709551616000 s "
+              "lef");
 }
 
 static int signal_number;
@@ -160,7 +157,7 @@ TEST(test_caught, "a signal is noted, with how far the run was")
         UNIT_EQUAL(c.status, 0);
         UNIT_SAYS(c.err, "drop: interrupted\n");
         c = child_run(caught, "known", NULL);
-        UNIT_TRUE(strcmp(c.err, "drop: interrupted; 55 % was done\n") == 0);
+        UNIT_SAYS(c.err, "drop: interrupted; 55 % was done\n");
     }
 }
 

@@ -10,10 +10,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* Returns the text of build/check/flags, which make has written: the
-   compiler's command, then the libraries. They are never taken from the
-   environment, because objects of two compilers whose sanitizers differ
-   cannot be linked. */
+/* Returns the text of build/check/flags, which make has written: a line
+   with the compiler's command, then one with the libraries. They are never
+   taken from the environment, because objects of two compilers whose
+   sanitizers differ cannot be linked. */
 static char *flags_read(void)
 {
     char *flags = text_read("build/check/flags");
@@ -30,8 +30,8 @@ bool build_sanitized(void)
     return found;
 }
 
-/* Has make build the suite of an exercise, unless it is there. make check
-   has built those of the exercises that are named or begun; but during
+/* Builds the suite of an exercise by make, unless it exists. make check has
+   built the suites of the exercises that are named or begun; but during
    make watch a student may begin another one. */
 void build_suite(const char *exercise)
 {
@@ -54,22 +54,22 @@ void build_suite(const char *exercise)
                   suite);
 }
 
-/* Compiles and links the student's file. The header with the types of the
-   exercise's functions is included first, so that a function with other
-   types is an error in its own line; the linker would not notice, and its
-   results would look like wrong physics. Warnings are errors only with
-   `strict', for the kit's own tests: a file that is half done may have an
-   unused variable and still be worth running. */
+/* The script that compiles and links the student's file. The header with
+   the types of the exercise's functions is included first, so that a
+   function with other types is an error in its own line; the linker would
+   not notice, and its results would look like wrong physics. Warnings are
+   errors only with `strict', for the kit's own tests: an unfinished file
+   may have an unused variable and still be worth running. */
 static char function[] =
     "types=build/check/$5.types.h && [ -f $types ] || types=\n"
     "exec $1 $2 ${types:+-include $types} -Isrc -Isrc/examiner "
     "-Wall -Wextra -fmax-errors=20 "
     "-o \"$3/runner\" \"$4\" build/check/$5.suite.o $6";
 static char runner[] = "exec $1 -o \"$3/runner\" build/check/$5.suite.o $6";
-/* Builds a project, once for each of the functions that it is linked with
-   in place of the one in its header. Only the first, the right one, is
-   built with sanitizers and warnings: the others take half the time, and
-   their warnings would be the same. */
+/* The script that builds a project, once for each function that it is
+   linked with in place of the one in its header. Only the first, the right
+   one, is built with sanitizers and warnings: the others take half the
+   time, and would give the same warnings. */
 static char program[] =
     "given=build/check/$5.given.o law=1\n"
     "name=$(sed -n 's/^void \\([a-z]*\\)_0(.*/\\1/p' \\\n"
@@ -86,11 +86,11 @@ static char program[] =
     "    law=$((law + 1))\n"
     "done\n";
 
-/* Runs one of the scripts above. They are constant, and what varies is
-   passed as arguments: a name that was put into the script could end a
-   quotation and become a command. Messages are asked for in English and
-   without colours, because they are read here. A compiler that takes half
-   a minute for an exercise has met an endless loop of its own. */
+/* Runs one of the scripts above; returns whether it succeeded. What varies
+   is passed in arguments: in the script a name could end a quotation and
+   become a command. Messages are asked for in English and without colours,
+   because they are read here. A compiler that takes half a minute for an
+   exercise is itself in an endless loop. */
 static bool compile(const char *folder, const char *exercise, char *source,
                     bool strict, char *script)
 {
@@ -140,8 +140,8 @@ static const char *find_line(const char *text, const char *start,
     return NULL;
 }
 
-/* Returns how often a word occurs. " error: " with its blanks is part of
-   no name, and notes and warnings do not have it. */
+/* Returns how often a word occurs. " error: " with its blanks is part of no
+   name, note or warning. */
 static int count(const char *text, const char *word)
 {
     int found = 0;
@@ -150,10 +150,10 @@ static int count(const char *text, const char *word)
     return found;
 }
 
-/* Returns the first error in the student's file, because the others often
-   follow from it, and a beginner who starts with the last one changes what
-   was right. A missing return comes after all others: a function that the
-   compiler could not read to its end has none. */
+/* Returns the line of the first error in the student's file: later errors
+   often follow from it, and a beginner who starts with the last one changes
+   what was right. A missing return comes after all others, since it may
+   follow from them: the compiler has not read the function to its end. */
 static const char *find_error(const char *text, const char *source)
 {
     const char *first = find_line(text, source, "error:");
@@ -164,8 +164,8 @@ static const char *find_error(const char *text, const char *source)
 }
 
 /* Shows the #include of the student's file in whose header the compiler
-   found an error. A header of the system has none: what is wrong is the
-   end of the line above the #include. */
+   found an error. The system's headers have no errors: the cause is the end
+   of the line above the #include. */
 static void tell_header(const char *text, const char *source, FILE *story)
 {
     char place[4200];
@@ -191,9 +191,9 @@ static void quoted_name(const char *start, char name[64])
 }
 
 /* Copies to name the function whose types the error in this line is about;
-   returns false if it is about something else. For a definition in the old
-   style, with the types behind the parenthesis, only the line above the
-   error names it. */
+   returns false for any other error. If the definition is in the old style,
+   with the types behind the parenthesis, only the message above the error
+   names the function. */
 static bool name_function(const char *text, const char *line, char name[64])
 {
     static const char *const words[] = {
@@ -213,9 +213,8 @@ static bool name_function(const char *text, const char *line, char name[64])
     return *name;
 }
 
-/* Returns the declaration of a function, as the exercise gives it, or
-   NULL. It stands in a comment of the header that tests/types.awk has
-   made. */
+/* Returns the declaration of a function, as the exercise gives it, or NULL.
+   It is in a comment of the header that tests/types.awk has made. */
 static char *given_function(char *header, const char *name)
 {
     char call[66];
@@ -267,10 +266,9 @@ void build_tell(const char *text, const char *source, const char *types,
     const char *line = own ? own : find_line(text, "", "error:");
     if (!own && line)
         tell_header(text, source, story);
-    /* The linker has two complaints, each with one cause here. It names
-       each file before it complains of it, the student's first: so a
-       complaint before the suite's name is about a call in the student's
-       file. */
+    /* The linker has two kinds of errors, each with one cause here. It
+       names each file before its errors, the student's first: so an error
+       before the suite's name is about a call in the student's file. */
     const char *lost = strstr(text, "undefined reference");
     const char *twice = strstr(text, "multiple definition");
     const char *tests = strstr(text, ".suite.o");
@@ -331,10 +329,10 @@ static const char *find_warning(const char *text, const char *source)
     return line ? line : first;
 }
 
-/* Shows one warning about the student's file, and only when a test has
-   failed, because a warning often names the reason. The first one that we
-   can explain is preferred: others, such as that of an unused variable,
-   seldom help a beginner. */
+/* Shows one warning about the student's file. It is called only when a test
+   has failed, because a warning often names the cause. The first warning
+   that we can explain is preferred: others, such as that of an unused
+   variable, seldom help a beginner. */
 void build_warning(const char *folder, const char *source, FILE *story)
 {
     char *text = read_messages(folder);

@@ -10,26 +10,28 @@
 void build_suite(const char *exercise);
 
 /* Compiles source and links it with the suite of an exercise ("01a") to
-   folder/runner. With strict, warnings are errors. Returns whether that
-   worked; if not, writes what a student should know of it to story. Exits
+   folder/runner. With strict, warnings are errors. Returns whether it
+   succeeded; if not, writes an explanation for the student to story. Exits
    with status 2 when the kit itself is not ready. */
 bool build_runner(const char *folder, const char *exercise,
                   const char *source, bool strict, FILE *story);
 
-/* Writes to story what a student should know of the messages in text, in
-   which his file is called source. The file types has the functions of the
-   exercise with their types; there may be none. */
+/* Explains in story the compiler's messages in text, in which the student's
+   file is called source. The file types has the functions of the exercise
+   with their types; it need not exist. */
 void build_tell(const char *text, const char *source, const char *types,
                 FILE *story);
 
-/* Writes a warning about source from the last build in that folder: the
-   first that we can explain or, if there is none, the first of all. */
+/* Writes to story a warning about source from the last build in that
+   folder: the first that we can explain or, if there is none, the first of
+   all. */
 void build_warning(const char *folder, const char *source, FILE *story);
 
-/* Whether that folder's last build found an error in source. */
+/* Returns whether the last build in that folder found an error in
+   source. */
 bool build_blames(const char *folder, const char *source);
 
-/* Whether build/check/flags turns the address sanitizer on. */
+/* Returns whether build/check/flags turns the address sanitizer on. */
 bool build_sanitized(void);
 
 #endif

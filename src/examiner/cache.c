@@ -9,9 +9,9 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Returns whether an #include names a header of the system or exercise.h.
-   As the compiler does, it looks for a header in angle brackets among the
-   kit's own first. */
+/* Returns whether an #include names a header of the system or one that the
+   kit gives to students. Like the compiler it looks for a header in angle
+   brackets among the kit's own first. */
 static bool harmless(const char *what)
 {
     char name[64], path[128];
@@ -28,8 +28,8 @@ static bool harmless(const char *what)
     return access(path, F_OK) != 0;
 }
 
-/* Returns whether a file includes no other file of the student. A verdict
-   would depend on that file as well, and it is not followed. */
+/* Returns whether a file includes no other file of the student: the verdict
+   would depend on that file as well, which is not read here. */
 static bool stands_alone(const char *path)
 {
     char *text = text_read(path);
@@ -46,11 +46,11 @@ static bool stands_alone(const char *path)
     return alone;
 }
 
-/* Adds to a checksum what all verdicts depend on: the examiner, the
-   library, the compiler's command, the table of equations, and an
-   exercise.h of the student's, which the compiler would find before ours.
-   The compiler's version and the system's headers are not included: after
-   an upgrade use make clean. */
+/* Returns a checksum of all that every verdict depends on: the examiner,
+   the library, the compiler's command, the table of equations, and headers
+   of the student's, which the compiler would find before ours. The
+   compiler's version and the system's headers are not included: after an
+   upgrade use make clean. */
 static uint64_t sum_common(void)
 {
     static const char *const files[] = {
@@ -66,10 +66,10 @@ static uint64_t sum_common(void)
     return sum;
 }
 
-/* Computes the key of a verdict. Times of files would not do: a file that
-   was restored from an archive is older than the verdict on what it
-   replaces. For the whole course some megabytes are read, in some
-   milliseconds. The key 0 stands for "none" and is avoided. */
+/* Returns the key of a verdict, never 0. Times of files would not do: a
+   file that was restored from an archive is older than the verdict on its
+   predecessor. For the whole course some megabytes are read, in some
+   milliseconds. */
 uint64_t cache_key(const struct exercise *e, bool strict, int seconds)
 {
     char path[64];
@@ -89,8 +89,7 @@ uint64_t cache_key(const struct exercise *e, bool strict, int seconds)
 
 enum { CACHE_SIZE = 1 << 16 };
 
-/* Reads a stored verdict without changing a byte; text_read would escape
-   some. */
+/* Reads a stored verdict unchanged; text_read would escape some bytes. */
 static bool load(const char *name, char text[CACHE_SIZE])
 {
     char path[64];
@@ -103,8 +102,8 @@ static bool load(const char *name, char text[CACHE_SIZE])
     return true;
 }
 
-/* Reads the stored verdict with this key. A damaged or incomplete file
-   fails its checksum and is ignored. */
+/* Reads the stored verdict with this key. A damaged or incomplete file is
+   ignored, since its checksum is wrong. */
 bool cache_load(struct exercise *e, uint64_t key)
 {
     static char text[CACHE_SIZE];

@@ -8,15 +8,14 @@
 
 /* Returns a checksum of all that a verdict on the student's file depends
    on, or 0 if the file includes other files of the student, which are not
-   followed: such a verdict cannot be stored. */
+   read: then the verdict cannot be stored. */
 uint64_t cache_key(const struct exercise *e, bool strict, int seconds);
 
 /* Fills in the state of an exercise from its stored verdict. Returns
    false, with nothing changed, if there is none with this key. */
 bool cache_load(struct exercise *e, uint64_t key);
 
-/* Stores the state of an exercise. If that fails nothing is lost but
-   time. */
+/* Stores the state of an exercise. If that fails, only time is lost. */
 void cache_save(const struct exercise *e, uint64_t key);
 
 #endif

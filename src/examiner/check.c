@@ -20,8 +20,8 @@
 #include <sys/syscall.h>
 #endif
 
-/* Returns a text in one of 32 buffers, which are used in turn; the header
-   promises 20 of them, this file needs the others. Suites call this within
+/* Returns a text in one of 32 buffers, which are used in turn: 20 that the
+   header promises, and others for this file. Suites call it within
    initializers, where allocated memory could not be freed. */
 const char *check_text(const char *format, ...)
 {
@@ -38,13 +38,12 @@ const char *check_text(const char *format, ...)
 static pid_t report_owner;
 static char report_nonce[REPORT_NONCE + 1];
 
-/* Writes one line of the report. It is a single write, so that the line is
-   whole or absent when the process dies, and it begins with a line end in
-   case the program has left half a line. Only the process that opened the
-   report writes: a copy that the student made with fork must not report in
-   its name. If the descriptor was closed the process ends with a status
-   that is not 0, which the examiner sees. The buffer holds every text of
-   check_text. */
+/* Writes one line of the report in a single write, so that the line is
+   whole or absent when the process dies. It begins with a line end in case
+   the program has left half a line. Only the process that opened the report
+   writes: a copy that the student made with fork must not report. If the
+   descriptor was closed the process ends with a status that is not 0, which
+   the examiner sees. The buffer has room for every text of check_text. */
 static void report(const char *word, const char *text)
 {
     char line[REPORT_LINE];
@@ -56,9 +55,9 @@ static void report(const char *word, const char *text)
         _exit(EXIT_FAILURE);
 }
 
-/* Reads the nonce from the report and empties it; returns whether that
-   worked. The descriptor closes on exec, so that no program that the
-   student starts inherits it. */
+/* Reads the nonce, the random word that signs the lines, from the report
+   and empties the file; returns whether that worked. The descriptor closes
+   on exec, so that no program that the student starts inherits it. */
 static bool report_open(void)
 {
     report_owner = getpid();
@@ -68,17 +67,16 @@ static bool report_open(void)
            fcntl(REPORT_FILE, F_SETFD, FD_CLOEXEC) == 0;
 }
 
-/* Reports that a gap was reached, and ends the process. NOT_DONE_YET so
-   never returns its value, and a loop that waits for a value comes to an
-   end. */
+/* Reports that a gap was reached, and ends the process. So NOT_DONE_YET
+   never returns its value, and a loop that waits for a value ends. */
 void exercise_not_done(const char *file, int line)
 {
     report(REPORT_UNDONE, check_text("%s:%d", file, line));
     _exit(EXIT_SUCCESS);
 }
 
-/* Reports one line about a failure, a label and its text, unless the suite
-   has given no text. */
+/* Reports one line about a failure, a label and a text, unless the text is
+   empty. */
 static void say(const char *label, const char *text)
 {
     if (text && *text)
@@ -90,8 +88,8 @@ void check_tell(const char *label, const char *text)
     say(label, text);
 }
 
-/* Writes a number with this many digits. A NaN gets no sign, since that
-   means nothing and differs between compilers. */
+/* Writes a number with this many digits. A NaN gets no sign, which means
+   nothing and differs between compilers. */
 static void number_text(char *text, size_t room, int digits, double x)
 {
     if (isnan(x))
@@ -100,9 +98,9 @@ static void number_text(char *text, size_t room, int digits, double x)
         snprintf(text, room, "%.*g", digits, x);
 }
 
-/* Writes two numbers in ten digits. If they would look the same, it writes
-   17 digits, which distinguish any two doubles: "expected 1, got 1, failed"
-   would be a contradiction. */
+/* Writes two numbers with ten digits. If they would look equal, it writes
+   17 digits, which distinguish any two doubles: "expected 1, got 1" would
+   be no explanation. */
 static void number_pair(char *one, char *other, size_t room, double x,
                         double y)
 {
@@ -114,16 +112,16 @@ static void number_pair(char *one, char *other, size_t room, double x,
     }
 }
 
-/* Returns whether two numbers agree. A NaN does not, since comparing it
-   gives false; !(fabs(got - expected) > tolerance) would let it pass.
-   Equal infinities need the first comparison, because their difference is
-   a NaN. */
+/* Returns whether two numbers agree. A NaN agrees with nothing, since
+   comparing it gives false; !(fabs(got - expected) > tolerance) would
+   accept it. Equal infinities need the first comparison, because their
+   difference is a NaN. */
 static bool near(double got, double expected, double tolerance)
 {
     return got == expected || fabs(got - expected) <= tolerance;
 }
 
-/* Returns whether x is this NaN, bit for bit but for the sign. */
+/* Returns whether x is the NaN `mark`, in all bits but the sign. */
 static bool is_mark(double x, double mark)
 {
     x = copysign(x, 1.0);
@@ -135,12 +133,12 @@ static bool is_empty(double got)
     return is_mark(got, CHECK_EMPTY);
 }
 
-/* Returns whether an answer is the value of this mistake, within the
-   tolerance and a part in 1e9: the suite computes the value in one way and
-   the student in another. Where the value is the expected one (a radius of
-   1 equals its square) the mistake does no harm and explains nothing. A
-   value that only comes out as NaN explains nothing either, or every NaN
-   would be taken for this mistake. */
+/* Returns whether an answer has the value of this mistake, within the
+   tolerance and a part in 1e9, since suite and student compute it in two
+   ways. A mistake with the expected value (a radius of 1 equals its square)
+   does no harm and explains nothing. Nor does a value that is NaN without
+   being CHECK_NAN or CHECK_EMPTY, or every NaN would be taken for this
+   mistake. */
 static bool explains(const struct check_mistake *mistake, double got,
                      const struct check *c)
 {
@@ -152,10 +150,10 @@ static bool explains(const struct check_mistake *mistake, double got,
     return near(got, value, slack) && !near(value, c->expected, slack);
 }
 
-/* Returns the mistake that explains an answer, or NULL. Two mistakes may
-   have the same value for an input; then none is told, because the hint of
-   the likelier one would mislead everybody else. It is for the suite to
-   choose inputs that tell its mistakes apart. */
+/* Returns the mistake that explains an answer, or NULL. If two mistakes
+   have the same value for an input none is told, because the hint of the
+   likelier one would mislead everybody else. Suites should choose inputs
+   for which mistakes have different values. */
 static const struct check_mistake *mistake_behind(double got,
                                                   const struct check *c)
 {
@@ -171,9 +169,8 @@ static const struct check_mistake *mistake_behind(double got,
     return found;
 }
 
-/* Returns the question for an answer that is a NaN. It is asked instead of
-   any about physics: a NaN has many causes, and the input does not tell
-   which. */
+/* Returns the question for an answer that is a NaN, instead of one about
+   physics: a NaN has many causes, and the input does not tell which. */
 static const char *ask_of_nan(double got)
 {
     return is_empty(got)
@@ -186,10 +183,10 @@ static const char *ask_of_nan(double got)
                  "value yet?";
 }
 
-/* Reports a failed check: what was asked, the input, what should have come
-   out, what did, the tolerance, and last a hint, if the answer is a known
-   mistake, or else a question. Both would be too much: the question would
-   lead away from the mistake. */
+/* Reports a failed check: the quantity, the input, the expected value, the
+   answer, the tolerance, and last a hint, if the answer is a known mistake,
+   or else a question. The question is left out beside a hint, since it
+   would lead away from the mistake. */
 static void say_failure(double got, const struct check *c)
 {
     char wanted[64], found[64];
@@ -212,10 +209,10 @@ static void say_failure(double got, const struct check *c)
                                                           : c->question);
 }
 
-/* Compares, tells CUnit, and reports a failure. CUnit counts passed
-   comparisons, too: a test without any must not pass. Only the first
-   failure of a test is reported, since a loop over a thousand inputs that
-   fails at each has one thing to say. */
+/* Compares, tells CUnit, and reports the first failure of a test: a loop
+   over a thousand inputs that fails at each would tell one thing a thousand
+   times. CUnit counts passed comparisons as well, so that a test without
+   any does not pass. */
 bool check_near(const char *file, int line, double got, struct check c)
 {
     const bool passed = near(got, c.expected, c.tolerance);
@@ -227,8 +224,8 @@ bool check_near(const char *file, int line, double got, struct check c)
 }
 
 /* Reports that a function wrote outside of an output. The name comes from
-   the program in the sandbox and may be any bytes, so it is cut at the
-   first that no name has. */
+   the program in the sandbox and may have any bytes, so it is cut at the
+   first that is not in a name. */
 static void say_overrun(const struct check_overrun *o)
 {
     static const char low[] = "Does your function use an index below 0?";
@@ -275,15 +272,16 @@ void check_demand(const char *what, double asked, double most)
 
 static struct random inputs;
 
-/* Seeds the random inputs of a test by its number, so that they do not
-   depend on which tests ran before. The odd factor with many bits keeps
+/* Seeds the inputs of a test by its number, so that they do not depend on
+   which tests ran before. The odd factor with many bits prevents
    neighbouring seeds and tests from sharing a sequence. */
 static void seed_inputs(uint64_t seed, int number)
 {
     random_seed(&inputs, seed + (uint64_t)number * 0x9e3779b97f4a7c15u);
 }
 
-/* Shuffles with the report's nonce as seed, which is new in each run. */
+/* Shuffles with a seed from the report's nonce, which is new in each
+   run. */
 void check_shuffle(int order[], int count)
 {
     struct random drawn;
@@ -327,8 +325,8 @@ static bool is_idle(const struct check_test *t)
 
 /* Prints the suite's file, title and minutes, then a line for each test:
    its points, its points under another seed, 1 if it is idle, its name.
-   make reads this from a runner with the stub: a program with a student's
-   code in it must not say how many tests there are. */
+   make reads this from a runner linked with the stub, since a student's
+   code could change it. */
 static int list_suite(void)
 {
     printf("file %s\ntitle %s\nminutes %d\n", check_suite.file,
@@ -346,9 +344,9 @@ int __lsan_do_recoverable_leak_check(void) __attribute__((weak));
 #endif
 static bool leaks_wanted = true;
 
-/* Has the sanitizer print which memory was leaked. It does so in a child
-   process, because where it may not trace it ends the program, and after
-   the verdict, because a leak costs no point. */
+/* Prints, by the sanitizer, which memory was leaked. It does so in a child
+   process, since a sanitizer that may not trace ends the program, and after
+   the verdict, since a leak costs no point. */
 static void look_for_leaks(void)
 {
 #ifdef __linux__
@@ -363,9 +361,9 @@ static void look_for_leaks(void)
 #endif
 }
 
-/* Returns whether the test has passed. One without a single check fails:
-   its suite has a mistake, such as a loop over an empty range, which would
-   let everybody pass. */
+/* Returns whether the test has passed. A test without a check fails: its
+   suite has a mistake, such as a loop over an empty range, and everybody
+   would pass. */
 static bool has_passed(void)
 {
     const bool checked = CU_get_number_of_asserts() > 0;
@@ -375,11 +373,11 @@ static bool has_passed(void)
     return checked && CU_get_number_of_failures() == 0;
 }
 
-/* Runs one test with CUnit, which counts checks, but neither survives a
-   crash nor notices that a student called exit(0). So each process runs
-   one test, and the verdict is the last line of its report. Buffered
-   output is written before: if that exceeds the limit on files and kills
-   the program, there is no verdict. */
+/* Runs one test with CUnit, which counts checks, and reports the verdict in
+   the last line. CUnit neither survives a crash nor notices that a student
+   called exit(0), so each process runs one test. Buffered output is written
+   before the verdict: if it exceeds the limit on files and kills the
+   program, there is no verdict. */
 static int run_test(const struct check_test *t)
 {
     CU_pSuite suite = NULL;
@@ -400,13 +398,12 @@ static int run_test(const struct check_test *t)
 }
 
 #ifdef __linux__
-/* Gives up the rights that a judge does not need, and becomes this user.
-   Only the grader links it: a runner at home has no such function. */
+/* Gives up the rights that a judge does not need, and becomes this user. It
+   is NULL in a runner at home: only the grader links the function. */
 void judge_confine(long user) __attribute__((weak));
 #endif
 
-/* Returns a test by its number, from 1; the hidden tests come after those
-   of the suite. */
+/* Returns a test by its number, from 1; hidden tests come last. */
 static const struct check_test *find_test(int number)
 {
     const struct check_test *lists[] = {check_suite.tests, check_hidden};
@@ -423,10 +420,10 @@ long syscall(long number, ...);
 
 /* Waits for orders; for each it makes a copy of this process, in which it
    returns to run one test. A runner with sanitizers takes as long to start
-   as ten tests to run, so it starts once; none of the student's code has
-   run in it when it is copied. CLONE_PARENT makes the copy a child of the
-   examiner, which can then wait for it and get its status from the kernel;
-   the C library has no function for that. */
+   as ten tests to run, so it starts once; it has not run any of the
+   student's code when it is copied. CLONE_PARENT makes the copy a child of
+   the examiner, which can then wait for it and get its status from the
+   kernel; the C library has no function for that. */
 static struct report_order next_order(void)
 {
 #ifdef __linux__
@@ -447,12 +444,12 @@ static struct report_order next_order(void)
 }
 
 /* Lists the suite or runs one test. Output is flushed at each line end,
-   because the last lines before a crash matter most to a student. _exit
-   runs no handlers of the student's: one that calls exit(1) could turn a
-   passed test into a crash.
+   because the last lines before a crash matter most to a student. It ends
+   by _exit, since a handler of the student's that calls exit(1) could turn
+   a passed test into a crash.
 
-   A runner can be started by hand, in a debugger, say: `printf %032d 0
-   >report; build/check/01a.stub 1 3<>report; cat report`. */
+   To start a runner by hand, in a debugger, say: `printf %032d 0 >report;
+   build/check/01a.stub 1 3<>report; cat report`. */
 int main(int argc, char **argv)
 {
     if (argc == 2 && strcmp(argv[1], "--list") == 0)

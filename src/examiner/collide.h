@@ -1,4 +1,4 @@
-/* What happens to two beads that meet; for programs of students. */
+/* The elastic collision of two beads, for programs of students. */
 #ifndef EXAMINER_COLLIDE_H
 #define EXAMINER_COLLIDE_H
 

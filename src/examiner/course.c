@@ -8,10 +8,9 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Finds the plain file whose name fits a pattern. If two fit (a copy,
-   perhaps) nobody can know which one is meant, and the student is asked to
-   move one. Anything but a plain file is refused: opening a named pipe
-   would wait for its writer. */
+/* Finds the plain file whose name fits a pattern. If two fit (one may be a
+   copy), asks the student to move one. Refuses other kinds of files:
+   opening a named pipe would wait for its writer. */
 static void find_one(const char *where, const char *name,
                      char path[COURSE_PATH])
 {
@@ -31,7 +30,7 @@ static void find_one(const char *where, const char *name,
     globfree(&found);
 }
 
-/* Finds the student's file. If it is missing a wider pattern is tried,
+/* Finds the student's file. If it is missing, looks for a similar name,
    because 01a_collide.c is a likely slip. */
 void course_find_file(struct exercise *e)
 {
@@ -51,8 +50,8 @@ static void learn_test(struct exercise *e, const char *text)
     e->tests[e->count++] = name + strspn(name, " ");
 }
 
-/* Finds the stub of an exercise, without which nobody could tell whether
-   it is begun, and the solution, which may be absent. */
+/* Finds the stub of an exercise, which shows whether it is begun, and the
+   solution, which may be absent. */
 static void find_files(struct exercise *e)
 {
     find_one("tests/exercises/%s/stub.c", e->name, e->stub);
@@ -63,12 +62,12 @@ static void find_files(struct exercise *e)
     course_find_file(e);
 }
 
-/* Reads title, tests and minutes of an exercise from
-   build/check/NAME.list; the strings point into its text. The file's name
-   comes from there as well, because the student may have deleted the file.
-   tests/lists.awk makes the lists from the source of the suites, and a
-   test compares them with what runners print: to build forty runners only
-   to ask them took half a minute. */
+/* Reads title, tests and minutes of an exercise from build/check/NAME.list;
+   the strings point into its text. The file's usual name is read there as
+   well, because the student may have deleted the file. tests/lists.awk
+   makes the lists from the source of the suites, and a test compares them
+   with what runners print: to build forty runners only for their lists took
+   half a minute. */
 static bool read_about(struct exercise *e, const char *name)
 {
     char path[64];
@@ -96,8 +95,7 @@ static bool read_about(struct exercise *e, const char *name)
     return true;
 }
 
-/* Finds all exercises: they are the folders of tests/exercises, so that no
-   table has to be kept in step. One without a list is left out. */
+/* Finds all exercises, the folders of tests/exercises with a list. */
 struct course course_learn(void)
 {
     struct course course = {NULL, 0};
@@ -117,9 +115,8 @@ struct course course_learn(void)
     return course;
 }
 
-/* Marks an exercise, or all of a chapter, as chosen. An unknown name is
-   answered with a list of all, since it is most often a slip of one
-   letter. */
+/* Marks an exercise, or all of a chapter, as chosen. For an unknown name,
+   most often a slip of one letter, it prints a list of all names. */
 struct exercise *course_choose(struct course *course, const char *name)
 {
     struct exercise *first = NULL;
@@ -138,10 +135,9 @@ struct exercise *course_choose(struct course *course, const char *name)
     exit(2);
 }
 
-/* Compares the bytes with those of the stub, which needs no compiler.
-   Times would not do: git clone gives all files the same. A stub that is a
-   whole program with a mistake in it has no gap, so nothing else could
-   tell. */
+/* Compares the file with its stub. Times of files would not do: git clone
+   gives all files the same time. Nor would a gap, since a stub may be a
+   whole program with a mistake in it. */
 bool course_touched(const struct exercise *e)
 {
     return *e->file && sum_file(0, e->file) != sum_file(0, e->stub);

@@ -13,25 +13,23 @@ enum { COURSE_PATH = 1024 };
 /* An exercise and its state. */
 struct exercise {
     char name[4];      /* "01a" */
-    const char *usual; /* "01a-collide.c", what its file is called */
+    const char *usual; /* usual name of its file, "01a-collide.c" */
     const char *title;
     const char *tests[CHECK_TESTS];
     int worth[CHECK_TESTS]; /* points of each test */
-    bool idle[CHECK_TESTS]; /* an empty function passes it */
+    bool idle[CHECK_TESTS]; /* whether an empty function passes it */
     int count, minutes, points;
-    char file[COURSE_PATH]; /* the student's; empty when it is missing */
-    char stub[COURSE_PATH]; /* the file as it came with the book */
-    char
-        stray[COURSE_PATH]; /* a file that may be the student's, misnamed */
-    char solution[COURSE_PATH]; /* the worked one; empty where there is none
-                                 */
+    char file[COURSE_PATH];     /* the student's; "": missing */
+    char stub[COURSE_PATH];     /* the file as the book gives it */
+    char stray[COURSE_PATH];    /* perhaps the student's, misnamed */
+    char solution[COURSE_PATH]; /* worked solution; "": none */
     bool chosen;                /* the command names it, or names none */
     bool judged;                /* the fields below are set */
     enum state state;
-    int earned;  /* points that it has now */
-    int gap;     /* the line of a NOT_DONE_YET that was reached, or 0 */
-    int wants;   /* number of the first test that did not pass, or 0 */
-    char *story; /* what to say about it, or NULL */
+    int earned;  /* points earned */
+    int gap;     /* line of the NOT_DONE_YET reached, or 0 */
+    int wants;   /* number of the first test not passed, or 0 */
+    char *story; /* the report on it, or NULL */
 };
 
 struct course {
@@ -39,19 +37,18 @@ struct course {
     size_t count;
 };
 
-/* Finds the exercises; exits with 2 when the kit is not built or a file
-   stands where it must not. */
+/* Finds the exercises; exits with 2 when the kit is not built or a file is
+   where it must not be. */
 struct course course_learn(void);
 
 /* Chooses the exercises of a name: "01a", or "01" for a chapter. Returns
-   the first; exits with 2, naming those that there are, for another name.
- */
+   the first. For another name prints the known ones and exits with 2. */
 struct exercise *course_choose(struct course *course, const char *name);
 
-/* Sets e->file to the student's file, which may have come or gone. */
+/* Sets e->file to the student's file, if there is one now. */
 void course_find_file(struct exercise *e);
 
-/* Whether the student's file is there and differs from its stub. */
+/* Returns whether the student's file exists and differs from its stub. */
 bool course_touched(const struct exercise *e);
 
 #endif

@@ -25,24 +25,24 @@ void endless_forget(void)
 #include <unistd.h>
 
 enum {
-    FIRST_MS = 200, /* of processor time before the first look */
-    NEXT_MS = 10,   /* of processor time from look to look */
+    FIRST_MS = 200, /* processor time before the first check */
+    NEXT_MS = 10,   /* processor time between checks */
     STATES = 1024,
-    MEMORY_MOST = 1 << 23 /* larger states are not watched */
+    MEMORY_MOST = 1 << 23 /* bytes; larger states are not checked */
 };
 
-/* It lies in one piece, so that it can be passed over: what the looking
-   itself writes to is no part of the state. */
+/* All that the checks themselves write to, in one piece, so that it can be
+   left out of the state. */
 static struct {
     unsigned char stack[1 << 16];
     char maps[1 << 14];
     uint64_t sum, states[STATES];
     size_t count, bytes;
-} desk;
+} scratch;
 
 int __lsan_do_recoverable_leak_check(void) __attribute__((weak));
 
-static void look_again(int milliseconds)
+static void set_timer(int milliseconds)
 {
     const struct itimerval timer = {.it_value = {0, 1000 * milliseconds}};
     setitimer(ITIMER_PROF, &timer, NULL);
@@ -54,8 +54,8 @@ static void add(const void *from, size_t bytes)
     for (; bytes >= sizeof(uint64_t); bytes -= sizeof(uint64_t)) {
         uint64_t word;
         memcpy(&word, p, sizeof word);
-        desk.sum = (desk.sum ^ word) * 0x9e3779b97f4a7c15u;
-        desk.sum ^= desk.sum >> 32;
+        scratch.sum = (scratch.sum ^ word) * 0x9e3779b97f4a7c15u;
+        scratch.sum ^= scratch.sum >> 32;
         p += sizeof word;
     }
 }
@@ -76,18 +76,18 @@ static void add_range(uintptr_t start, uintptr_t end)
 }
 
 /* Adds the memory of one line of /proc/self/maps to the checksum, except
-   this module's own data, which may be part of it. Returns false for
-   memory that is shared with other processes and can change by itself:
-   such a process is not watched. */
+   this module's own data, which may be part of it. Returns false for memory
+   that is shared with other processes and can change by itself: then this
+   process is not checked any more. */
 static bool add_piece(const char *line)
 {
-    const uintptr_t from = (uintptr_t)&desk, to = from + sizeof desk;
+    const uintptr_t from = (uintptr_t)&scratch, to = from + sizeof scratch;
     uintptr_t start, end;
     line = read_address(read_address(line, &start), &end);
     if (line[1] != 'w')
         return true;
-    desk.bytes += end - start;
-    if (line[0] != 'r' || line[3] != 'p' || desk.bytes > MEMORY_MOST)
+    scratch.bytes += end - start;
+    if (line[0] != 'r' || line[3] != 'p' || scratch.bytes > MEMORY_MOST)
         return false;
     add_range(start, end < from ? end : from);
     add_range(start > to ? start : to, end);
@@ -99,15 +99,16 @@ static bool add_memory(void)
     const int file = open("/proc/self/maps", O_RDONLY | O_CLOEXEC);
     size_t length = 0;
     ssize_t got = file < 0 ? -1 : 1;
-    while (got > 0 && length < sizeof desk.maps - 1) {
-        got = read(file, desk.maps + length, sizeof desk.maps - 1 - length);
+    while (got > 0 && length < sizeof scratch.maps - 1) {
+        got = read(file, scratch.maps + length,
+                   sizeof scratch.maps - 1 - length);
         length += got > 0 ? (size_t)got : 0;
     }
     if (file >= 0)
         close(file);
-    desk.maps[length] = '\0';
+    scratch.maps[length] = '\0';
     bool whole = got == 0 && length > 0;
-    for (const char *line = desk.maps; whole && *line;) {
+    for (const char *line = scratch.maps; whole && *line;) {
         whole = add_piece(line);
         line = strchr(line, '\n');
         line = line ? line + 1 : "";
@@ -117,7 +118,7 @@ static bool add_memory(void)
 
 /* Adds the registers to the checksum. The kernel has put 23 words on the
    stack and the address of the floating-point registers: 464 bytes and, on
-   processors with longer ones, a list of the kinds in use, then the
+   processors with longer registers, a list of the kinds in use, then the
    rest. */
 static void add_registers(const ucontext_t *context)
 {
@@ -149,15 +150,13 @@ static long milliseconds_of(struct timeval t)
     return 1000 * (long)t.tv_sec + (long)t.tv_usec / 1000;
 }
 
-/* Returns whether the state of the process alone decides what it does
-   next: it has no threads to wait for, and spends less than a fifth of its
-   time in the kernel (more would mean a loop that asks the system until
-   the answer changes). */
+/* Returns whether the state of the process alone decides what it does next:
+   it has no threads to wait for, and less than a fifth of its time is spent
+   in the kernel (more would mean a loop that asks the system until the
+   answer changes). */
 static bool is_alone(void)
 {
-    enum {
-        ONE_THREAD = 3
-    }; /* links of a folder that has one folder in it */
+    enum { ONE_THREAD = 3 }; /* links of a folder with one folder in it */
     struct rusage used;
     struct stat tasks;
     getrusage(RUSAGE_SELF, &used);
@@ -167,9 +166,9 @@ static bool is_alone(void)
                milliseconds_of(used.ru_utime) / 4;
 }
 
-/* Replaces the library's time(), which makes no system call and returns
-   the same number for a whole second, so that a loop that waits for the
-   next second would look endless. Here each call counts as new input. */
+/* Replaces the library's time(), which makes no system call and returns the
+   same number for a whole second, so that a loop that waits for the next
+   second would look endless. Here each call counts as new input. */
 time_t time(time_t *when)
 {
     struct timespec now = {0, 0};
@@ -181,41 +180,41 @@ time_t time(time_t *when)
 }
 
 /* Handles the timer's signal: stores the checksum of the state, and ends
-   the process if it is stored already. Answers of the judge are counted,
-   and the count is part of the state, since new input changes what
-   follows. */
-static void look(int number, siginfo_t *about, void *context)
+   the process if an earlier state had this checksum. The number of inputs,
+   such as answers of the judge, is part of the state, since new input
+   changes what follows. */
+static void check_state(int number, siginfo_t *about, void *context)
 {
     const int error = errno;
     (void)number, (void)about;
-    if (desk.count == STATES || !is_alone())
+    if (scratch.count == STATES || !is_alone())
         return;
-    desk.sum = desk.bytes = 0;
+    scratch.sum = scratch.bytes = 0;
     const bool whole = add_memory();
     errno = error;
     if (!whole)
         return;
     add_registers(context);
-    for (size_t i = 0; i < desk.count; ++i)
-        if (desk.states[i] == desk.sum) {
+    for (size_t i = 0; i < scratch.count; ++i)
+        if (scratch.states[i] == scratch.sum) {
             signal(REPORT_ENDLESS, SIG_DFL);
             raise(REPORT_ENDLESS);
         }
-    desk.states[desk.count++] = desk.sum;
-    look_again(NEXT_MS);
+    scratch.states[scratch.count++] = scratch.sum;
+    set_timer(NEXT_MS);
 }
 
 void endless_watch(void)
 {
-    const stack_t stack = {.ss_sp = desk.stack,
-                           .ss_size = sizeof desk.stack};
-    const struct sigaction act = {.sa_sigaction = look,
+    const stack_t stack = {.ss_sp = scratch.stack,
+                           .ss_size = sizeof scratch.stack};
+    const struct sigaction act = {.sa_sigaction = check_state,
                                   .sa_flags =
                                       SA_SIGINFO | SA_ONSTACK | SA_RESTART};
     if (!__lsan_do_recoverable_leak_check &&
         sigaltstack(&stack, NULL) == 0 &&
         sigaction(SIGPROF, &act, NULL) == 0)
-        look_again(FIRST_MS);
+        set_timer(FIRST_MS);
 }
 #else
 void endless_watch(void)

@@ -15,7 +15,7 @@
 
 struct settings {
     struct verdict_rules rules;
-    int task; /* what to do: the letter of its option, or 0 to check */
+    int task; /* the letter of the task's option; 0: check */
     const char *as, *file, **names;
 };
 
@@ -38,7 +38,7 @@ static const char purpose[] =
     "Check the exercises named (01a, or 01 for a chapter), or all.\n"
     "Exit status: 0 all that is begun passes, 1 it does not, 2 trouble.";
 
-/* Adds the names in an argument: "01a,02b" or "01a 02b" are two. */
+/* Adds the names in an argument; "01a,02b" and "01a 02b" have two. */
 static void add_names(struct settings *s, const char *argument)
 {
     size_t count = 0;
@@ -88,9 +88,8 @@ static struct settings read_settings(int argc, char **argv)
     return s;
 }
 
-/* Takes another file for the student's (--as and --file), for tests and
-   lecturers. Everything else is as it would be, but the verdict is not
-   stored. */
+/* Checks another file in place of the student's (--as and --file), for
+   tests and lecturers. The verdict is not stored. */
 static void take_file(struct course *course, const struct settings *s)
 {
     struct exercise *e = course_choose(course, s->as);
@@ -148,9 +147,9 @@ static void give_hint(struct course *course,
                names[0] ? names[0] : "Everything here");
 }
 
-/* Does what the command line asks; returns whether all that is begun
-   passes. Tasks without a verdict return true, or make would print "Error
-   1" below a kind word. */
+/* Does what the command line asks; returns whether all exercises begun
+   pass. Tasks without a verdict return true, or make would print "Error 1"
+   below their text. */
 static bool do_task(struct course *course, const struct settings *s)
 {
     const struct verdict_rules *rules = &s->rules;
@@ -173,8 +172,8 @@ static bool do_task(struct course *course, const struct settings *s)
     return true;
 }
 
-/* The status is 0 when all that is begun passes, as in a fresh copy, 1
-   when something does not, 2 when nothing is known. */
+/* Returns 0 when all exercises begun pass, as in a fresh copy, 1 when one
+   does not; exits with 2 when nothing could be checked. */
 int main(int argc, char **argv)
 {
     const struct settings s = read_settings(argc, argv);

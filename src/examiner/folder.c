@@ -11,8 +11,8 @@
 
 enum { LOOK_IN = O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC };
 
-/* Opens a folder to remove what is in it. A program may have taken away
-   its owner's permissions; they are restored first. */
+/* Opens a folder to remove its content. First it restores permissions that
+   a program may have taken away from the owner. */
 static int open_folder(int above, const char *name)
 {
     struct stat about;
@@ -74,7 +74,7 @@ bool folder_remove(const char *path)
     DIR *list = top >= 0 ? fdopendir(top) : NULL;
     if (!list)
         return false;
-    /* What has been moved to the top may be seen only in the next pass. */
+    /* Entries moved to the top may be seen only in the next pass. */
     do {
         removed = kept = 0;
         rewinddir(list);

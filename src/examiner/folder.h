@@ -4,10 +4,9 @@
 
 #include <stdbool.h>
 
-/* Removes a folder with everything below it and follows no links. The path
-   may have any characters in it, for no shell reads it. Returns whether
-   nothing is left; if something is, errno says why. (A shell would take an
-   apostrophe in the path of the kit for a quotation mark.) */
+/* Removes a folder with everything below it and follows no links. Returns
+   whether nothing is left; if something is, errno says why. No shell reads
+   the path, since an apostrophe in it would begin a quotation there. */
 bool folder_remove(const char *path);
 
 #endif

@@ -1,4 +1,4 @@
-/* What bodies do to each other; for programs of students. */
+/* Forces between bodies, for programs of students. */
 #ifndef EXAMINER_FORCE_H
 #define EXAMINER_FORCE_H
 
@@ -7,9 +7,10 @@ void force(int n, const double m[], const double x[], double f[]);
 #else
 #include <math.h>
 
-/* The forces [N] on n bodies with the masses m [kg], at the places x [m]:
-   x and y of body i are x[2 i] and x[2 i + 1], and its force f[2 i] and
-   f[2 i + 1]. They attract each other with m m/d^2, as if G were 1. */
+/* Sets f to the forces [N] on n bodies with the masses m [kg] at the
+   positions x [m]: those of body i are x[2 i] and x[2 i + 1], its force is
+   f[2 i] and f[2 i + 1]. Bodies attract each other with m m/d^2, as if G
+   were 1. */
 static inline void force(int n, const double m[], const double x[],
                          double f[])
 {

@@ -29,7 +29,7 @@
 
 struct settings {
     const char *folder, *reports, *output, *exercises;
-    const char *job; /* "anna/01a/KEY": grade only this one */
+    const char *job; /* "anna/01a/KEY": the only one to grade */
     long jobs;
     int seconds;
     uint64_t seed;
@@ -38,7 +38,7 @@ struct settings {
 
 enum round { TRIED, RETRIED, COPIED };
 
-/* A file that was handed in, and the first student who did. */
+/* A file that was handed in, and the first student who handed it in. */
 struct alike {
     uint64_t sum;
     size_t student, length;
@@ -49,12 +49,12 @@ struct batch {
     struct settings settings;
     struct kit *kits;
     struct submissions handed;
-    struct submission *submissions; /* the list of `handed', or one of it */
-    size_t kit_count, count; /* how many exercises, how many students */
+    struct submission *submissions; /* all of `handed', or one */
+    size_t kit_count, count;        /* of exercises; of students */
     struct grading grading;
     char root[4096], work[4200];
-    uint64_t compiler;   /* checksum of its name and version */
-    struct alike *alike; /* the files for one exercise */
+    uint64_t compiler;   /* checksum of the compiler's version */
+    struct alike *alike; /* the different files for one exercise */
     size_t alikes;
     size_t begun, done, failed;
 };
@@ -117,8 +117,7 @@ static bool next_word(const char **list, char word[64])
     return length > 0;
 }
 
-/* Refuses unknown reports before anything is graded, not after the
-   night. */
+/* Refuses unknown reports now, not after hours of grading. */
 static void check_reports(const char *list)
 {
     char word[64];
@@ -138,8 +137,8 @@ static void check_name(const struct batch *b, const char *word)
 }
 
 /* Keeps the exercises that were asked for, in the order of the book; 01
-   stands for a chapter. A word that begins no name is refused, since an
-   empty table would be no answer. */
+   means all of a chapter. A word that begins no name is refused, since its
+   table would be empty. */
 static void choose_kits(struct batch *b)
 {
     const char *list = b->settings.exercises;
@@ -204,10 +203,10 @@ static void make_folder(const char *path)
         text_fail("cannot make '%s': %s", path, strerror(errno));
 }
 
-/* Returns the beginning of a work folder's name, which is the same for all
+/* Returns the beginning of a work folder's name, which is common to all
    processes that see each other: it is made from this boot of the kernel
-   and this namespace of processes. On a folder that machines share a
-   process number alone says nothing. */
+   and this namespace of processes. On a folder that machines share, the
+   number of a process alone would be ambiguous. */
 static const char *name_machine(void)
 {
     static char name[32];
@@ -220,8 +219,8 @@ static const char *name_machine(void)
     return name;
 }
 
-/* Removes the work folders of graders that were killed: a folder's name
-   has the number of its process. */
+/* Removes the work folders of graders that were killed; the name of such a
+   folder ends with the number of its process. */
 static void remove_abandoned(void)
 {
     glob_t found = {0};
@@ -239,7 +238,7 @@ static void remove_abandoned(void)
 }
 
 /* Returns whether a folder is, or would be, inside another one. Its path
-   may not exist yet: the part that exists is resolved, links included. */
+   need not exist: the part that exists is resolved, links included. */
 static bool is_within(const char *inner, const char *outer)
 {
     char path[4200], *real, *around = realpath(outer, NULL);
@@ -259,8 +258,8 @@ static bool is_within(const char *inner, const char *outer)
     return within;
 }
 
-/* Refuses results among the submissions: the next time they would be taken
-   for a student, and a student's files for results. */
+/* Refuses an output folder within the submissions: the next time results
+   would be taken for a student, and a student's files for results. */
 static void refuse_results_within(const struct batch *b)
 {
     if (is_within(b->settings.output, b->settings.folder))
@@ -299,9 +298,10 @@ static uint64_t draw_seed(void)
     return seed;
 }
 
-/* Writes a seed that nobody but the lecturer may read, whole, so that no
-   other grader reads half of it. Returns whether it is ours; with `anew` it
-   always is, and without, a seed that is there already stays. */
+/* Writes the seed to a file that only the lecturer may read, in one piece,
+   so that no other grader reads half of it. Returns whether this seed was
+   written; without `anew' a seed in the file is kept, and then it returns
+   false. */
 static bool write_seed(const char *path, uint64_t seed, bool anew)
 {
     char text[32];
@@ -312,8 +312,8 @@ static bool write_seed(const char *path, uint64_t seed, bool anew)
     return ours;
 }
 
-/* Sets the seed of the hidden tests. All students are to be asked the
-   same, so it is drawn once and kept beside the results. */
+/* Sets the seed of the hidden tests. It is drawn once and stored with the
+   results, so that all students are asked the same. */
 static void choose_seed(struct batch *b)
 {
     char path[4300];
@@ -379,9 +379,9 @@ static void choose_box(struct batch *b)
     }
 }
 
-/* Returns the name of a student's result files. Different students have
-   different names; one too long for a file system is cut and ends in a
-   checksum of the whole. */
+/* Returns the name of a student's result files, different for each student.
+   A name too long for a file system is cut and ends in a checksum of the
+   whole name. */
 static const char *encode(const struct batch *b, size_t s)
 {
     static char name[1100];
@@ -409,8 +409,8 @@ static void result_path(const struct batch *b, size_t s, size_t e,
 }
 
 /* Chooses the one student of --job. A job for one of ten thousand students
-   must not walk through all submissions: it looks at the names that begin
-   as the student's does. */
+   does not read all submissions: it considers only names that begin as the
+   student's does. */
 static void choose_student(struct batch *b)
 {
     const char *job = b->settings.job;
@@ -444,9 +444,9 @@ static uint64_t sum_kit(const struct batch *b, const char *exercise)
 /* Computes the key of a result, a checksum of all that it depends on: the
    student's file and his figure's script, the judge, what is linked with
    the file, the compiler and its flags, the seed, the limit of time, the
-   kind of sandbox. (A job may come to a machine with another compiler,
-   whose code rounds differently.) A student with two files of equal
-   checksum would keep the first mark. */
+   kind of sandbox. (A job may run on a machine with another compiler, whose
+   code rounds differently.) A student whose new file has the checksum of
+   the old one would keep the old mark. */
 static void result_key(uint64_t kit, const char *bytes, size_t length,
                        const char *remark, const char *note, char key[24])
 {
@@ -462,9 +462,8 @@ struct job {
     size_t length;
     char key[24], path[4400];
     int tries;
-    const struct marks
-        *before; /* the marks of the first try, in the second */
-    struct grading_page page; /* the figure of a project */
+    const struct marks *before; /* the marks of the first try; NULL: none */
+    struct grading_page page;   /* the figure of a project */
 };
 
 static struct marks blank_marks(const struct batch *b,
@@ -532,8 +531,8 @@ static void take_pages(const struct batch *b, struct job *job)
 
 /* Grades in a process of its own and ends by _exit, which runs none of the
    parent's clean-up. If the parent is killed, so is this process
-   (PR_SET_PDEATHSIG), and its sandbox with it. If it is interrupted it
-   writes nothing: half a grading is no result. */
+   (PR_SET_PDEATHSIG), and with it its sandbox. If it is interrupted it
+   writes nothing, since half a grading is no result. */
 static _Noreturn void work(const struct batch *b, const struct job *job)
 {
     struct marks marks = blank_marks(b, job);
@@ -559,7 +558,7 @@ static _Noreturn void work(const struct batch *b, const struct job *job)
 enum { MOST_JOBS = 1024 };
 
 static pid_t workers[MOST_JOBS];
-static struct pollfd ends[MOST_JOBS]; /* wake us when one has ended */
+static struct pollfd ends[MOST_JOBS]; /* readable when a worker has ended */
 static int running;
 
 static void stop_workers(void)
@@ -580,8 +579,8 @@ static void show_progress(const struct batch *b)
 }
 
 /* Waits until a worker has ended. It polls, because a signal could come
-   between a look at the signal and a wait without end. After a signal the
-   workers get it as well, and are killed after five seconds. A worker that
+   between the check for a signal and an unlimited wait. After a signal it
+   stops the workers, and kills them after five seconds. A worker that
    failed has written no result and is counted; the same command tries it
    again. */
 static void wait_for_one(struct batch *b)
@@ -611,8 +610,8 @@ static void wait_for_one(struct batch *b)
     show_progress(b);
 }
 
-/* Prints a word in quotes for a shell. It must have no line break, which
-   would split the command; students' names are encoded and have none. */
+/* Prints a word in quotes for a shell. A line break, which would split the
+   command, is refused; students' names are encoded and have none. */
 static void put_word(const char *word)
 {
     if (strchr(word, '\n'))
@@ -626,10 +625,9 @@ static void put_word(const char *word)
     putchar('\'');
 }
 
-/* Prints the command that grades one exercise of one student, for an
-   engine that gives out commands to machines; it names student, exercise
-   and key. An exercise without a file needs no job and is entered at
-   once. */
+/* Prints the command that grades one exercise of one student, for an engine
+   that distributes commands to machines; it names student, exercise and
+   key. */
 static void list_job(const struct batch *b, const struct job *job)
 {
     printf("build/grade/grade --job %s/%s/%s --seconds %d%s --output ",
@@ -642,8 +640,8 @@ static void list_job(const struct batch *b, const struct job *job)
     putchar('\n');
 }
 
-/* Refuses a job whose key is no longer the one that was listed: the job
-   would answer another question. */
+/* Refuses a job whose key is not the listed one: file, kit or machine have
+   changed since. */
 static void check_job(const struct batch *b, const struct job *job)
 {
     const char *asked = b->settings.job;
@@ -657,9 +655,9 @@ static void check_job(const struct batch *b, const struct job *job)
 }
 
 /* Starts a job when fewer than --jobs are running. The default is one more
-   than there are processors: a job waits for disks, for programs that
+   than the number of processors: a job waits for disks, for programs that
    sleep, and when judge and sandbox take turns; with one job for each
-   processor a quarter of their time was idle. */
+   processor a quarter of the time was idle. */
 static void start_job(struct batch *b, const struct job *job)
 {
     if (b->settings.list && job->bytes) {
@@ -683,8 +681,8 @@ static void start_job(struct batch *b, const struct job *job)
     ends[running++] = (struct pollfd){process_watch(pid), POLLIN, 0};
 }
 
-/* Returns the first student who has handed in these bytes. Files are
-   compared if their checksums are equal. */
+/* Returns the first student who has handed in these bytes. Bytes are
+   compared if the checksums are equal. */
 static size_t first_alike(struct batch *b, uint64_t sum,
                           const struct job *job)
 {
@@ -704,9 +702,9 @@ static size_t first_alike(struct batch *b, uint64_t sum,
     return b->alike[i].student;
 }
 
-/* Copies the marks of the first student with the same file, which is
-   graded once; returns false if there are none. Projects are graded for
-   each student, because of their figures. */
+/* Copies the marks of the first student with the same file, which is graded
+   once; returns false if there are none. Projects are graded for each
+   student, because of their figures. */
 static bool copy_marks(struct batch *b, const struct job *job, size_t first)
 {
     char path[4400];
@@ -779,10 +777,10 @@ static void grade_round(struct batch *b, enum round round)
         wait_for_one(b);
 }
 
-/* Grades in three rounds: everything; what was stopped by the clock on the
-   wall, alone, since on a busy machine a program may be late that is not
-   slow; and copies of equal files. A test that is late again earns
-   nothing. */
+/* Grades in three rounds: everything; then, one at a time, what was stopped
+   by the limit on wall-clock time, since on a busy machine a program may be
+   late without being slow; then copies of equal files. A test that is late
+   again earns nothing. */
 static void grade_all(struct batch *b)
 {
     b->alike = calloc(b->count + 1, sizeof *b->alike);
@@ -797,8 +795,8 @@ static void grade_all(struct batch *b)
     free(b->alike);
 }
 
-/* Reads all results. What could not be graded has no file and appears as
-   "not graded", never as zero points. */
+/* Reads all results. An exercise that could not be graded has no result and
+   is reported as "not graded", never as zero points. */
 static struct marks *read_results(const struct batch *b)
 {
     char path[4400];
@@ -818,9 +816,8 @@ static struct marks *read_results(const struct batch *b)
     return marks;
 }
 
-/* Writes the reports and prints where they are, with the seed and the kind
-   of sandbox, which one needs to grade the course in the same way
-   again. */
+/* Writes the reports and prints their folder, the seed and the kind of
+   sandbox, which are needed to grade the course in the same way again. */
 static void publish_all(struct batch *b)
 {
     const char *list = b->settings.reports;
@@ -866,8 +863,8 @@ static void publish_all(struct batch *b)
                 b->failed);
 }
 
-/* Finds all submissions. This comes before exercises are chosen: an answer
-   to another exercise is no stray file. */
+/* Finds all submissions. This comes before exercises are chosen, since an
+   answer to an exercise that was not chosen is no stray file. */
 static void find_submissions(struct batch *b)
 {
     const char **usual = calloc(b->kit_count + 1, sizeof *usual);

@@ -53,7 +53,7 @@ static void read_line(struct kit *kit, char *line)
 }
 
 /* Moves the public tests to the front, so that a report that is cut loses
-   others first. */
+   the hidden tests first. */
 static void public_first(struct kit *kit)
 {
     struct kit_test sorted[MARKS_MOST];
@@ -66,9 +66,9 @@ static void public_first(struct kit *kit)
 }
 
 /* Reads the lists of all exercises. A list without a title or a test is
-   refused: a full disk leaves such lists, and with them nobody would get a
-   point. An exercise without a list has no remote.c and is not graded;
-   make has said so. */
+   refused: a full disk leaves such lists, and nobody would get a point. An
+   exercise without a list has no remote.c and is not graded, as make has
+   reported. */
 size_t grading_kits(struct kit **kits)
 {
     glob_t found = {0};
@@ -101,17 +101,16 @@ size_t grading_kits(struct kit **kits)
 
 enum {
     MOST_LATE = 3,
-    LATER_SECONDS = 1, /* limit once a test has timed out */
+    LATER_SECONDS = 1, /* limit after a test has timed out */
     SLOW_MS = 200,     /* longer tests keep their full limit */
     MOST_BUILDING = 60,
     PRINTS_KEPT = 4096,
     STORY_KEPT = 8192
 };
 
-/* One exercise of one student being graded. The student's file has the
-   name that he knows (exercises/01a-collide.c), so that messages of the
-   compiler can be looked up; a link leads to the numbers of the
-   equations. */
+/* One exercise of one student being graded. The student's file has the name
+   that he knows (exercises/01a-collide.c), so that messages of the compiler
+   can be looked up. */
 struct job {
     const struct grading *grading;
     const struct kit *kit;
@@ -120,11 +119,11 @@ struct job {
     struct sandbox sandbox;
     bool open;
     int prints;
-    int late, waited; /* tests that timed out; those by the wall's clock */
-    bool slow;        /* a test has ended that took more than SLOW_MS */
-    int crashed, named; /* tests; those whose mistake was recognised */
-    int left;           /* tests that wrote outside of an output */
-    char mistake[64];   /* the first one recognised, in brackets */
+    int late, waited;   /* tests timed out; those by wall-clock */
+    bool slow;          /* a test took more than SLOW_MS */
+    int crashed, named; /* tests; those with a known mistake */
+    int left;           /* tests that wrote outside an output */
+    char mistake[64];   /* the first one known, in brackets */
     char types[8192], judge[4096], name[256], header[64];
 };
 
@@ -136,14 +135,14 @@ static int open_or_fail(const char *path, int flags)
     return file;
 }
 
-static void lay_file(const char *name, const char *bytes, size_t length)
+static void write_file(const char *name, const char *bytes, size_t length)
 {
     const int file = open_or_fail(name, O_WRONLY | O_CREAT | O_EXCL);
     if (write(file, bytes, length) != (ssize_t)length || close(file) != 0)
         text_fail("cannot write '%s': %s", name, strerror(errno));
 }
 
-static void go_to_desk(const struct grading *g, const char *exercise)
+static void enter_new_folder(const struct grading *g, const char *exercise)
 {
     char path[8192], tests[8192];
     snprintf(path, sizeof path, "%s/%s.XXXXXX", g->work, exercise);
@@ -154,8 +153,8 @@ static void go_to_desk(const struct grading *g, const char *exercise)
                   strerror(errno));
 }
 
-/* Returns the header that the stub includes: exercise.h or another one of
-   ours. */
+/* Returns the header that the stub includes: exercise.h or another of the
+   kit's. */
 static const char *find_header(struct job *job)
 {
     char path[8192], name[48] = "exercise.h";
@@ -175,8 +174,8 @@ static void prepare(struct job *job, const char *bytes, size_t length)
     const struct grading *g = job->grading;
     char path[8192];
     snprintf(job->name, sizeof job->name, "exercises/%s", job->kit->file);
-    go_to_desk(g, job->kit->exercise);
-    lay_file(job->name, bytes, length);
+    enter_new_folder(g, job->kit->exercise);
+    write_file(job->name, bytes, length);
     job->order.kind = g->kind;
     job->order.name = job->name;
     job->order.seconds = g->seconds;
@@ -208,20 +207,20 @@ static char *read_kit(const struct job *job, const char *name, int line)
     return found;
 }
 
-/* Returns the limit of time for a test after one timed out: a second,
-   since it is nearly always the same endless loop. But the program may
-   just be slow. If one of the tests before took a fifth of a second, which
-   few right answers do, the limit stays, and only the late tests lose
-   their points. */
+/* Returns the limit of time, in seconds, for tests after one timed out: a
+   second, since it is nearly always the same endless loop; 0, the usual
+   limit, for a project or if an earlier test took a fifth of a second,
+   which few right answers do: then the program may just be slow, and only
+   late tests lose their points. */
 static int later_seconds(const struct job *job)
 {
     return *job->kit->exercise == 'P' || job->slow ? 0 : LATER_SECONDS;
 }
 
-/* Counts a test that timed out. After three the remaining tests are not
+/* Counts a test that timed out; after three the remaining tests are not
    run. Only tests stopped by the limit on wall-clock time are tried again,
-   since only that time passes while other programs run; for a project these
-   are all late runs, because there a program of ours has started the late
+   since only that time passes while other programs run; for a project all
+   late runs are, because there a program of ours has started the late
    one. */
 static void note_late(struct job *job, bool by_the_wall)
 {
@@ -234,9 +233,9 @@ static void note_late(struct job *job, bool by_the_wall)
         job->order.seconds = later;
 }
 
-/* Opens a sandbox and says how far it came. The driver is called
-   sandbox.suite.o: a name that it wants in vain is then told in build.c's
-   words for a function that the student has renamed. */
+/* Opens a sandbox; returns PASSED or why it is not ready. The driver is
+   called sandbox.suite.o, so that build.c explains a function that the
+   driver lacks as one that the student has renamed. */
 static enum state open_box(struct job *job, FILE *story)
 {
     if (ftruncate(job->prints, 0) != 0)
@@ -279,8 +278,8 @@ static void close_box(struct job *job)
 
 /* Runs a test as the examiner does, with a judge as the runner. After a
    time-out, or when the test's process cannot be ended, the sandbox is
-   closed and the next test opens another, so that no test is affected by
-   the one before. */
+   closed and the next test opens another, so that no test is affected by an
+   earlier one. */
 static enum state run_test(struct job *job, const struct kit_test *test,
                            FILE *story)
 {
@@ -312,10 +311,10 @@ static enum state run_test(struct job *job, const struct kit_test *test,
     return state;
 }
 
-/* Runs a test, unless its result is known. In a second try tests that came
-   to an end keep what they earned; those that were late run again until
-   one is late again: then it was not the load. Idle tests run again,
-   because what they earn depends on the others. */
+/* Runs a test, unless its result is known. In a second try tests that ended
+   keep their marks; those that were late run again until one is late again,
+   since then the load was not the cause. Idle tests run again, because
+   their points depend on the others. */
 static enum state try_test(struct job *job, int i, FILE *story)
 {
     const struct marks *before = job->grading->before;
@@ -333,11 +332,11 @@ static enum state try_test(struct job *job, int i, FILE *story)
                            : state;
 }
 
-/* Replaces the hint of a second mistake by a reference to the first. A
-   mistake that one test has recognised may, in a later test, give the
-   value of another mistake, which was not made. So the first is to be
-   mended first. At home only the first failure is told in full, for the
-   same reason. */
+/* Replaces the hint of a second mistake by a reference to the first. After
+   one test has recognised a mistake, a later test may, because of it, give
+   the value of another mistake, which was not made. So the first is to be
+   corrected first; for the same reason only the first failure is told in
+   full at home. */
 static void name_once(char *mistake, size_t room, char **text, size_t *size)
 {
     char *hint = strstr(*text, "\n  hint "), *end, *name;
@@ -386,9 +385,9 @@ static void keep_mark(struct marks *marks, const struct kit_test *test,
         marks->state = state;
 }
 
-/* Keeps what the program printed in the first test that printed anything;
-   the same lines of all the others would bury it. Output of hidden tests
-   is not kept, because a program can print its inputs. */
+/* Keeps the output of the first test that printed anything; the other
+   tests' output would be the same lines again. Output of hidden tests is
+   not kept, because a program can print its inputs. */
 static void keep_prints(struct marks *marks)
 {
     struct stat about;
@@ -416,8 +415,8 @@ static void keep_prints(struct marks *marks)
 }
 
 /* Takes the points of idle tests away unless another test has passed. They
-   count as failed then and say why, so that reports that count tests agree
-   with reports that count points. */
+   then count as failed, with the reason, so that reports that count tests
+   agree with reports that count points. */
 static void settle_idle(const struct kit *kit, struct marks *marks)
 {
     static const char why[] = "  A function that does nothing passes this "
@@ -464,7 +463,7 @@ static void run_tests(struct job *job)
     settle_idle(job->kit, job->marks);
 }
 
-/* Replaces the story of a test by what the sanitizers found in it. */
+/* Replaces the report on a test by what the sanitizers found in it. */
 static void replace_mark(struct mark *mark, const char *text, size_t size)
 {
     free(mark->story);
@@ -506,10 +505,10 @@ static void sum_up(struct marks *marks)
 
 /* Runs the public tests once more, with sanitizers. Points come from a
    program without them; but a test in which they find a mistake does not
-   pass, since at home they decide as well, and the verdict must not depend
-   on where it is given. This run is half the cost of a submission. It is
-   left out where a recognised mistake explains a failure, unless a test
-   crashed or wrote outside of its outputs. */
+   pass, since they also decide at home, and both verdicts must agree. This
+   run is half the cost of a submission. It is left out where a known
+   mistake explains a failure, unless a test crashed or wrote outside of its
+   outputs. */
 static void ask_sanitizers(struct job *job)
 {
     char *text = NULL;
@@ -554,9 +553,9 @@ static bool is_stub(const struct grading *grading, const struct kit *kit,
 }
 
 /* Enters all tests without points, for a file that could not be run: the
-   points that can be earned must not depend on what was handed in. */
-static void give_nothing(const struct kit *kit, struct marks *marks,
-                         enum state state)
+   points that can be earned must not depend on the file. */
+static void enter_unrun(const struct kit *kit, struct marks *marks,
+                        enum state state)
 {
     for (int i = 0; i < kit->count; ++i)
         keep_mark(marks, &kit->tests[i], NOT_BEGUN, "", 0);
@@ -565,9 +564,9 @@ static void give_nothing(const struct kit *kit, struct marks *marks,
 
 enum { FIGURE_MOST = 1 << 22, FIGURE_WIDEST = 4000 };
 
-/* Returns why these bytes are no PNG, or NULL. The figure is opened by a
-   person's programs; SVG and PDF can hold programs, a PNG is a picture of
-   points. */
+/* Returns the reason why these bytes are no acceptable PNG, or NULL. A
+   person's programs open the figure; SVG and PDF can contain programs, a
+   PNG only points. */
 static const char *see_png(const unsigned char *png, size_t length)
 {
     static const char head[] = "\x89PNG\r\n\x1a\n\0\0\0\rIHDR";
@@ -605,7 +604,7 @@ static void draw(struct job *job, struct grading_page *page)
         [SANDBOX_NO_PROGRAM] = "its program could not be built",
         [SANDBOX_NO_GNUPLOT] = "gnuplot is missing in the sandbox",
         [SANDBOX_DRAWS_LATE] = "its script did not end in half a minute"};
-    lay_file("script", page->script, page->length);
+    write_file("script", page->script, page->length);
     const int script = open_or_fail("script", O_RDONLY);
     unsigned char *figure = malloc(FIGURE_MOST + 1);
     if (!figure || ftruncate(job->prints, 0) != 0)
@@ -640,7 +639,7 @@ void grading_run(const struct grading *grading, const struct kit *kit,
     struct job job = {.grading = grading, .kit = kit, .marks = marks};
     marks->state = NOT_BEGUN;
     if (!bytes || is_stub(grading, kit, bytes, length)) {
-        give_nothing(kit, marks, NOT_BEGUN);
+        enter_unrun(kit, marks, NOT_BEGUN);
         return;
     }
     prepare(&job, bytes, length);
@@ -668,7 +667,7 @@ void grading_run(const struct grading *grading, const struct kit *kit,
     marks->story = marks_text(text, size, STORY_KEPT);
     free(text);
     if (marks->state != PASSED) {
-        give_nothing(kit, marks, marks->state);
+        enter_unrun(kit, marks, marks->state);
         return;
     }
     run_tests(&job);

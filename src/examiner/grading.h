@@ -11,9 +11,9 @@
 /* A test of an exercise. */
 struct kit_test {
     char *name;
-    int number; /* by which the judge knows it */
+    int number; /* its number for the judge */
     int points;
-    bool hidden; /* it is run with the grader's seed */
+    bool hidden; /* run with the grader's seed */
     bool idle;   /* an empty function passes it */
 };
 
@@ -43,16 +43,16 @@ struct grading_page {
     char *refusal;     /* why the script is not taken, or NULL */
     const char *place; /* path of the figure, for the note */
     char *figure;      /* a PNG; if NULL the note says why */
-    size_t drawn;      /* bytes of the figure */
+    size_t drawn;      /* size of the figure, bytes */
 };
 
-/* Reads the lists in build/grade; returns how many exercises there are.
-   Exits with status 2 when the lists are missing or damaged. */
+/* Reads the lists in build/grade; returns the number of exercises. Exits
+   with status 2 when the lists are missing or damaged. */
 size_t grading_kits(struct kit **kits);
 
-/* Grades a file, its bytes given, as an exercise: fills in state, tests,
-   texts and times of the marks. Changes the working folder; to be called
-   in a process of its own. */
+/* Grades a file, given by its bytes, as an exercise: fills in state, tests,
+   texts and times of the marks. Changes the working folder, so it must be
+   called in a process of its own. */
 void grading_run(const struct grading *grading, const struct kit *kit,
                  const char *bytes, size_t length, struct marks *marks);
 

@@ -1,4 +1,4 @@
-/* Allocates outputs with known bytes in front of each and behind it. */
+/* Allocates outputs with known bytes before and after each. */
 #include "examiner/guards.h"
 #include "examiner/remote.h"
 #include "examiner/transport.h"
@@ -7,14 +7,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Each output has a guard on either side, of 512 doubles: an index that
-   was computed for another array goes astray that far. Without guards an
-   answer that was right and also wrote v[2] had full points, because only
-   memory of our own lay behind v. */
+/* Each output has a guard on either side, of 512 doubles: an index meant
+   for another array may be off by that much. Without guards an answer that
+   was right and also wrote v[2] had full points, because memory of our own
+   came after v. */
 enum { GUARD = 4096, MOST = 8 };
 
-/* Returns byte i of a guard. Eight bytes are a NaN as a double, and more
-   than any index as a size, so that a function that reads them gains
+/* Returns byte i of a guard. Eight bytes are a NaN as a double, and as a
+   size larger than any index, so that a function that reads them gains
    nothing. */
 static unsigned char filling(size_t i)
 {
@@ -23,7 +23,7 @@ static unsigned char filling(size_t i)
     return bytes[i % sizeof bytes];
 }
 
-/* Returns a whole guard, made once. */
+/* Returns the bytes of an unchanged guard, made once. */
 static const unsigned char *untouched(void)
 {
     static unsigned char guard[GUARD];
@@ -44,10 +44,10 @@ void __asan_poison_memory_region(const volatile void *x, size_t n) WEAK;
 void __asan_unpoison_memory_region(const volatile void *x, size_t n) WEAK;
 
 /* Tells an address sanitizer, if there is one, that the guards must not be
-   touched: it notices reads as well, and knows the line. The driver in the
-   sandbox is compiled once for programs with and without a sanitizer, so
-   the names are weak, which only ELF knows: if nobody defines them they
-   are zero. */
+   read or written: it notices reads as well, and reports the line. The
+   driver in the sandbox is compiled once for programs with and without a
+   sanitizer, so the names are weak, and zero without a sanitizer; only ELF
+   has weak names. */
 static void forbid(const struct place *p, bool on)
 {
     void (*const tell)(const volatile void *x, size_t n) =

@@ -7,7 +7,7 @@
 #include <stdbool.h>
 
 /* Returns whether a guard of this call's outputs has changed, and describes
-   the first that has. */
+   the first change. */
 bool guards_overrun(struct check_overrun *overrun);
 
 /* Frees the outputs of the last call. */

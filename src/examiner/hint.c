@@ -7,9 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Where the number of hints given is kept: not in build/, since make clean
-   must not forget it, and not in exercises/, where nothing but the
-   student's own files belong. */
+/* The file with the number of hints given: not in build/, since make clean
+   must keep it, and not in exercises/, which has only the student's own
+   files. */
 static const char path[] = ".progress";
 
 static int given(const char *name)
@@ -25,9 +25,9 @@ static int given(const char *name)
     return count < 0 || count > 1000 ? 0 : count;
 }
 
-/* Hints given are counted for each stage of a project, as 100 * stage +
-   number: 302 are two of the third stage. An exercise has the one stage
-   0. */
+/* The number of hints given is stored with the stage of a project, as 100 *
+   stage + number: 302 are two hints of the third stage. An exercise has
+   only the stage 0. */
 enum { PER_STAGE = 100 };
 
 static int stage_of(const struct exercise *e)
@@ -67,7 +67,7 @@ void hint_forget(const struct exercise *e)
         remember(e->name, 0);
 }
 
-/* Returns how many hints a stage has; shows the one with the number
+/* Returns the number of hints of a stage; prints the hint with the number
    `wanted', none for 0. */
 static int find_hint(char *text, int stage, int wanted)
 {
@@ -96,8 +96,8 @@ static int count_hints(const char *file, int stage)
     return count;
 }
 
-/* Shows the next hint, then stores that it was given: on a full disk the
-   student still gets the hint. */
+/* Shows the next hint, then stores its number, so that the student gets the
+   hint even if the disk is full. */
 void hint_show(const struct exercise *e)
 {
     char file[64];

@@ -23,10 +23,10 @@ long syscall(long number, ...);
 enum { ANSWERS = 5, REQUESTS = 6 };
 
 #ifdef __linux__
-/* The system calls that a judge needs: it reads and writes what was open
-   when it started, asks for memory, copies itself and ends. Somebody who
-   took it over with what he sends would reach no file, no network and no
-   other process. */
+/* The system calls that a judge needs: it reads and writes files opened
+   before it started, allocates memory, copies itself and ends. Thus an
+   attacker who took it over by the data he sends would reach no file, no
+   network and no other process. */
 static const int allowed[] = {
     SYS_read,         SYS_write,          SYS_writev,
     SYS_pread64,      SYS_ftruncate,      SYS_lseek,
@@ -51,7 +51,7 @@ static void forbid_other_calls(void)
 #elif defined __aarch64__
     const unsigned ours = AUDIT_ARCH_AARCH64;
 #else
-    const unsigned ours = 0; /* unknown processor: nothing is forbidden */
+    const unsigned ours = 0; /* unknown processor: forbid nothing */
 #endif
     enum { CALLS = sizeof allowed / sizeof *allowed };
     struct sock_filter code[CALLS + 5];
@@ -78,10 +78,10 @@ static void forbid_other_calls(void)
 
 void judge_confine(long user);
 
-/* Gives up the rights that a judge does not need, since it reads what
-   comes from a sandbox, knows the expected values, and may have been
-   started by root. Where the kernel has no filters, or a container not
-   this user, it stays as it is. */
+/* Gives up the rights that a judge does not need, since it reads data from
+   a sandbox, knows the expected values, and may have been started by root.
+   Rights are kept where the kernel has no filters, or a container not this
+   user. */
 void judge_confine(long user)
 {
     if (user > 0 && syscall(SYS_setgroups, 0, NULL) == 0 &&
@@ -97,8 +97,8 @@ void transport_lost(void)
     _exit(EXIT_FAILURE);
 }
 
-/* Ends as the test's process did, by the same signal or status, so that
-   trial.c reads it as at home and tells it in the same words. */
+/* Ends by the signal or status of the test's process, so that trial.c
+   reports it as at home. */
 static _Noreturn void end_like(int status)
 {
     if (WIFSIGNALED(status)) {
@@ -110,9 +110,9 @@ static _Noreturn void end_like(int status)
 
 static bool opened, begun, calling;
 
-/* Ends a call without an answer: the suite has left it by longjmp, but the
-   process in the sandbox is still in the student's function. That process
-   is ended, and the next call starts another. */
+/* Ends a call without an answer: the suite has left the call by longjmp,
+   but the process in the sandbox is still in the student's function. That
+   process is ended, and the next call starts another. */
 static void break_off(void)
 {
     int how[TRANSPORT_HOW];

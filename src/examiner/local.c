@@ -25,12 +25,12 @@ static void grow(size_t bytes)
     capacity = bytes;
 }
 
-/* Copies bytes into the array of messages, or out of it: what one side
-   sends stays in the array until the other receives it. So the student's
-   function gets the same arguments in the same kind of memory as in the
-   grader. Both sides and the function are one program, in which a name can
-   be defined only once: so the makefile compiles the suite and its side
-   with other names (suite_velocities_after). */
+/* Copies bytes into the array of messages, or out of it: data sent by one
+   side are in the array until the other side receives them. So the
+   student's function gets the same arguments, in the same kind of memory,
+   as in the grader. Both sides and the function are one program, in which a
+   name can be defined only once: so the makefile compiles the suite and its
+   side with other names (suite_velocities_after). */
 void transport_move(void *x, size_t bytes)
 {
     if (transport_sending && capacity - sent <= bytes)
@@ -57,7 +57,7 @@ void remote_call(void)
     set_sending(true);
 }
 
-/* Runs the other side: to wait is to let it work. */
+/* Waits for the answer by running the other side. */
 void remote_wait(void)
 {
     set_sending(false);

@@ -38,9 +38,8 @@ bool marks_late(const struct marks *marks)
     return false;
 }
 
-/* An escaped byte is shown as two digits, not as a question mark: a
-   student who prints to find an error wants to know which byte came
-   out. */
+/* Shows an escaped byte as two digits, not as a question mark: a student
+   who prints to find an error needs to know the byte. */
 char *marks_text(const char *bytes, size_t length, size_t most)
 {
     const size_t kept = length < most ? length : most;
@@ -101,7 +100,7 @@ static enum state state_of(const char *name)
 }
 
 /* Reads a test's mark; returns false if anything is missing, as after a
-   full disk or by hand. Then the exercise is graded anew. */
+   full disk or an edit by hand. Then the exercise is graded anew. */
 static bool mark_of_json(struct mark *mark, json_t *json)
 {
     const char *name, *state, *story;

@@ -7,57 +7,57 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* One test, as it was run for one student. Points of public and of hidden
-   tests are kept apart throughout: of the hidden ones a student learns no
-   more than that there are some. */
+/* The result of one test for one student. Points of public and of hidden
+   tests are kept apart throughout: a student learns only that there are
+   hidden tests. */
 struct mark {
     char *name;
     bool hidden;      /* its inputs must not be shown */
-    int points;       /* earned if it passes */
-    enum state state; /* PASSED, FAILED, ...; NOT_BEGUN if it was not run */
-    char *story;      /* what the examiner says about it */
-    double seconds;   /* wall-clock time, of both tries if two */
+    int points;       /* points for passing */
+    enum state state; /* NOT_BEGUN: it was not run */
+    char *story;      /* the examiner's report on it */
+    double seconds;   /* wall-clock time of all its tries, s */
 };
 
 enum { MARKS_MOST = 96 };
 
-/* One exercise of one student. Texts are UTF-8 without control characters
-   other than line ends; none is NULL. Each is written to a file as soon as
-   it is known, and reports are made from the files alone: so an
-   interrupted batch can go on, and a new report needs no new grading. */
+/* The result of one exercise for one student. Texts are UTF-8 without
+   control characters other than line ends; none is NULL. Each result is
+   written to a file at once, and reports are made from the files alone: so
+   an interrupted batch can go on, and a new report needs no new grading. */
 struct marks {
-    char *student;    /* the name of the folder */
+    char *student;    /* name of the student's folder */
     char *exercise;   /* "01a" */
     char *title;      /* of the exercise */
     char *file;       /* the file that was graded, or "no file" */
-    char *note;       /* what a person should know, or empty */
-    enum state state; /* of the exercise: the first that is wrong */
+    char *note;       /* a note for the lecturer, or "" */
+    enum state state; /* of the first test that is wrong */
     int count;
     struct mark marks[MARKS_MOST];
-    char *story;    /* messages of the compiler, or empty */
+    char *story;    /* messages of the compiler, or "" */
     char *prints;   /* the beginning of what the program printed */
     char *advice;   /* what sanitizers found; costs no points */
-    double seconds; /* wall-clock time, with the build */
+    double seconds; /* wall-clock time, build included, s */
     double build_seconds;
-    int tries; /* 2 if a time-out was tried again, alone */
-    bool late; /* the wall clock stopped the build or a test */
+    int tries; /* 2 if run again after a time-out */
+    bool late; /* the limit of wall-clock time was reached */
 };
 
-/* Return the points that were earned, and that can be, of the hidden tests
-   or of the others. */
+/* Return the points that were earned, and that can be earned, in the hidden
+   tests or in the others. */
 int marks_earned(const struct marks *marks, bool hidden);
 int marks_possible(const struct marks *marks, bool hidden);
 
 /* Returns whether the build or a test has timed out. */
 bool marks_late(const struct marks *marks);
 
-/* Returns bytes escaped, as text_escaped does, for the caller to free.
-   Only the first `most` bytes are kept; the text then ends with how many
-   there were. */
+/* Returns bytes escaped, as text_escaped does, for the caller to free. Only
+   the first `most` bytes are kept; then the text ends with the number of
+   all. */
 char *marks_text(const char *bytes, size_t length, size_t most);
 
-/* Writes marks to a file, with the key of what they depend on. Exits with
-   status 2 when it cannot. */
+/* Writes marks to a file, with the key, a checksum of all they depend on.
+   Exits with status 2 when it cannot. */
 void marks_write(const struct marks *marks, const char *key,
                  const char *path);
 

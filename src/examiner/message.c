@@ -5,15 +5,14 @@
 #include <stddef.h>
 #include <string.h>
 
-/* A row for each mistake, with the words of gcc and of clang. The first
-   row that fits is taken, so special cases stand above general ones. NAME
+/* A row for each mistake, with the words of gcc and of clang. The first row
+   that fits is taken, so special cases come before general ones. NAME
    stands for the first name that the message quotes; a row without a text
-   is about a name that the compiler does not know. Where an explanation
-   would be a guess there is none: a wrong one is believed and costs more
-   than a missing one. */
+   is for a name unknown to the compiler. Where an explanation would be a
+   guess there is none: a wrong one is believed and costs more than a
+   missing one. */
 static const struct meaning {
-    const char *gcc,
-        *clang; /* words of the message; clang NULL: the same */
+    const char *gcc, *clang; /* words of the message; clang NULL: as gcc */
     const char *text;
 } meanings[] = {
     {"expected ';'", "expected ',' or ';'",
@@ -91,11 +90,11 @@ static const struct meaning {
     {"lvalue required", "expression is not assignable",
      "On the left of = must stand something that can be changed, and this "
      "is a formula."},
-    /* C allows a function to end without its return: the caller gets
-       whatever is in a register, which may be the right number. One wrong
-       answer among the kit's tests passed that way, since clang assumed
-       that the path without a return is never taken. So the makefile makes
-       it an error, and two more that newer compilers refuse anyway. */
+    /* C allows a function to end without its return: the caller gets the
+       content of a register, perhaps the right number. One wrong answer
+       among the kit's tests passed that way, since clang assumed that the
+       path without a return is never taken. So the makefile makes this
+       warning an error, and two more that newer compilers refuse anyway. */
     {"reaches end of non-void", "void function does not return a value",
      "There is a way through the function on which it ends without a "
      "return. What is its value then?"},
@@ -115,7 +114,7 @@ static const struct meaning {
     {"value computed is not used", NULL,
      "This line computes something and throws it away. Is an = or a return "
      "missing?"},
-    /* From here on the rows are about warnings. They are shown only when a
+    /* The following rows are about warnings, which are shown only when a
        test has failed, as its likeliest reason. */
     {"uninitialized", NULL,
      "NAME has no value yet when it is used. What should it begin with?"},
@@ -173,8 +172,8 @@ bool message_known(const char *line)
     return meaning_of(copy) != NULL;
 }
 
-/* Copies the first name in quotation marks. They are plain ones, because
-   the compiler runs in the locale C. */
+/* Copies the first name in quotation marks, which are ASCII, because the
+   compiler runs in the locale C. */
 static void quoted(char name[NAME_ROOM], const char *from)
 {
     const char *mark = from ? strchr(from, '\'') : NULL;
@@ -219,8 +218,8 @@ static void explain_stranger(FILE *story, const char *line)
     text_field(story, "means", text);
 }
 
-/* Writes a sentence, with the name for NAME. printf could do it with %s,
-   but no compiler could check a format that comes from a table. */
+/* Writes a sentence with the quoted name in place of NAME, which is no %s
+   because compilers cannot check formats from a table. */
 static void explain_known(FILE *story, const char *text, const char *line)
 {
     char name[NAME_ROOM], sentence[LINE_ROOM];

@@ -1,10 +1,10 @@
-/* Refuses callbacks, where a student gets no function to call. */
+/* Refuses callbacks in exercises that do not use any. */
 #include "examiner/remote.h"
 #include "examiner/transport.h"
 
-/* Ends the program: no callback was expected. It has a file of its own, so
-   that the linker takes it from the library only for an exercise that does
-   not define this function. */
+/* Ends the program, since no callback was expected. This is a file of its
+   own, so that the linker takes it from the library only for an exercise
+   that does not define this function. */
 void remote_serve_callback(int which)
 {
     (void)which;

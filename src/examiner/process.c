@@ -21,10 +21,10 @@ long syscall(long number, ...);
 
 static volatile sig_atomic_t caught;
 
-/* Stores the signal; a handler may do little else safely. A program in a
-   group of its own does not get the terminal's Ctrl-C: the loop that waits
-   for it does, and kills it. If the examiner ended instead, a student's
-   endless loop would go on unseen. */
+/* Stores the signal; a handler may do little else safely. A program in its
+   own group does not get the terminal's Ctrl-C: the loop that waits for it
+   does, and kills it. If the examiner ended instead, a student's endless
+   loop would run on unnoticed. */
 static void catch_signal(int signal)
 {
     caught = signal;
@@ -44,9 +44,9 @@ int process_signal(void)
 }
 
 /* Lowers a soft limit, unless it is lower already. A program may raise it
-   again, but this guards against accidents. Beyond the limit on time a
-   process gets SIGXCPU, on a file's size SIGXFSZ; memory is limited as
-   address space, since that is what every Unix can limit. */
+   again, but this guards against accidents. Beyond its time a process gets
+   SIGXCPU, beyond a file's size SIGXFSZ; memory is limited as address
+   space, since every Unix can limit that. */
 static void restrain(int resource, rlim_t most)
 {
     struct rlimit limit;
@@ -56,9 +56,9 @@ static void restrain(int resource, rlim_t most)
     }
 }
 
-/* Closes all descriptors from this one on. Linux has had a system call for
-   it since 2020. Elsewhere they are closed one by one, 1024 at most: some
-   machines allow a million open files. */
+/* Closes all descriptors from `first` on. Linux has had a system call for
+   this since 2020. Elsewhere they are closed one by one, up to 1024, since
+   some machines allow a million open files. */
 static void close_from(int first)
 {
 #ifdef SYS_close_range
@@ -72,8 +72,8 @@ static void close_from(int first)
 }
 
 /* Moves the descriptors of the list to 3, 4, ... and returns the next
-   number. They are first copied to high numbers, because two of them might
-   have to change places. A copy stays open on exec. */
+   number. They are first copied to high numbers, because the number of one
+   may be the target of another. A copy stays open on exec. */
 static int hand_over(const int kept[6])
 {
     int high[6], count = 0;
@@ -87,10 +87,10 @@ static int hand_over(const int kept[6])
 }
 
 /* Replaces this process, a child just forked, by the command; never
-   returns. Limits, group and descriptors are set before the exec, and
+   returns. Limits, group and descriptors are set before the exec and
    survive it. Standard input is empty: otherwise an exercise that reads a
    number would wait for it and seem to hang. All other descriptors are
-   closed, such as the pipe by which make -j hands out its jobs. */
+   closed, such as the pipe by which make -j limits its jobs. */
 static void become(char *const command[], const char *folder,
                    const struct process_files *files,
                    const struct process_limits *limits)
@@ -114,8 +114,7 @@ static void become(char *const command[], const char *folder,
     _exit(127);
 }
 
-/* Returns the time of a clock that nobody can set back while a test
-   runs. */
+/* Returns the time of a clock that cannot be set back during a test. */
 double process_clock(void)
 {
     struct timespec now;
@@ -125,8 +124,7 @@ double process_clock(void)
 
 /* Returns whether a process has ended, and leaves its status to be
    collected later: until then no other process can get its number, and its
-   group can be killed safely. A process that is merely stopped has not
-   ended. */
+   group can be killed safely. A stopped process has not ended. */
 static bool has_ended(pid_t pid)
 {
     siginfo_t about = {0};
@@ -135,9 +133,9 @@ static bool has_ended(pid_t pid)
            about.si_pid == pid;
 }
 
-/* Returns whether a process has more memory in use than this (the second
-   number of statm, in pages). A copy of a runner needs it: sanitizers map
-   terabytes, so that no limit of the kernel fits. */
+/* Returns whether a process uses more memory than `most` bytes (the second
+   number of statm, in pages). This limits a copy of a runner, for which no
+   limit of the kernel fits, since sanitizers map terabytes. */
 static bool uses_more(pid_t pid, rlim_t most)
 {
     char path[64];
@@ -163,11 +161,11 @@ int process_watch(pid_t pid)
 #endif
 }
 
-/* Waits for a process; kills its group when it is late, too large, or the
-   user interrupts, and once more at the end, for children that it has
-   left. Returns whether it was late. waitpid has no time limit, so this
-   polls: every 20 ms where the kernel tells the end at once (pidfd),
-   otherwise every 2 ms, which adds one on average. */
+/* Waits for a process; kills its group when it is late or too large, or the
+   user interrupts, and again at the end, for the children it leaves.
+   Returns whether it was late. waitpid has no time limit, so this polls:
+   every 20 ms where the kernel reports the end at once (pidfd), otherwise
+   every 2 ms, which adds one on average. */
 static bool wait_for_end(pid_t pid, double seconds, rlim_t memory)
 {
     struct pollfd end = {process_watch(pid), POLLIN, 0};
@@ -188,10 +186,10 @@ static bool wait_for_end(pid_t pid, double seconds, rlim_t memory)
 
 enum { MOST_BESIDE = 2 };
 
-static pid_t beside[MOST_BESIDE]; /* what process_start has started */
+static pid_t beside[MOST_BESIDE]; /* processes begun by process_start */
 static int besides;
 
-/* Returns whether a child is not one that process_start has started. */
+/* Returns whether process_start has not started this child. */
 static bool is_stray(int child)
 {
     for (int i = 0; i < besides; ++i)
@@ -200,10 +198,10 @@ static bool is_stray(int child)
     return child > 0;
 }
 
-/* Returns a child that nobody has started here, or 0. A process may leave
+/* Returns a child that nothing here has started, or 0. A process may leave
    its group by setsid; on Linux such orphans become our children
-   (PR_SET_CHILD_SUBREAPER), and a file lists our children. On other
-   systems it escapes, but no accident does that. */
+   (PR_SET_CHILD_SUBREAPER), and a file lists our children. On other systems
+   they escape, but no program does that by accident. */
 static int find_stray(void)
 {
     int child = 0;
@@ -231,8 +229,7 @@ static void kill_strays(void)
 }
 
 /* Waits, and fills in how a process ended. Whether it was late is stored,
-   because a SIGKILL may also come from the kernel, when memory has run
-   out. */
+   because the kernel also sends SIGKILL when memory has run out. */
 static void collect(pid_t pid, double seconds, rlim_t memory,
                     struct process_end *end)
 {
@@ -247,9 +244,9 @@ static void collect(pid_t pid, double seconds, rlim_t memory,
 
 /* Starts a command. Buffers are flushed first, or the copy would print
    their text again. Parent and child both set the group, since either may
-   run first; the parent's call fails if the child has already come to
-   exec. A shell with timeout and ulimit would not do: to it a segmentation
-   fault and exit(139) are the same, and timeout does not kill children. */
+   run first; the parent's call fails if the child is already in exec. A
+   shell with timeout and ulimit would not do: it cannot tell a segmentation
+   fault from exit(139), and timeout does not kill children. */
 static pid_t launch(char *const command[], const char *folder,
                     const struct process_files *files,
                     const struct process_limits *limits)
@@ -300,8 +297,8 @@ struct process_end process_stop(void)
     return end;
 }
 
-/* Sends the order to the process that makes the copy, and reads the copy's
-   number from its answer, since only that process learns it. */
+/* Sends the order to the process that copies itself, and reads from its
+   answer the number of the copy, which no other process learns. */
 bool process_copy(int orders, const void *order, size_t length, int seconds,
                   rlim_t memory_bytes, struct process_end *end)
 {

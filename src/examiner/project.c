@@ -91,10 +91,10 @@ static void leap(project_pull *pull, const void *of, int n, long double x[],
     }
 }
 
-/* Solves an equation of motion to rounding. A leapfrog is symmetric, so
-   its error has only even powers of the step; from a stretch in 1, 2, ...,
-   8 steps the limit of infinitely many follows, up to the sixteenth power
-   (Richardson). */
+/* Solves an equation of motion to rounding. A leapfrog is symmetric, so its
+   error has only even powers of the step; from its results with 1, 2, ...,
+   8 steps the limit of infinitely many follows, with an error in the
+   sixteenth power (Richardson). */
 void project_exactly(project_pull *pull, const void *of, int n,
                      long double x[], long double v[], double t, int parts)
 {

@@ -6,11 +6,11 @@
 #include "examiner/run.h"
 
 /* Draws as check_draw does, but differently for each year of a course, and
-   with the grader's seed when marks are made. */
+   with the grader's seed when marks are given. */
 double project_draw(int year, double low, double high);
 
 /* Checks that the program ended with status 0 and printed this many rows
-   and columns. Asks the question if a row has another length. */
+   and columns. If the columns differ, the student is asked the question. */
 bool project_form(const struct run *run, const char *input, size_t rows,
                   size_t columns, const char *question);
 
@@ -18,8 +18,8 @@ bool project_form(const struct run *run, const char *input, size_t rows,
    standard error. */
 bool project_refuses(const struct run_order *order, const char *what);
 
-/* Returns the number behind these words in a remark. If there is none it
-   returns NAN and replaces *question by one about that. */
+/* Returns the number after these words in a remark. If there is none,
+   returns NAN and replaces *question by one about the missing remark. */
 double project_remark(const struct run *run, const char *words,
                       const char **question);
 
@@ -27,8 +27,8 @@ double project_remark(const struct run *run, const char *words,
 double project_cut(const char *format, double x);
 
 /* Solves x'' = a(x) for n coordinates x with velocities v over the time t
-   to rounding. The time is cut into `parts' pieces, in each of which the
-   path must bend little. */
+   to rounding; `pull` computes a from x and `of'. The time is cut into
+   `parts' pieces, in each of which the path must bend little. */
 typedef void project_pull(const void *of, const long double x[],
                           long double a[]);
 enum { PROJECT_PLACES = 16 };

@@ -32,7 +32,7 @@ static int earned(const struct marks *m)
 }
 
 /* Returns the points that an exercise can earn: the most for any student,
-   because an exercise that was not graded has no tests to count. */
+   because an exercise that was not graded has no tests. */
 static int possible(const struct course *c, size_t e)
 {
     int most = 0;
@@ -54,7 +54,7 @@ static int possible_of_all(const struct course *c)
 }
 
 /* Returns whether all of a student's exercises were graded. Otherwise no
-   total is written: it would be too small and look like any other. */
+   total is written, since it would be too small. */
 static bool complete(const struct course *c, size_t s)
 {
     for (size_t e = 0; e < c->exercises; ++e)
@@ -79,9 +79,9 @@ static double seconds_of_all(const struct course *c, size_t s)
     return sum;
 }
 
-/* Formats an escaped text, for the caller to free. The course's name is
-   that of a folder, and other words come from the environment: all go
-   through here, clean or not. */
+/* Returns a formatted and escaped text, for the caller to free. All words
+   are escaped here: the course's name is that of a folder, and others come
+   from the environment. */
 static char *compose(const char *format, ...)
 {
     va_list arguments, again;
@@ -99,8 +99,9 @@ static char *compose(const char *format, ...)
     return text;
 }
 
-/* Cuts a text between two characters. The bytes that continue a character,
-   and only those, begin with the bits 10. */
+/* Cuts a text to at most this many bytes between two characters, and
+   returns it. Only bytes that continue a character begin with the bits
+   10. */
 static char *shorten(char *text, size_t most)
 {
     if (strlen(text) <= most)
@@ -111,9 +112,9 @@ static char *shorten(char *text, size_t most)
     return text;
 }
 
-/* Returns the name of a test as students may see it. A hidden test shows
-   neither its name, which may say what is tried, nor its story, which has
-   the inputs, nor what the program printed, which might be the inputs. */
+/* Returns the name of a test as students may see it. Of a hidden test they
+   see neither its name, which may tell its subject, nor its report, which
+   has the inputs, nor the program's output, which might be the inputs. */
 static const char *shown_name(const struct marks *m, int test,
                               char room[32])
 {
@@ -128,7 +129,7 @@ static const char *shown_name(const struct marks *m, int test,
 
 /* Returns the state of a test as students may see it. In the marks a test
    that could not run is not begun; but if the file does not build the
-   student has begun, and sees that instead. */
+   student has begun, and sees "does not build". */
 static enum state state_of(const struct marks *m, int test)
 {
     const enum state state = m->marks[test].state;
@@ -137,8 +138,8 @@ static enum state state_of(const struct marks *m, int test)
 }
 
 /* Returns the state of an exercise as its student may see it, from the
-   public tests: the state of all would give hidden tests away, as "failed"
-   above nine of nine points. */
+   public tests: the state of all tests would reveal hidden ones, as
+   "failed" above nine of nine points. */
 static enum state shown_state(const struct marks *m)
 {
     for (int i = 0; i < m->count; ++i)
@@ -175,8 +176,8 @@ static void make_folder(const char *path)
         text_fail("cannot make the folder '%s': %s", path, strerror(errno));
 }
 
-/* Puts the path of a report together. One that is too long is an error: if
-   it were cut it would be another file's. */
+/* Makes the path of a report. A path that is too long is an error: if it
+   were cut it would be another file's. */
 static void draft_name(struct draft *draft, const char *folder,
                        const char *name)
 {
@@ -208,8 +209,8 @@ static void draft_remove(const char *folder, const char *name)
 }
 
 /* Finishes a report and gives it its name. fprintf only fills a buffer, so
-   a full disk is noticed late: everything is checked once, at the end, and
-   fsync asks the disk itself. */
+   a full disk is noticed late: all errors are checked here, and fsync waits
+   for the disk. */
 static void draft_close(struct draft *draft)
 {
     if (fflush(draft->file) != 0 || ferror(draft->file) ||
@@ -234,9 +235,10 @@ static bool alone(const struct course *c, size_t s)
 
 enum { FILE_NAME = 180 };
 
-/* Makes a file name from a student's name. Letters, digits, space, . - _
-   and all that is not ASCII stay; the rest becomes % and two digits, and
-   so does a first dot (a hidden file) or minus (an option of rm). */
+/* Makes a file name from a student's name and returns its length. Letters,
+   digits, space, . - _ and all that is not ASCII stay; the rest becomes %
+   and two digits, and so does a first dot (a hidden file) or minus (an
+   option of rm). */
 static size_t spell(const char *text, char *name)
 {
     static const char plain[] =
@@ -265,8 +267,8 @@ static char *file_name(const struct course *c, size_t s)
 
 /* Returns whether a spreadsheet would compute a cell, because it begins
    with =, +, - or @, with a tab or line end, or with the wide form of a
-   sign. A student may call his folder =HYPERLINK(...). An apostrophe in
-   front makes it text. */
+   sign. A student may call his folder =HYPERLINK(...). An apostrophe before
+   it makes the cell text. */
 static bool is_formula(const char *text)
 {
     static const char *const signs[] = {
@@ -289,8 +291,8 @@ static void put_cell(FILE *out, const char *text)
     putc('"', out);
 }
 
-/* Takes one line about a student's exercise ("-": about all that the
-   student has handed in); `to' is passed on. */
+/* A function that receives one line about a student's exercise ("-": about
+   all files of the student), and `to' from its caller. */
 typedef void take_line(void *to, const char *student, const char *exercise,
                        const char *text);
 
@@ -317,7 +319,7 @@ static char *first_advice(const struct marks *m)
 }
 
 /* Passes on what a person should look at: a file that was refused; a
-   time-out, which might not come on another day; what a sanitizer found
+   time-out, which might not recur on another day; a sanitizer's finding
    that costs no points; a student who passes all public tests but fails
    hidden ones, who may have learnt the answers by heart, unless the hidden
    test is wrong. */
@@ -429,9 +431,9 @@ static void put_row(FILE *out, const struct course *c, size_t s)
 }
 
 /* Writes the marks as comma-separated values: RFC 4180, in UTF-8 without a
-   byte-order mark, which would become part of the first column's name for
-   any program that follows the standard. Numbers have no quotes; what was
-   not graded is an empty cell. */
+   byte-order mark, which programs that follow the standard would read as
+   part of the first column's name. Numbers have no quotes; the cell of an
+   exercise that was not graded is empty. */
 static void report_csv(const struct course *c, const char *folder)
 {
     struct draft draft;
@@ -489,7 +491,7 @@ static void write_tree(const char *folder, const char *name, json_t *json)
 }
 
 /* Writes one JSON file for each student whose exercises were all graded. A
-   missing result is asked about; one that is too low is believed. */
+   missing file is asked about; too few points would be believed. */
 static void write_json(const struct course *c, const char *folder,
                        const char *kind,
                        json_t *build(const struct course *, size_t))
@@ -541,8 +543,8 @@ static bool graded(const struct marks *m)
     return !lost(m) && strcmp(m->file, "no file") != 0;
 }
 
-/* Writes what sanitizers have said. They run with public tests only, so it
-   gives nothing hidden away. */
+/* Writes the note, the compiler's messages and the sanitizers' advice.
+   Sanitizers run with public tests only, so they reveal nothing hidden. */
 static void tell_rest(FILE *out, const struct marks *m)
 {
     if (*m->note)
@@ -580,7 +582,7 @@ static json_t *sum_up(const struct course *c, size_t s)
 }
 
 /* Returns the field extra_data, which Gradescope stores and does not show;
-   it says how a number came about. */
+   it tells how the marks were made. */
 static json_t *gradescope_extra(const struct course *c, size_t s)
 {
     json_t *json = json_object();
@@ -592,9 +594,9 @@ static json_t *gradescope_extra(const struct course *c, size_t s)
     return json;
 }
 
-/* Returns a student's results for Gradescope. Output is declared to be
-   plain text, since Gradescope may otherwise read it as HTML. What this
-   program itself prints is not visible to students. */
+/* Returns a student's results for Gradescope. Output is declared as plain
+   text, since Gradescope may otherwise read it as HTML. Students do not see
+   what this program prints. */
 static json_t *gradescope(const struct course *c, size_t s)
 {
     json_t *json = json_object(), *tests = json_array();
@@ -621,9 +623,9 @@ static void report_gradescope(const struct course *c, const char *folder)
 
 enum { CLASSROOM_NAME = 100, CLASSROOM_OUTPUT = 4000 };
 
-/* Returns a test for Classroom 50. Its schema wants different names of at
-   most 100 bytes; ours begin with exercise and number. Its collector
-   refuses files above 10 MiB, so stories are cut. */
+/* Returns a test for Classroom 50. Its schema requires different names of
+   at most 100 bytes; ours begin with exercise and number. Its collector
+   refuses files above 10 MiB, so reports on tests are cut. */
 static json_t *classroom_test(const struct marks *m, int test)
 {
     const struct mark *mark = &m->marks[test];
@@ -643,9 +645,9 @@ static json_t *classroom_test(const struct marks *m, int test)
     return json;
 }
 
-/* Returns a variable of the environment, or a substitute. Inside Classroom
-   50 the environment says whose result this is; elsewhere the collector
-   refuses the file until somebody fills it in. */
+/* Returns a variable of the environment, or a substitute. Classroom 50 sets
+   variables that tell the student and the task; elsewhere its collector
+   refuses the file until somebody fills them in. */
 static json_t *known(const struct course *c, const char *variable,
                      const char *otherwise)
 {
@@ -681,8 +683,8 @@ static void put_owner(json_t *json, const struct course *c, size_t s)
 }
 
 /* Returns a student's result for Classroom 50. datetime should be the time
-   of handing in, which decides whether it is late; we know only the time
-   of grading, and the collector's own runner puts in the right one. */
+   of handing in, which decides whether it is late; we know only the time of
+   grading, and the collector's own runner corrects it. */
 static json_t *classroom(const struct course *c, size_t s)
 {
     json_t *json = json_object(), *tests = json_array();
@@ -704,8 +706,8 @@ static void report_classroom(const struct course *c, const char *folder)
     write_json(c, folder, "classroom50", classroom);
 }
 
-/* Returns a test for GitHub Classroom: in error, not failed, if it came to
-   no verdict. */
+/* Returns a test for GitHub Classroom. A test without a verdict is in
+   error, not failed. */
 static json_t *github_test(const struct marks *m, int test)
 {
     const struct mark *mark = &m->marks[test];
@@ -755,10 +757,10 @@ static void report_github(const struct course *c, const char *folder)
     write_json(c, folder, "github", github);
 }
 
-/* State of writing JUnit's XML. The format has no standard; what counts is
-   what GitLab and Jenkins read. GitLab drops the second of two cases with
-   the same class and name, so a case's name has the student and the test's
-   number. */
+/* A report in JUnit's XML, being written. The format has no standard;
+   GitLab and Jenkins have to read it. GitLab drops the second of two cases
+   with the same class and name, so a case's name has the student and the
+   test's number. */
 struct junit {
     struct draft draft;
     xmlTextWriterPtr xml;
@@ -770,8 +772,8 @@ static void checked(int result)
         text_fail("out of memory");
 }
 
-/* Writes bytes for libxml2 and always reports success: ferror tells at the
-   end, and libxml2 would print messages of its own. */
+/* Writes bytes for libxml2 and always reports success, since libxml2 would
+   print messages of its own; ferror shows errors at the end. */
 static int write_bytes(void *context, const char *bytes, int length)
 {
     struct junit *j = context;
@@ -821,8 +823,8 @@ struct tally {
 };
 
 /* Returns the JUnit element of a state. A wrong number is a failure; a
-   crash, a time-out and what does not build are errors, because the test
-   came to no verdict; what is not begun is skipped. */
+   crash, a time-out and a file that does not build are errors, because the
+   test came to no verdict; a test that is not begun is skipped. */
 static const char *element_of(enum state state)
 {
     switch (state) {
@@ -833,8 +835,8 @@ static const char *element_of(enum state state)
     }
 }
 
-/* Counts tests by how they ended, with the function that chooses the
-   elements later, so that the numbers agree. */
+/* Counts tests by the elements that are written for them later, so that the
+   numbers agree. */
 static void count_endings(struct tally *tally, const struct marks *m)
 {
     for (int i = 0; i < m->count; ++i) {
@@ -859,8 +861,8 @@ static void put_tally(struct junit *j, const struct tally *tally)
 }
 
 /* Writes how a test ended. If the file does not build the first test has
-   the compiler's messages, even if it is hidden: the compiler has seen the
-   student's file and nothing else. */
+   the compiler's messages, even if it is hidden: they are only about the
+   student's file. */
 static void put_ending(struct junit *j, const char *element,
                        const struct marks *m, int test)
 {
@@ -872,8 +874,7 @@ static void put_ending(struct junit *j, const char *element,
     end(j);
 }
 
-/* Writes a test. Its time is an equal part of the exercise's, so that
-   programs that add up times get the right sum. */
+/* Writes a test with its time. */
 static void put_case(struct junit *j, const char *student,
                      const struct marks *m, int test)
 {
@@ -951,11 +952,10 @@ static void report_junit(const struct course *c, const char *folder)
     draft_close(&j.draft);
 }
 
-/* Returns how many columns the next character takes: two for a Chinese
-   one, none for an accent. wcwidth knows that only in a UTF-8 locale. An
-   unknown character becomes a question mark, and so does one that turns
-   the direction of writing, since it would also turn the numbers behind a
-   name. */
+/* Returns how many columns the next character takes: two for a Chinese one,
+   none for an accent. wcwidth knows that only in a UTF-8 locale. Returns
+   -1, for a question mark, if the character is unknown or turns the
+   direction of writing, which would also turn the numbers after a name. */
 static int columns(const char *text, size_t *bytes)
 {
     mbstate_t state = {0};
@@ -971,9 +971,9 @@ static int columns(const char *text, size_t *bytes)
     return turns ? -1 : wcwidth(c);
 }
 
-/* Returns how many columns of a text fit, and sets *length to their bytes,
-   which are limited as well: a name of ten thousand accents is no wider
-   than a letter. */
+/* Returns how many of `room' columns a text fills, and sets *length to the
+   bytes in them, which are limited as well: a name of ten thousand accents
+   is as wide as a letter. */
 static int fit(const char *text, int room, size_t *length)
 {
     int taken = 0;
@@ -1038,8 +1038,8 @@ static struct layout lay_out(const struct course *c)
     return l;
 }
 
-/* Prints a cell of the table. Where nothing is earned a letter stands for
-   the state: a column of zeros is harder to read. */
+/* Prints a cell of the table: the points or, if they are 0, a letter for
+   the state, since a column of zeros is harder to read. */
 static void show_earned(const struct marks *m, int width)
 {
     static const char letters[] = {
@@ -1085,11 +1085,10 @@ static void show_block(const struct course *c, const struct layout *l,
 
 struct screen {
     const struct layout *layout;
-    bool any; /* a line was shown */
+    bool any; /* a note was printed */
 };
 
-/* Prints a line for a person, on as many lines of the screen as it needs.
- */
+/* Prints a note for a person, on as many lines of the screen as needed. */
 static void show_line(void *to, const char *student, const char *exercise,
                       const char *text)
 {
@@ -1123,8 +1122,8 @@ static void show_line(void *to, const char *student, const char *exercise,
         putchar('\n');
 }
 
-/* Prints the whole table. The locale is changed only here. If programs
-   were not isolated the first line says so. */
+/* Prints the whole table, with the kind of isolation in its first line. The
+   locale is changed only here. */
 static void report_table(const struct course *c, const char *folder)
 {
     const locale_t utf8 = newlocale(LC_CTYPE_MASK, "C.UTF-8", (locale_t)0);

@@ -1,4 +1,4 @@
-/* Gives the student's function the suite's random numbers, in blocks. */
+/* Gives the suite's random numbers to the student's function, in blocks. */
 #ifndef REMOTE_RANDOM_H
 #define REMOTE_RANDOM_H
 
@@ -6,9 +6,8 @@
 
 double uniform(void);
 
-/* Random numbers are sent in blocks, because thousands of single ones
-   would each need a round trip. Blocks of 64 took a tenth longer; larger
-   ones than 128 save nothing. */
+/* Numbers in a block. Single numbers would need thousands of round trips.
+   Blocks of 64 took a tenth longer; larger ones than 128 save nothing. */
 enum { BLOCK = 128 };
 
 #ifdef REMOTE_SERVER
@@ -17,9 +16,9 @@ static struct {
     size_t left;
 } block;
 
-/* With its answer the sandbox sends how many numbers of the last block are
-   left. The judge has only looked ahead, and now draws the numbers that
-   were used. */
+/* Receives a block. With its answer the sandbox sends how many numbers of
+   the last block are left: the judge has only looked ahead, and then draws
+   those that were used. */
 static void take_block(void)
 {
     remote_doubles(block.u, BLOCK);
@@ -36,7 +35,8 @@ double uniform(void)
     return block.u[BLOCK - block.left--];
 }
 #else
-/* In the suite: the numbers that uniform() will give next. */
+/* Copies the numbers that uniform() will return next; defined by the
+   suite. */
 void uniform_ahead(double u[], size_t count);
 
 static void give_block(void)
@@ -52,7 +52,8 @@ static void use_up(size_t left)
         (void)uniform();
 }
 
-/* Draws the last block, which is used up, and sends the next one. */
+/* Draws the last block, since all of it was used, and sends the next
+   one. */
 void remote_serve_callback(int which)
 {
     (void)which;

@@ -26,8 +26,8 @@ static bool copy(const char *from, int out)
     return out >= 0 && close(out) == 0 && fine;
 }
 
-/* Copies a file to a name that is free. Some file systems, as on memory
-   sticks, have no links. */
+/* Copies a file to a new name, for file systems without links, as on memory
+   sticks. */
 static bool copy_to(const char *from, const char *to)
 {
     const int out = open(to, O_WRONLY | O_CREAT | O_EXCL, 0666);
@@ -39,10 +39,10 @@ static bool copy_to(const char *from, const char *to)
 
 enum { KEPT = COURSE_PATH + 64 };
 
-/* Gives the student's file a second name, with the date at its end; ending
-   in .c it would be taken for an answer. A link exists or does not, and
-   fails when the name is taken. The stub then replaces the first name, so
-   that at no moment anything is lost. */
+/* Gives the student's file a second name, with the date at its end; a name
+   in .c would be taken for an answer. A link is made at once, and fails
+   when the name is taken. The stub then replaces the first name, so that at
+   no moment anything is lost. */
 static bool save(const char *file, char kept[KEPT])
 {
     char date[32];
@@ -60,8 +60,7 @@ static bool save(const char *file, char kept[KEPT])
 }
 
 /* Replaces the student's file by the stub. The new file keeps the
-   permissions of the old one, which a lecturer may have handed out to a
-   group. */
+   permissions of the old one, which a lecturer may have set for a group. */
 static bool replace(const char *file, const char *stub)
 {
     struct stat about;
@@ -83,8 +82,8 @@ _Noreturn static void give_up(const char *file, const char *kept)
               strerror(why));
 }
 
-/* No other command changes anything in exercises/. The hints begin anew as
-   well. */
+/* Resets an exercise and the count of its hints. Only this command changes
+   anything in exercises/. */
 void reset_exercise(struct exercise *e)
 {
     char kept[KEPT] = "";

@@ -1,4 +1,4 @@
-/* Puts the stub in the place of a student's file, which is kept. */
+/* Replaces a student's file by the stub, and keeps the file. */
 #ifndef RESET_H
 #define RESET_H
 

@@ -8,9 +8,9 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Returns the escape sequence for a state's colour; none with NO_COLOR or
-   into a file. The word says everything: one student in twelve cannot tell
-   red from green. */
+/* Returns the escape sequence for a state's colour, or "" with NO_COLOR or
+   for a file. The word suffices without it: one student in twelve cannot
+   tell red from green. */
 static const char *colour(enum state state)
 {
     if (state == NOT_BEGUN || !isatty(STDOUT_FILENO) || getenv("NO_COLOR"))
@@ -18,8 +18,8 @@ static const char *colour(enum state state)
     return state_wrong(state) ? "\033[31m" : "\033[32m";
 }
 
-/* Prints the line of an exercise, at once, so that a long round is seen to
-   move. The kit's tests read its columns. */
+/* Prints the line of an exercise at once, so that a long round shows its
+   progress. The kit's tests read its columns. */
 void round_line(const struct exercise *e)
 {
     const char *code = colour(e->state);
@@ -50,8 +50,8 @@ void round_solution(const struct exercise *e)
                e->name, e->name);
 }
 
-/* Returns how urgent an exercise is: one that was asked for before any
-   other, a failure before a gap, a gap before what is not begun. */
+/* Returns how urgent an exercise is: one that was asked for comes before
+   any other, a failure before a gap, a gap before one not begun. */
 static int urgency(const struct exercise *e)
 {
     if (e->judged && e->state == PASSED)
@@ -60,8 +60,7 @@ static int urgency(const struct exercise *e)
     return kind + (e->chosen ? 3 : 0);
 }
 
-/* Returns the most urgent exercise. One that was not judged counts as not
-   begun. */
+/* Returns the most urgent exercise; one not judged counts as not begun. */
 const struct exercise *round_current(const struct course *course)
 {
     const struct exercise *current = NULL;
@@ -90,7 +89,7 @@ static bool any_touched(const struct course *course)
     return false;
 }
 
-/* Names the file to open. A missing one is to be fetched by make reset:
+/* Prints the file to open. A missing file is to be restored by make reset:
    the student must not edit the stub itself. */
 static void invite(const struct course *course, const struct exercise *e)
 {
@@ -131,9 +130,9 @@ void round_learn(struct course *course, const struct verdict_rules *rules)
     }
 }
 
-/* Prints explanations: in a full round that of the first failure and of
-   missing files; for exercises that were named, theirs. Without sanitizers
-   a pass is worth less, and a line says so. */
+/* Prints explanations: in a full round those of the first failure and of
+   missing files; otherwise those of the exercises that were named. Without
+   sanitizers a pass is less certain, and a line says so. */
 static void tell_stories(const struct course *course, bool named)
 {
     bool told = false, run = false;
@@ -153,8 +152,8 @@ static void tell_stories(const struct course *course, bool named)
                "pass unseen.\n");
 }
 
-/* Judges the chosen exercises. After a signal the present exercise gets no
-   state, because its test was killed. */
+/* Judges the chosen exercises. A signal ends the program before the present
+   exercise gets a state, because its test was killed. */
 bool round_check(struct course *course, const struct verdict_rules *rules,
                  bool named)
 {
@@ -181,7 +180,7 @@ bool round_check(struct course *course, const struct verdict_rules *rules,
 enum { BAR = 24 };
 
 /* Draws a bar of progress. The division rounds down, so that a full bar
-   means that nothing is missing. */
+   means all points. */
 static void draw_bar(char bar[BAR + 1], int earned, int points)
 {
     const int full = points > 0 ? BAR * earned / points : 0;

@@ -5,9 +5,8 @@
 #include "examiner/verdict.h"
 
 /* Judges the chosen exercises, prints a line for each, then the first
-   failure (or a report on each of those that were named) and the next
-   step. Returns whether all that is begun passes; exits with status 2
-   after a signal. */
+   failure (or a report on each exercise that was named). Returns whether
+   all exercises begun pass; exits with status 2 after a signal. */
 bool round_check(struct course *course, const struct verdict_rules *rules,
                  bool named);
 
@@ -17,7 +16,7 @@ void round_learn(struct course *course, const struct verdict_rules *rules);
 /* Prints a line: number, title, state, points and minutes. */
 void round_line(const struct exercise *e);
 
-/* Prints what there is to say about an exercise, under a heading. */
+/* Prints the report on an exercise, under a heading. */
 void round_story(const struct exercise *e);
 
 /* Prints the command that shows the solution, if the exercise passes and
@@ -27,7 +26,7 @@ void round_solution(const struct exercise *e);
 /* Returns the exercise to work on next, or NULL when all pass. */
 const struct exercise *round_current(const struct course *course);
 
-/* Prints that exercise and the command to type. */
+/* Prints the exercise to work on next and the command to type. */
 void round_next(const struct course *course);
 
 /* Prints a bar for each chapter, and the next step. */

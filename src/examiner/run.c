@@ -1,4 +1,4 @@
-/* Has a program run in the sandbox and reads its table. */
+/* Runs a program in the sandbox and reads its table. */
 #include "examiner/run.h"
 #include "examiner/remote.h"
 #include "examiner/check.h"
@@ -17,8 +17,8 @@ static const char *project(void)
     return check_text("%.2s", check_suite.file);
 }
 
-/* Returns the command of a run, with its files, in one line: when
-   something is wrong a student wants to run the same. */
+/* Returns the command of a run, with its files, in one line, so that a
+   student can repeat a run that failed. */
 const char *run_text(const struct run_order *o)
 {
     static char text[400];
@@ -77,8 +77,8 @@ static void send_order(const struct run_order *o)
     }
 }
 
-/* Reads a row of numbers; returns how many there are, or 0 if anything
-   else is in the line. */
+/* Reads a row of numbers; returns their number, or 0 if anything else is in
+   the line. */
 static size_t read_row(const char *line, double x[], size_t most)
 {
     size_t count = 0;
@@ -97,7 +97,7 @@ static size_t read_row(const char *line, double x[], size_t most)
 static void add_row(struct run *r, const char *line)
 {
     static size_t room;
-    double row[320]; /* 64 bodies in the plane with their time: 258 */
+    double row[320]; /* room for 64 bodies in the plane and the time: 258 */
     const size_t count = read_row(line, row, 320);
     if (count == 0 || count > 320 || (r->rows > 0 && count != r->columns)) {
         r->broken = line;
@@ -115,8 +115,8 @@ static void add_row(struct run *r, const char *line)
     memcpy(r->numbers + r->rows++ * count, row, count * sizeof *row);
 }
 
-/* Reads rows and remarks from what was printed. Remarks are moved to the
-   front of the text, over rows that have been read. */
+/* Reads rows and remarks from the program's output. Remarks are moved to
+   the front of the text, over rows that have been read. */
 static void read_table(struct run *r, char *text)
 {
     char *rest = text, *remarks = text;
@@ -168,8 +168,8 @@ static void tell_run(const struct run_order *o, bool late)
         check_tell("question", o->late);
 }
 
-/* Ends the test as the program did, if it crashed or did not end, so that
-   the examiner tells of it as it tells of a function. */
+/* Ends the test by the program's signal if it crashed or was stopped, so
+   that the examiner reports it as it reports a function's. */
 static void end_like(const struct run_order *o, int status, bool late)
 {
     const bool sane =
@@ -186,8 +186,8 @@ static void end_like(const struct run_order *o, int status, bool late)
     _exit(EXIT_FAILURE);
 }
 
-/* Receives the result in the order in which run_server.c sends it. A
-   sandbox that announces more than it may print is not believed. */
+/* Receives the result in the order in which run_server.c sends it. Ends the
+   test if the sandbox announces more than it may print. */
 const struct run *run_program(const struct run_order *order)
 {
     static struct run r;

@@ -19,8 +19,8 @@
 
 enum { TEXT_MOST = 1 << 20 };
 
-/* Receives a text of an order, and does not trust its length, although the
-   order is ours. */
+/* Receives a text of an order; limits its length, although the order is
+   ours. */
 static char *take_text(void)
 {
     size_t length;
@@ -44,7 +44,7 @@ static int take_number(int most)
 
 static char folder[32], *words[RUN_WORDS + 1], *names[RUN_FILES];
 
-static void lay_file(const char *name, const char *text)
+static void write_file(const char *name, const char *text)
 {
     char path[96];
     snprintf(path, sizeof path, "%s/%s", folder, name);
@@ -61,8 +61,8 @@ struct order {
     double of_law[2]; /* constant of the law, most calls */
 };
 
-/* Receives an order and writes its files into a new folder. Arguments and
-   names are kept: clean_up removes the files by them. */
+/* Receives an order and writes its files into a new folder. Stores the
+   arguments and the names, by which clean_up removes the files. */
 static struct order take_order(void)
 {
     struct order order;
@@ -81,7 +81,7 @@ static struct order take_order(void)
         char *text;
         names[i] = take_text();
         text = take_text();
-        lay_file(names[i], text);
+        write_file(names[i], text);
         free(text);
     }
     return order;
@@ -89,10 +89,11 @@ static struct order take_order(void)
 
 int __lsan_do_recoverable_leak_check(void) __attribute__((weak));
 
-/* Becomes the program, in a process group, with three descriptors, in an
-   otherwise empty folder, without environment (but for the options of a
-   sanitizer). It is started through a link with the project's name, which
-   hides from it the number of the function that it was linked with. */
+/* Replaces this process by the program, in a process group, with the
+   standard descriptors and the counter, in an otherwise empty folder,
+   without environment (except options of a sanitizer). It is started
+   through a link with the project's name, to hide the number of the
+   function that it is linked with. */
 static _Noreturn void become(int given, int out, int complain, int counter)
 {
     char program[32], *none[] = {NULL, NULL, NULL};
@@ -127,13 +128,12 @@ struct stream {
     int file; /* -1 when it is closed */
     char *text;
     size_t length, most;
-    bool more; /* there was more than `most' */
+    bool more; /* the text was cut after `most' bytes */
 };
 
-/* Reads what the program has printed since the last time; returns whether
-   there was any. It goes through pipes that are read while it runs: no file
-   has to hold 16 MiB, and a child that continues to print is not waited
-   for. */
+/* Reads new output of the program; returns whether there was any. Output
+   goes through pipes that are read while the program runs: no file of 16
+   MiB is needed, and a child that continues to print is not waited for. */
 static bool take_down(struct stream *s)
 {
     static char spill[1 << 16];
@@ -199,8 +199,8 @@ static void watch(pid_t pid, struct stream s[2], int how[3])
         how[0] = how[1] = 0;
 }
 
-/* Starts the program and watches it. The pipes do not block, or this would
-   wait for children that the program has left behind. */
+/* Starts the program and watches it. Reading the pipes does not block, or
+   it would wait for children that the program leaves. */
 static void run(int given, struct stream s[2], int how[3], int counter)
 {
     int out[2], complain[2];
@@ -225,10 +225,10 @@ static void run(int given, struct stream s[2], int how[3], int counter)
             close(s[i].file);
 }
 
-/* How the calls of the given function are counted: in shared memory, or by
-   a process that the program asks. */
+/* A count of the calls of the given function: in shared memory, or by a
+   process that answers them. */
 struct counter {
-    int program, ours; /* two ends of a socket, or one file twice */
+    int program, ours; /* both ends of a socket, or a file twice */
     int told;          /* pipe from the process that counts, or -1 */
     pid_t pid;
 };
@@ -238,8 +238,8 @@ void run_law(int which, double constant, int n, const double m[],
              const double x[], double f[]) __attribute__((weak));
 
 /* Answers each request with the forces and counts it, until the other end
-   is closed or there were too many; then sends the number. This process is
-   not the program's, and is the only one to know the law's constant. */
+   is closed or there are too many; then sends the number. This process is
+   not the program's, and alone knows the law's constant. */
 static _Noreturn void answer_questions(const struct order *order, int ear,
                                        int told)
 {
@@ -259,7 +259,7 @@ static _Noreturn void answer_questions(const struct order *order, int ear,
         if (send(ear, f, 2 * masses, MSG_NOSIGNAL) < 0)
             break;
     }
-    shutdown(ear, SHUT_RDWR); /* other processes have it open, too */
+    shutdown(ear, SHUT_RDWR); /* other processes have it open */
     _exit(write(told, &calls, sizeof calls) == sizeof calls ? EXIT_SUCCESS
                                                             : EXIT_FAILURE);
 }
@@ -322,7 +322,7 @@ static double take_calls(const struct counter *c)
         return -1.0;
     if (c->told >= 0) {
         close(c->program);
-        shutdown(c->ours, SHUT_RDWR); /* whoever has the other end open */
+        shutdown(c->ours, SHUT_RDWR); /* for all at the other end */
         if (read(c->told, &calls, sizeof calls) != sizeof calls)
             calls = -1;
         close(c->told);
@@ -334,8 +334,8 @@ static double take_calls(const struct counter *c)
     return (double)calls;
 }
 
-/* Removes what was laid out and what the program has written, so that no
-   program finds what another has left. */
+/* Removes the files of the order and those the program has written, so that
+   the next program does not find them. */
 static void clean_up(void)
 {
     char path[96];
@@ -352,8 +352,8 @@ static void clean_up(void)
         free(words[i]);
 }
 
-/* Copies what the program wrote to standard error to ours, with the
-   command in front, since a test may run it many times. */
+/* Copies the program's standard error to ours, after its command, since a
+   test may run it many times. */
 static void tell_complaint(const struct stream *s)
 {
     if (s->length == 0)

@@ -27,16 +27,16 @@
 long syscall(long number, ...);
 #endif
 
-#define MEMORY_KIB 524288     /* of addresses, for each process */
-#define DISK_BYTES "33554432" /* of the sandbox's folder */
-#define DISK_FILES "2000"     /* in it */
-#define OUTER_WORK "/mnt"     /* where it is mounted, outside the sandbox */
+#define MEMORY_KIB 524288     /* address space of each process, KiB */
+#define DISK_BYTES "33554432" /* size of the sandbox's folder, bytes */
+#define DISK_FILES "2000"     /* most files in it */
+#define OUTER_WORK "/mnt"     /* its mount point outside the sandbox */
 
 enum {
     BUILD_MS = 45000, /* wall-clock time to compile and link */
-    START_MS = 5000,  /* from there to its main */
-    SETTLE_MS = 2000, /* to end the process of a test */
-    DRAW_MS = 30000   /* to draw a figure */
+    START_MS = 5000,  /* wall-clock time from there to its main */
+    SETTLE_MS = 2000, /* wall-clock time to end a test's process */
+    DRAW_MS = 30000   /* wall-clock time to draw a figure */
 };
 
 enum { WORDS = 128, NUMBERS = 8 };
@@ -64,8 +64,7 @@ static const char *number(struct words *w, long long x)
     return text;
 }
 
-/* Returns the first id from this one on, in steps of two, that no user
-   has. */
+/* Returns the first unused id of user, user + 2, user + 4, ... */
 static long free_user(long user)
 {
     while (getpwuid((uid_t)user))
@@ -74,11 +73,11 @@ static long free_user(long user)
 }
 
 /* Returns the user id for this process's sandboxes: an even number; judges
-   have odd ones. The kernel counts processes by user, so a fork bomb in
-   one sandbox would keep others of the same user from forking. The number
-   comes from our process number, so that two graders on one machine have
-   different ones. Only root can give a sandbox another user; for others
-   Linux counts the processes of each user namespace apart since 5.14. */
+   have odd ones. The kernel counts processes by user, so a fork bomb in one
+   sandbox would keep others of the same user from forking. The id is made
+   from our process number, so that two graders on one machine use different
+   ids. Only root can give a sandbox another user; for others Linux counts
+   the processes of each user namespace apart since 5.14. */
 static long sandbox_user(void)
 {
     return free_user(20000 + 2 * ((long)getpid() % 20000));
@@ -99,14 +98,14 @@ static void add_user(struct words *w)
         "--no-new-privs");
 }
 
-static bool bounded; /* the disk limits files, too; see sandbox_probe */
-/* What a new process does before it becomes bubblewrap: it changes its
-   user, empties its environment, mounts a folder. Each could be a command
-   of its own (setpriv, env, unshare, mount), and was, but one after the
-   other they took longer to start than bubblewrap itself. */
-static long new_user; /* user of the next sandbox; 0: ours */
-static bool new_view; /* it gets a user namespace of its own */
-static bool own_disk; /* mount_disk makes its writable folder */
+static bool bounded; /* mount_disk works; set by sandbox_probe */
+/* Settings of enter(), in which a new process changes its user, empties its
+   environment and mounts a folder before it becomes bubblewrap. Commands
+   for these steps (setpriv, env, unshare, mount) took longer to start than
+   bubblewrap itself. */
+static long new_user; /* user of the next sandbox; 0: our user */
+static bool new_view; /* make a new user namespace */
+static bool own_disk; /* call mount_disk for a folder to write in */
 
 static void give_up(const char *what)
 {
@@ -117,9 +116,9 @@ static void give_up(const char *what)
 
 extern char **environ;
 
-/* Empties the environment before bubblewrap starts, and not only inside:
-   bubblewrap is a process in the sandbox, and /proc shows the environment
-   of a process. A server that grades may keep keys there. */
+/* Empties the environment before bubblewrap starts: bubblewrap is a process
+   in the sandbox, and /proc shows the environment of a process, in which a
+   server that grades may keep keys. */
 static void forget_environment(void)
 {
     static char path[4096], *only[] = {path, NULL};
@@ -152,7 +151,7 @@ static void put(const char *path, const char *text)
 }
 
 /* Enters new namespaces of users and mounts, in which this process is root
-   over its own mounts alone. A machine may allow this to bubblewrap only;
+   over its own mounts only. A machine may allow this to bubblewrap only;
    then the folder has a limit on bytes but none on files. */
 static void become_root_of_a_view(void)
 {
@@ -167,8 +166,8 @@ static void become_root_of_a_view(void)
     put("/proc/self/gid_map", groups);
 }
 
-/* Mounts the writable folder, with a limit on bytes and on files, because
-   a million empty files fill the memory as well. bubblewrap can limit only
+/* Mounts the writable folder, with limits on bytes and on files, because a
+   million empty files fill the memory as well. bubblewrap can only limit
    the bytes. */
 static void mount_disk(void)
 {
@@ -205,9 +204,9 @@ static void plan_entry(enum sandbox_kind kind)
     new_view = kind != SANDBOX_ROOT;
 }
 
-/* Adds what the program sees: the compiler, its libraries, and one folder
-   to write to. /dev and the root are file systems in memory without a
-   limit, so they are made read-only at the end; otherwise a program could
+/* Adds the files that the program can see: the compiler, its libraries, and
+   one writable folder. /dev and the root are file systems in memory without
+   a limit, so they are made read-only at the end; otherwise a program could
    fill / and write its own /etc. */
 static void add_system(struct words *w)
 {
@@ -226,8 +225,8 @@ static void add_system(struct words *w)
         "/exercises");
 }
 
-/* Copies the files of the order from descriptors: the sandbox's user then
-   needs no right to enter our folders, and has no path to them. */
+/* Adds copies of the order's files, made from descriptors: so the sandbox's
+   user needs no right to enter our folders, and has no path to them. */
 static void add_copies(struct words *w, const struct sandbox_order *order)
 {
     static char source[256], header[80];
@@ -240,9 +239,9 @@ static void add_copies(struct words *w, const struct sandbox_order *order)
     ADD(w, "--seccomp", "8", "--remount-ro", "/");
 }
 
-/* Adds bubblewrap's options for namespaces. A new session has no terminal,
-   into which a program could otherwise type (TIOCSTI). No capability of
-   root's is left, and the sandbox dies when we die. */
+/* Adds bubblewrap's options for namespaces. A new session has no terminal
+   into which a program could type (TIOCSTI). The sandbox has no capability
+   of root's, and dies when we die. */
 static void add_namespaces(struct words *w, enum sandbox_kind kind)
 {
     ADD(w, "bwrap", "--unshare-ipc", "--unshare-pid", "--unshare-net",
@@ -274,12 +273,11 @@ static void add_walls(struct words *w, enum sandbox_kind kind,
 
 #if defined(__linux__) && (defined(__x86_64__) || defined(__aarch64__))
 /* System calls that are refused with EPERM. The first few give memory that
-   belongs to no process, so that no limit counts it; a few lines could
-   take all there is. The others serve to attack the kernel, not to
-   compute. ptrace is allowed with sanitizers, which trace to look for
-   leaks. */
+   belongs to no process, so that no limit counts it; with them a few lines
+   could take all memory. The others serve to attack the kernel, not to
+   compute. Sanitizers need ptrace to search for leaks. */
 static const int forbidden[] = {
-    SYS_ptrace, /* keep first: allowed for sanitizers */
+    SYS_ptrace, /* must be first: allowed for sanitizers */
     SYS_shmget,      SYS_memfd_create,    SYS_unshare,
     SYS_setns,       SYS_add_key,         SYS_process_vm_writev,
     SYS_keyctl,      SYS_request_key,     SYS_bpf,
@@ -287,7 +285,7 @@ static const int forbidden[] = {
 
 enum { FORBIDDEN = sizeof forbidden / sizeof forbidden[0] };
 #ifdef __x86_64__
-enum { LAST_CALL = 0x3fffffff }; /* the calls of x32 are above */
+enum { LAST_CALL = 0x3fffffff }; /* x32's calls have higher numbers */
 static const unsigned OUR_CALLS = AUDIT_ARCH_X86_64;
 #else
 enum { LAST_CALL = 0x7fffffff };
@@ -300,9 +298,9 @@ static const unsigned OUR_CALLS = AUDIT_ARCH_AARCH64;
         (struct sock_filter)BPF_JUMP(BPF_JMP | c | BPF_K, value, yes, no)
 
 /* Returns a pipe with the filter of system calls, a program for the
-   kernel's little machine with one register: it loads the call's number
-   and compares. x86 has three sets of call numbers; a call of another set
-   ends the program. On other processors the filter is empty. */
+   kernel's simple machine with one register: it loads the call's number and
+   compares. x86 has three sets of call numbers; a call of another set ends
+   the program. On other processors the filter is empty. */
 static int open_filter(bool sanitized)
 {
     struct sock_filter code[2 * FORBIDDEN + 8];
@@ -365,9 +363,9 @@ static bool try_disks(enum sandbox_kind kind)
     return bounded || try_kind(kind, ":");
 }
 
-/* Returns the best kind of sandbox in which a command can be started; then
-   tries the compiler in it. If that were missing no student's program
-   would build, and only the marks would look odd. */
+/* Returns the best kind of sandbox in which a command can be started, after
+   a trial of the compiler in it: without a compiler no student's program
+   would build, and only the marks would show it. */
 enum sandbox_kind sandbox_probe(const char *compiler)
 {
     enum sandbox_kind kind = SANDBOX_SEALED;
@@ -392,25 +390,26 @@ const char *sandbox_name(enum sandbox_kind kind)
 /* The script that the shell in the sandbox runs: it compiles, hides the
    symbols of the student's file, links, and becomes the program.
 
-   objcopy makes all of the student's symbols local, except the functions
-   of the exercise, so that a malloc, write or main of his own cannot
-   replace those of the driver. It also removes .interp, which a file may
-   have and which Linux would start inside gold's programs. A project keeps
-   main: the driver is a program without anything of the student's, and his
-   is linked once for each function that it is given, with sanitizers only
-   for the first.
+   objcopy makes all of the student's symbols local, except the functions of
+   the exercise, so that a malloc, write or main of his own cannot replace
+   those of the driver. It also removes .interp, which a file may have and
+   which Linux would start inside gold's programs. A project keeps main: the
+   driver is a program without anything of the student's, and his program is
+   linked once for each version of the function that it calls, with
+   sanitizers only for the first.
 
    Limits are hard ones, and differ for the compiler and the program. When
-   memory runs out the kernel kills this process first. The pipes are
-   closed while the compiler runs, so that a file that includes
-   /proc/self/fd/3 includes nothing. gcc took 28 s to print twenty thousand
-   warnings with their source lines; so messages are first made without
-   lines and kept, and only if the compiler fails is it run again with
-   lines, and without warnings if there were many.
+   memory runs out the kernel kills this process first. The pipes are closed
+   while the compiler runs, so that a file that includes /proc/self/fd/3
+   includes nothing. gcc took 28 s to print twenty thousand warnings with
+   their source lines; so messages are first made without lines and kept,
+   and only if the compiler fails is it run again with lines, and without
+   warnings if there were many.
 
-   Symbols and line numbers are left out, unless sanitizers or a linker
-   that failed need them; then all is made once more. gold needs a third of
-   the usual linker's time with sanitizers and three quarters without. */
+   Symbols and line numbers are left out, unless sanitizers or a linker that
+   failed need them; then the file is compiled again with them. gold needs a
+   third of the usual linker's time with sanitizers and three quarters
+   without. */
 static const char script[] =
     "root=$1 name=$2 compiler=$3 keep=$4 seconds=$5 memory=$6 terse=$7\n"
     "lean=$8 linker=$9 declared=${10} types= cpu=20\n"
@@ -498,7 +497,7 @@ static int wait_for_byte(int file, int milliseconds)
     unsigned char byte;
     int ready, left = milliseconds;
     do {
-        if (process_signal()) /* it may have come before the wait */
+        if (process_signal()) /* a signal may come before the wait */
             return GONE;
         ready = poll(&wait, 1, left < NAP_MS ? left : NAP_MS);
         left -= NAP_MS;
@@ -526,8 +525,8 @@ static void copy(int from, const char *name)
     close(to);
 }
 
-/* Makes the folder that replaces a sandbox under --unsafe. Root gives it
-   to a user of its own, or the program could do as root does. */
+/* Makes the folder that replaces a sandbox under --unsafe. Root gives it to
+   another user, or the program would have root's rights. */
 static void furnish_folder(const struct sandbox_order *order)
 {
     static const char *const folders[] = {"kit", "exercises", "work"};
@@ -580,9 +579,9 @@ static void start(const struct sandbox_order *order, int requests,
     close(filter);
 }
 
-/* Waits until the program has reached its main. The shell sends a byte
-   when it is built, the driver another when it starts; a program gains
-   nothing if it sends the second one itself. */
+/* Waits until the program has reached its main. The shell sends a byte when
+   the program is built, the driver another when it starts; a program gains
+   nothing if it sends the second byte itself. */
 static enum sandbox_stage wait_for_main(struct sandbox *sandbox,
                                         int seconds)
 {
@@ -599,8 +598,8 @@ static enum sandbox_stage wait_for_main(struct sandbox *sandbox,
                                                       : SANDBOX_NO_MAIN;
 }
 
-/* Starts a sandbox and waits until its program is ready or has failed. Our
-   copies of its ends of the pipes are closed, or we should not notice that
+/* Starts a sandbox and waits until its program is ready or has failed.
+   Closes our copies of its ends of the pipes, or we should not notice that
    it has ended. */
 enum sandbox_stage sandbox_open(struct sandbox *sandbox,
                                 const struct sandbox_order *order,
@@ -618,7 +617,8 @@ enum sandbox_stage sandbox_open(struct sandbox *sandbox,
     return wait_for_main(sandbox, order->seconds);
 }
 
-/* Sends a byte, unless the program has filled the pipe. */
+/* Sends a byte, unless the program has filled the pipe; returns whether it
+   was sent. */
 static bool send_byte(int file, char byte)
 {
     struct pollfd room = {.fd = file, .events = POLLOUT};
@@ -627,9 +627,9 @@ static bool send_byte(int file, char byte)
 }
 
 /* Ends the test's process; returns whether the driver has confirmed it.
-   Each step has a limit of time, since the student's code may have taken
-   the driver's place. */
-static bool see_gone(struct sandbox *sandbox)
+   Each step has a limit of time, since the student's code may have replaced
+   the driver. */
+static bool end_test(struct sandbox *sandbox)
 {
     unsigned char how[TRANSPORT_HOW * sizeof(int)];
     if (!send_byte(sandbox->requests, TRANSPORT_OVER))
@@ -648,23 +648,23 @@ static bool see_gone(struct sandbox *sandbox)
 }
 
 /* Returns whether the sandbox is fit for the next test. A program that
-   never stops writing could pass see_gone, because nine of its bytes look
-   like a status; and an empty pipe does not prove that it is silent: of 400
-   such programs 8 had just lost the processor. So the driver is asked a
-   second question, to which the only answer is the question itself; a
-   program that has answered ahead of time has answered something else. */
+   never stops writing could pass end_test, because nine of its bytes look
+   like a status; and an empty pipe does not prove that it has stopped: of
+   400 such programs 8 had just been suspended. So the driver is sent a byte
+   that it must return; a program that wrote before that has written
+   something else. */
 bool sandbox_settle(struct sandbox *sandbox)
 {
     sandbox->test_ms = 0;
-    return see_gone(sandbox) &&
+    return end_test(sandbox) &&
            send_byte(sandbox->requests, TRANSPORT_ECHO) &&
            wait_for_byte(sandbox->answers, SETTLE_MS) == TRANSPORT_ECHO &&
            wait_for_byte(sandbox->answers, 0) == LATE;
 }
 
-/* Kills what is left of a sandbox without walls and removes its folder.
-   kill with -1 sent by root would reach everybody, sent by the sandbox's
-   user only what is its own. */
+/* Kills the processes of a sandbox under --unsafe and removes its folder.
+   If root called kill with -1 it would kill all processes; the sandbox's
+   user kills only its own. */
 static void sweep_folder(void)
 {
     char command[256];
@@ -679,8 +679,8 @@ static void sweep_folder(void)
     furnished = false;
 }
 
-/* Ends the sandbox: killing bubblewrap ends the first process of the
-   sandbox's own list, and then the kernel kills all others on it. */
+/* Ends the sandbox: killing bubblewrap ends the sandbox's first process,
+   and then the kernel kills all others in its namespace. */
 void sandbox_close(struct sandbox *sandbox)
 {
     close(sandbox->requests);
@@ -706,9 +706,9 @@ static bool take_figure(int file, char *figure, size_t room, size_t *length)
 }
 
 /* Draws a project's figure. A gnuplot script can call the shell, and
-   should, for it gets its tables from the student's own program; so it runs
-   in a sandbox with that program in it. A picture of four megabytes at most
-   is all that leaves it. */
+   should, since its tables come from the student's program; so it runs in a
+   sandbox with that program in it. Only a picture of at most four megabytes
+   leaves the sandbox. */
 enum sandbox_drawing sandbox_draw(const struct sandbox_order *order,
                                   int script, int prints, char *figure,
                                   size_t room, size_t *length)

@@ -5,44 +5,44 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* The kinds of sandboxes, best first, in which order they are tried: a
-   container may refuse new namespaces, an older kernel cannot keep a
+/* The kinds of sandboxes, best first, in the order in which they are tried:
+   a container may refuse new namespaces, an older kernel cannot keep a
    program from making further ones, and only root can give a program
-   another user. Without any of them only limits hold, and a lecturer has
-   to ask for that with --unsafe. */
+   another user. Without any of them only limits protect the machine, and a
+   lecturer has to ask for that with --unsafe. */
 enum sandbox_kind {
-    SANDBOX_SEALED, /* namespaces of its own; it cannot make others */
-    SANDBOX_USER,   /* the same, but it could make others */
-    SANDBOX_ROOT,   /* made by root: users may not make any */
+    SANDBOX_SEALED, /* own namespaces; the program can make no others */
+    SANDBOX_USER,   /* own namespaces; the program could make others */
+    SANDBOX_ROOT,   /* made by root: users may make none */
     SANDBOX_NONE    /* no sandbox: limits only */
 };
 
-/* What is built and run in a sandbox. The descriptors are open files,
-   which each sandbox reads from the beginning; the program itself does not
-   get them. */
+/* An order to build and run a program in a sandbox. The descriptors are
+   open files, which each sandbox reads from the beginning; the program
+   itself does not get them. */
 struct sandbox_order {
     enum sandbox_kind kind;
     const char *name;     /* name of the file, "exercises/01a-x.c" */
     int source;           /* the student's file */
-    const char *included; /* name of the header, "kit/exercise.h" */
-    int header;           /* the header */
-    int inside; /* the driver and the remote calls of the exercise */
+    const char *included; /* its name, "kit/exercise.h" */
+    int header;           /* the header that the stub includes */
+    int inside;           /* object with the driver and the remote calls */
     const char *compiler; /* command and flags, split at blanks */
-    const char *terse;    /* flag: quote no source lines */
-    const char *lean;     /* flags: less for debuggers */
-    const char *linker;   /* command that links fast, or empty */
+    const char *terse;    /* flag that omits source lines in messages */
+    const char *lean;     /* flags for less debugging information */
+    const char *linker;   /* command that links fast, or "" */
     const char *types;    /* header to include first, or "" */
     const char *keep;     /* options of objcopy: symbols to keep */
     bool sanitized;       /* compiled with sanitizers */
-    int seconds;          /* of processor time, for each test */
+    int seconds;          /* limit of processor time of a test */
 };
 
 /* A sandbox with a program that runs. */
 struct sandbox {
-    int requests, answers; /* our ends of the two pipes */
-    int prints;            /* file to which all in it print */
-    double build_seconds;  /* time to compile and link */
-    int test_ms;           /* processor time of the last test */
+    int requests, answers; /* descriptors of our ends of the pipes */
+    int prints;            /* file to which all its programs print */
+    double build_seconds;  /* time to compile and link, s */
+    int test_ms;           /* processor time of the last test, ms */
 };
 
 /* How far a sandbox got. */
@@ -59,22 +59,22 @@ enum sandbox_stage {
  */
 enum sandbox_kind sandbox_probe(const char *compiler);
 
-/* Returns a user id that belongs to nobody, which the judges of this
-   process are to take, or 0 if we are not root and they keep ours. */
+/* Returns an unused user id, which the judges of this process take, or 0 if
+   we are not root and they keep ours. */
 long sandbox_judge(void);
 
-/* "namespaces, sealed", ...: what to tell the lecturer. */
+/* Returns a description of a kind, for the lecturer. */
 const char *sandbox_name(enum sandbox_kind kind);
 
 /* Builds and starts a program in a new sandbox; prints is an empty file,
-   open to append. One sandbox at a time. Exits with status 2 when no
-   process can be started. */
+   opened to append. Only one sandbox may be open. Exits with status 2 when
+   no process can be started. */
 enum sandbox_stage sandbox_open(struct sandbox *sandbox,
                                 const struct sandbox_order *order,
                                 int prints);
 
 /* Ends the process of the present test. Returns whether the sandbox can be
-   used for another one. */
+   used for another test. */
 bool sandbox_settle(struct sandbox *sandbox);
 
 /* Kills all processes in the sandbox and removes it. */
@@ -82,16 +82,16 @@ void sandbox_close(struct sandbox *sandbox);
 
 /* How the drawing of a figure ended. */
 enum sandbox_drawing {
-    SANDBOX_DRAWN,      /* gnuplot has ended, with a figure or not */
+    SANDBOX_DRAWN,      /* gnuplot has ended, perhaps without a figure */
     SANDBOX_NO_PROGRAM, /* the compiler or the linker refused */
     SANDBOX_NO_GNUPLOT,
-    SANDBOX_DRAWS_LATE /* it was stopped */
+    SANDBOX_DRAWS_LATE /* gnuplot took too long and was stopped */
 };
 
-/* Builds the project of the order in a sandbox of its own and has gnuplot
-   run a script, an open file, beside the program. Of the file P1.png that
-   is left there at most `room` bytes are taken, and *length says how many.
-   prints as for sandbox_open. */
+/* Builds the project of the order in a new sandbox and runs a gnuplot
+   script, an open file, in a folder with the program. Copies at most `room`
+   bytes of the figure P1.png and sets *length to their number. prints is as
+   for sandbox_open. */
 enum sandbox_drawing sandbox_draw(const struct sandbox_order *order,
                                   int script, int prints, char *figure,
                                   size_t room, size_t *length);

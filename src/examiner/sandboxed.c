@@ -24,8 +24,8 @@ void transport_lost(void)
     _exit(EXIT_FAILURE);
 }
 
-/* Begins the answer, and says first whether a guard was changed. A student
-   who forges this gains nothing: it only hides an overrun. */
+/* Begins the answer, after a message if a guard was changed. A student who
+   forges it gains nothing: it only hides an overrun. */
 void remote_reply(void)
 {
     struct check_overrun overrun;
@@ -71,8 +71,8 @@ int __sanitizer_install_malloc_and_free_hooks(
 static unsigned long blocks;
 
 /* Counts allocated blocks. A search for leaks goes through all memory and
-   takes longer than most tests; it is left out if nothing was allocated
-   but the arguments. */
+   takes longer than most tests; it is left out if only arguments were
+   allocated. */
 static void count_taken(const volatile void *block, size_t bytes)
 {
     (void)block, (void)bytes;
@@ -113,7 +113,7 @@ static double children_seconds(void)
 }
 
 /* Returns a status, with SIGXCPU in place of SIGKILL if the time was used
-   up: the kernel sends SIGKILL when memory runs out as well. */
+   up: the kernel also sends SIGKILL when memory runs out. */
 static int name_clock(int status, double seconds)
 {
     struct rlimit limit;
@@ -124,11 +124,11 @@ static int name_clock(int status, double seconds)
                : status;
 }
 
-/* Runs a test in a child process, which costs next to nothing beside a new
-   sandbox and begins with fresh static variables. Its process group is
-   killed at the end, with any children it has left. The message about its
-   end comes from the sandbox and proves nothing; a student who forges it
-   only claims a crash of his own. */
+/* Runs a test in a child process, which is far cheaper than a new sandbox
+   and begins with fresh static variables. Its process group is killed at
+   the end, with any children it has left. The message about its end comes
+   from the sandbox and proves nothing; a student who forges it only claims
+   a crash of his own. */
 static void run_test(void)
 {
     char message[1 + TRANSPORT_HOW * sizeof(int)] = {TRANSPORT_ENDED};
@@ -150,9 +150,8 @@ static void run_test(void)
         exit(EXIT_FAILURE);
 }
 
-/* Limits the address space to half a gibibyte more than is mapped. With
-   sanitizers terabytes are mapped before main, so the limit can only be
-   set here. */
+/* Limits the address space to 512 MiB more than is mapped. With sanitizers
+   terabytes are mapped before main, so the limit can only be set here. */
 static void limit_addresses(void)
 {
     struct rlimit limit;
@@ -170,10 +169,9 @@ static void limit_addresses(void)
 }
 
 /* Waits for tests and runs each in a child. It reads without stdio, which
-   would read ahead what is meant for the child. A byte that is not for it
-   is sent back, which tells the judge that no child was there to read it.
-   PR_SET_DUMPABLE keeps children of the same user from writing to its
-   memory through /proc. */
+   would also read bytes for the child. Any other byte is sent back, which
+   tells the judge that no child was there to read it. PR_SET_DUMPABLE keeps
+   children of the same user from writing to its memory through /proc. */
 int main(void)
 {
     char word = TRANSPORT_READY;

@@ -4,7 +4,8 @@
 
 #include "examiner/verdict.h"
 
-/* Shows the worked solution if the exercise passes, else why not. */
+/* Shows the worked solution if the exercise passes, else the reason why
+   not. */
 void solution_show(struct exercise *e, const struct verdict_rules *rules);
 
 #endif

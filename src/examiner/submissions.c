@@ -16,9 +16,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* Opens a folder inside another. Everything here works on descriptors and
-   follows no links, so that nothing can be exchanged between a look and
-   the opening, and no name is given to a shell. A file might be a link to
+/* Opens a folder inside another. All functions here use descriptors and
+   follow no links, so that no file can be exchanged between its check and
+   its opening, and no name is given to a shell. A file might be a link to
    /etc/passwd, or a named pipe. */
 static int open_folder(int parent, const char *name)
 {
@@ -26,8 +26,8 @@ static int open_folder(int parent, const char *name)
                   O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
 }
 
-/* Compares names byte by byte, so that two runs list the students in one
-   order. */
+/* Compares names byte by byte, so that the order of students is the same in
+   every run. */
 static int compare_names(const void *a, const void *b)
 {
     return strcmp(*(char *const *)a, *(char *const *)b);
@@ -72,12 +72,11 @@ static void free_names(char **names, size_t count)
     free(names);
 }
 
-/* Notes kept for one student; nobody reads more. The last one says that
-   there are others. */
+/* Most notes on one student; the last one says that there are more. */
 enum { NOTES = 12 };
 
-/* Formats one line for a person. A line end in a name, which marks_text
-   leaves, is escaped as well. */
+/* Returns one formatted line for a person, to be freed. A line end in a
+   name, which marks_text leaves, is escaped as well. */
 static char *compose(const char *format, ...)
 {
     char raw[8192], *text, *line, *end;
@@ -96,8 +95,7 @@ static char *compose(const char *format, ...)
     return line;
 }
 
-/* Returns a path without the student's folder, whose name stands before
-   the note already. */
+/* Returns a path without the student's folder, which notes already name. */
 static const char *below(const char *path)
 {
     const char *slash = strchr(path, '/');
@@ -137,9 +135,9 @@ static bool is_exercise(const char *name)
            !isalnum(s[3]);
 }
 
-/* Returns where in a file's name the exercise begins, or NULL. Windows may
-   have made 01A-SOMETHING.C of it, and a platform may have put a prefix
-   before it that ends in _. */
+/* Returns the place in a file's name where the exercise begins, or NULL.
+   Windows may have made it 01A-SOMETHING.C, and a platform may have put a
+   prefix before it that ends in _. */
 static const char *find_exercise(const char *name)
 {
     const char *found = is_exercise(name) ? name : NULL;
@@ -170,23 +168,23 @@ static const char *const made[] = {".o", ".exe", ".out", ".h", NULL};
 static const char canvas[] =
     "^((LATE_)?anon_[[:alnum:]]+|[^_]+(_LATE)?_[0-9]+)_[0-9]+_";
 
-/* The owner of a file, as the name of the file or folder tells. Moodle
+/* The owner of a file, according to the name of the file or folder. Moodle
    puts the student's name, a number and assignsubmission_file_ before the
-   file's name, or makes a folder of them. Canvas puts the name, LATE, the
-   numbers of user and file, or, where names are hidden, anon and some
-   letters. Anything else in front of an exercise's name is taken for an
-   owner as it stands, and a note says so: when in doubt there are too many
-   students, never one too few. */
+   file's name, or makes a folder of this name. Canvas puts the name, LATE,
+   the numbers of user and file, or, where names are hidden, anon and some
+   letters. Any other text before an exercise's name is taken as an owner,
+   with a note: in doubt there should be too many students, never one too
+   few. */
 struct owner {
     char name[256]; /* without LATE_ */
     bool late, guessed, canvas;
-    long long attempt; /* date or number that the name has, or 0 */
+    long long attempt; /* date or number in the name, or 0 */
 };
 
-/* Forms of names with a date. Blackboard:
-   TASK_USER_attempt_2026-11-28-09-05-00_FILE, which sorts by time as it
-   is. Brightspace: 123-456 - NAME - Nov 28, 2026 905 AM - FILE, or a
-   folder of that name without the file. */
+/* Regular expressions for names with a date. Blackboard:
+   TASK_USER_attempt_2026-11-28-09-05-00_FILE, whose date sorts by time.
+   Brightspace: 123-456 - NAME - Nov 28, 2026 905 AM - FILE, or a folder of
+   that name without the file. */
 static const char blackboard[] =
     "^(.+)_attempt_([0-9]{4}-[0-9]{2}-[0-9]{2}-[0-9]{2}-[0-9]{2}-[0-9]{2})"
     "(_(.*)|\\.txt)?$";
@@ -204,7 +202,7 @@ static long long count_digits(const char *text, size_t length)
     return number;
 }
 
-/* Reads Nov 28, 2026 905 AM as 202611280905. */
+/* Returns the date Nov 28, 2026 905 AM as 202611280905. */
 static long long read_date(const char *text)
 {
     static const char months[] = "JanFebMarAprMayJunJulAugSepOctNovDec";
@@ -228,7 +226,7 @@ static long long read_date(const char *text)
     return ((year * 100LL + which) * 100 + day) * 10000 + clock;
 }
 
-/* Returns whether a name is of this form, with its four parts. */
+/* Returns whether a name has this form; fills in its parts. */
 static bool matches(const char *name, const char *form, regmatch_t part[5])
 {
     regex_t compiled;
@@ -239,8 +237,8 @@ static bool matches(const char *name, const char *form, regmatch_t part[5])
     return found;
 }
 
-/* Reads an owner's name that ends with the date of the attempt. Returns
-   the rest, "" for a folder; NULL if the name has no such form. */
+/* Reads an owner's name that ends with the date of the attempt. Returns the
+   rest, "" for a folder; NULL if the name has no such form. */
 static const char *part_attempt(const char *name, struct owner *owner)
 {
     regmatch_t part[5];
@@ -261,7 +259,8 @@ static const char *part_attempt(const char *name, struct owner *owner)
     return part[4].rm_so < 0 ? "" : name + part[4].rm_so;
 }
 
-/* Returns what follows the owner's name; NULL when there is none. */
+/* Reads the owner in a name; returns the rest of the name, or NULL without
+   an owner. */
 static const char *part_name(const char *name, struct owner *owner)
 {
     static regex_t compiled;
@@ -299,16 +298,16 @@ static const char *part_name(const char *name, struct owner *owner)
     return rest;
 }
 
-/* Terms of an answer's rank, of which the lowest wins: how deep it lies,
-   whether its folder is called exercises, whether its name is the usual
-   one. */
+/* Terms of an answer's rank, of which the lowest is best: for each folder
+   above it, a folder not called exercises, an unusual name, a name without
+   .c. */
 enum { DEEPER = 4, ELSEWHERE = 2, UNUSUAL = 1, MISNAMED = 1000 };
 
-/* Returns the number that Canvas gives to a file that was handed in again:
-   2 for 01a-collide-2.c. Returns 0 for any other name. */
+/* Returns the number that Canvas adds to the name of a file handed in
+   again: 2 for 01a-collide-2.c. Returns 0 for any other name. */
 static long long canvas_attempt(const char *ex, const char *its)
 {
-    const size_t stem = strlen(its) - 2; /* without .c */
+    const size_t stem = strlen(its) - 2; /* length without .c */
     char *end;
     if (strncasecmp(ex, its, stem) != 0 || ex[stem] != '-' ||
         !isdigit((unsigned char)ex[stem + 1]))
@@ -348,7 +347,7 @@ static void add_answer(struct submission *s, const char *path,
     memcpy(answer->exercise, its, 3);
 }
 
-static const char *page_key(const char *name) /* "P1g" or "P1t" */
+static const char *page_key(const char *name) /* returns "P1g" or "P1t" */
 {
     static char key[4] = "P";
     key[1] = name[1];
@@ -357,8 +356,8 @@ static const char *page_key(const char *name) /* "P1g" or "P1t" */
 }
 
 /* Adds a file to the student's answers, or notes why not. A text or a C++
-   file with an exercise's name is added as well, to be named if there is
-   nothing better. */
+   file with an exercise's name is added as well: a note names it if there
+   is no better file. */
 static void take(struct submission *s, const char *const usual[],
                  const char *path, const char *name, mode_t mode, int depth)
 {
@@ -389,7 +388,7 @@ static void take(struct submission *s, const char *const usual[],
              path);
 }
 
-enum { DEPTH = 3 }; /* of folders searched below a student's */
+enum { DEPTH = 3 }; /* levels of folders searched below a student's */
 
 static mode_t mode_of(int folder, const char *name)
 {
@@ -398,9 +397,9 @@ static mode_t mode_of(int folder, const char *name)
     return asked == 0 ? about.st_mode : 0;
 }
 
-/* Returns whether a folder belongs to a copy of the whole kit, that is,
-   has a folder `exercises' beside it. Its other folders have files with
-   the same names, solutions among them, which are not the student's. */
+/* Returns whether a folder is part of a copy of the whole kit, that is, has
+   a folder `exercises' beside it. Such folders have files with the names of
+   answers, solutions among them, which are not the student's. */
 static bool is_kit(int folder, const char *name)
 {
     static const char *const kit[] = {"tests",    "solutions", "src",
@@ -441,8 +440,8 @@ static void walk(struct submission *s, const char *const usual[],
 }
 
 /* Returns the submission of a student, a new one if needed. Each folder is
-   a student's, and so is each owner of a file. If there are only
-   exercises' files the whole folder is one student's. */
+   a student, and so is each owner of a file. If there are only exercises'
+   files the whole folder is one student's. */
 static struct submission *student(struct submissions *all,
                                   const char *entry, const char *name)
 {
@@ -572,8 +571,9 @@ struct submissions submissions_find(const char *folder,
     return all;
 }
 
-/* Returns whether one is to be graded and not the other: what was handed in
-   later, or stands in a better place. */
+/* Returns a positive number if the first answer is to be preferred, a
+   negative one for the second, 0 if neither: files that can be graded come
+   before others, later attempts before earlier ones, then lower ranks. */
 static int prefer(const struct answer *one, const struct answer *other)
 {
     const bool graded = one->rank < MISNAMED;
@@ -592,9 +592,9 @@ static bool together(const char *one, const char *other)
     return one[length] && strncmp(one, other, length + 1) == 0;
 }
 
-/* Returns the file to be graded as the answer to an exercise, the one with
-   the best rank. If two have the same rank nobody can know, and none is
-   graded. The other files are noted. */
+/* Returns the file to be graded as the answer to an exercise, the one
+   preferred to all others, or NULL: if two are equally good none is graded.
+   *note names the other files. */
 static const struct answer *choose(const struct submission *s,
                                    const char *usual, char **note)
 {
@@ -651,8 +651,8 @@ static const struct answer *choose(const struct submission *s,
     return best;
 }
 
-/* Opens the folder of a path, one name after the other, none of which may
-   be a link. */
+/* Opens the file of a path below a folder, one name after the other, none
+   of which may be a link. */
 static int open_below(const char *folder, const char *path)
 {
     int at = open_folder(AT_FDCWD, folder);
@@ -677,8 +677,8 @@ static int open_below(const char *folder, const char *path)
     return -1;
 }
 
-/* Reads a file of bounded size. It asks for one byte more than is allowed,
-   to notice a file that grows meanwhile. */
+/* Returns the bytes of a file, or NULL if there are too many. It asks for
+   one byte more than is allowed, to notice a file that grows meanwhile. */
 static char *read_all(int file, size_t *length)
 {
     char *bytes = malloc(SUBMISSIONS_BYTES + 1);
@@ -695,8 +695,8 @@ static char *read_all(int file, size_t *length)
     return bytes;
 }
 
-/* Reads a regular file. It is opened without waiting, so that a pipe can
-   be recognised and closed. */
+/* Returns the bytes of a regular file, or NULL and a reason in *refusal.
+   The file was opened without waiting, so that a pipe can be recognised. */
 static char *read_regular(int file, const char *name, size_t *length,
                           char **refusal)
 {

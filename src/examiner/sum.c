@@ -4,10 +4,10 @@
 
 #include <string.h>
 
-/* Mixes a number into a sum. Multiplying by an odd number carries each bit
-   only upwards; the shift brings the high bits down. Two files have the
-   same sum with a probability of 5e-20, unless somebody makes them so on
-   purpose: this is no protection. */
+/* Mixes a number into a sum. Multiplying by an odd number carries bits only
+   upwards; the shift brings the high bits down. Two files have equal sums
+   with a probability of 5e-20, but can be made so on purpose: this is no
+   protection. */
 uint64_t sum_number(uint64_t sum, uint64_t number)
 {
     sum = (sum ^ number) * 0x9e3779b97f4a7c15u;

@@ -8,9 +8,8 @@
 
 const char *text_program = "examine";
 
-/* Status 2 means that nothing is known: a full disk or a folder that
-   cannot be made is no fault of the student's and must not count as
-   one. */
+/* Exits with status 2, which is no verdict: a full disk, say, is no fault
+   of the student's. */
 void text_fail(const char *format, ...)
 {
     va_list arguments;
@@ -51,8 +50,8 @@ static size_t character(const unsigned char *s, size_t left,
 
 /* Returns whether a character is safe to show. Unsafe are controls (below
    32, and 127 to 159), characters that turn the direction of writing, by
-   which a line of code can be shown as another one, Unicode's line ends,
-   two characters without width, and two that XML forbids. */
+   which one line of code can look like another, Unicode's line ends, two
+   characters without width, and two that XML forbids. */
 static bool is_seen(unsigned long code)
 {
     static const unsigned long unseen[][2] = {
@@ -89,17 +88,16 @@ char *text_escaped(const char *bytes, size_t length)
     return text;
 }
 
-/* Only plain files are read: opening a named pipe would wait for a
-   writer. */
+/* Refuses other kinds of files: opening a named pipe would wait. */
 bool text_plain(const char *path)
 {
     struct stat about;
     return stat(path, &about) == 0 && S_ISREG(about.st_mode);
 }
 
-/* At most a mebibyte is read, which is also the limit on what a test
-   prints. Escaping keeps a student's output from moving the cursor up and
-   writing "passed" over the line above. */
+/* Reads at most a mebibyte, the limit on a test's output. Escaping keeps a
+   student's output from moving the cursor up and writing "passed" over the
+   line above. */
 char *text_read(const char *path)
 {
     FILE *file = text_plain(path) ? fopen(path, "r") : NULL;
@@ -132,7 +130,7 @@ bool text_utf16(const char *path)
     return length == sizeof s && abs(zeros[0] - zeros[1]) == 4;
 }
 
-/* Unlike strtok this keeps empty lines, so that lines can be counted. */
+/* Keeps empty lines, unlike strtok, so that lines can be counted. */
 char *text_line(char **rest)
 {
     char *line = *rest;
@@ -150,8 +148,8 @@ const char *text_after(const char *line, const char *prefix)
     return strncmp(line, prefix, length) == 0 ? line + length : NULL;
 }
 
-/* A word longer than a line stays whole: a path with a line break in it
-   could not be copied. */
+/* Keeps a word longer than a line whole, since a path with a line break in
+   it could not be copied. */
 size_t text_fold(const char *text, size_t room)
 {
     const size_t length = strlen(text);
@@ -163,8 +161,7 @@ size_t text_fold(const char *text, size_t room)
     return strcspn(text, " ");
 }
 
-/* Writes the label in front of the first line, and blanks in front of the
-   others. */
+/* Writes the label before the first line, blanks before the others. */
 void text_field(FILE *out, const char *label, const char *text)
 {
     for (; *text; label = "") {
@@ -175,9 +172,9 @@ void text_field(FILE *out, const char *label, const char *text)
     }
 }
 
-/* Shows a line behind a bar, so that a program that prints "passed" is not
-   taken for the examiner. The line is cut, not folded, because in the next
-   one a caret of the compiler's may point at a column. */
+/* Shows a line after a bar, so that a program's "passed" is not taken for
+   the examiner's. The line is cut, not folded, because a compiler's caret
+   in the next line may point at a column. */
 static void quote(FILE *out, const char *line, size_t length)
 {
     const size_t room = TEXT_WIDTH - 4;

@@ -22,8 +22,8 @@ void transport_send(int word)
     putc(word, out);
 }
 
-/* Flushes what was sent and receives the first byte of the next message.
-   Only here is anything flushed, so that a short call is a single
+/* Flushes the messages sent and receives the first byte of the next one.
+   Only here are messages flushed, so that a short call is a single
    write. */
 int transport_receive(void)
 {

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* The first byte of a message to the sandbox, */
+/* The first bytes of messages to the sandbox, */
 enum {
     TRANSPORT_TEST = 't', /* start the process of a test */
     TRANSPORT_CALL = 'c', /* call the function; arguments follow */
@@ -13,24 +13,24 @@ enum {
     TRANSPORT_OVER = 'x',           /* the test is over */
     TRANSPORT_ECHO = 's'            /* the driver sends it back */
 };
-/* and of one from the sandbox. */
+/* and from the sandbox. */
 enum {
     TRANSPORT_BUILT = 'b',      /* the program is compiled and linked */
     TRANSPORT_NO_GNUPLOT = 'g', /* there is no gnuplot */
     TRANSPORT_READY = 'h',      /* the program has reached its main */
     TRANSPORT_CALLBACK =
         'q', /* a callback: its number and arguments follow */
-    TRANSPORT_OVERRUN = 'w',  /* a guard was changed: which, then a reply */
+    TRANSPORT_OVERRUN = 'w',  /* a guard was changed; details follow */
     TRANSPORT_REPLY = 'r',    /* the values of the answer follow */
-    TRANSPORT_NOT_DONE = 'u', /* a NOT_DONE_YET was reached, and its line */
+    TRANSPORT_NOT_DONE = 'u', /* its line follows */
     TRANSPORT_ENDED =
-        'e' /* the test's process ended; how: TRANSPORT_HOW ints */
+        'e' /* the test's process ended; TRANSPORT_HOW ints follow */
 };
-/* The ints behind TRANSPORT_ENDED: the status as waitpid gives it, and the
-   processor time used, in milliseconds. */
+/* The number of ints after TRANSPORT_ENDED: the status as waitpid gives it,
+   and the processor time used, in milliseconds. */
 enum { TRANSPORT_HOW = 2 };
 
-/* Opens the transport: receives from one descriptor, sends to the
+/* Opens the transport, to receive from one descriptor and send to the
    other. */
 void transport_open(int receive, int send);
 
@@ -41,16 +41,16 @@ void transport_send(int word);
    EOF. */
 int transport_receive(void);
 
-/* Whether it is this side's turn to send. */
+/* true when this side is to send, false when it is to receive */
 extern bool transport_sending;
 
-/* Sends or receives this many bytes, whichever is this side's turn. No
-   message has a length: the receiver takes what it waits for, so that
-   there is no length about which the other side could lie. */
+/* Sends or receives this many bytes, as transport_sending says. No message
+   has a length: the receiver reads as many bytes as it expects, so that the
+   other side cannot give a false length. */
 void transport_move(void *x, size_t bytes);
 
-/* Defined by each side: ends the program, because its partner has ended or
-   sent what makes no sense. */
+/* Ends the program, because its partner has ended or sent nonsense; defined
+   by each side. */
 _Noreturn void transport_lost(void);
 
 #endif

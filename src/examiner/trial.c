@@ -14,8 +14,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* These are the words that students read and tests look for. They name the
-   state; none is "error" or "fatal". */
+/* Returns the words that students read and tests look for, none of which is
+   "error" or "fatal". */
 const char *state_name(enum state state)
 {
     static const char *const names[] = {"not begun", "does not build",
@@ -24,8 +24,8 @@ const char *state_name(enum state state)
     return names[state];
 }
 
-/* An exercise that is not begun is not wrong: in a fresh copy of the kit
-   nothing is red. */
+/* An exercise that is not begun is not wrong: a fresh copy of the kit shows
+   no red. */
 bool state_wrong(enum state state)
 {
     return state != NOT_BEGUN && state != PASSED;
@@ -33,20 +33,20 @@ bool state_wrong(enum state state)
 
 /* Limits. A test computes for less time than it takes to start; five
    seconds are hundreds of times that, even with sanitizers, and about as
-   long as people look at a silent terminal. Every machine has 512 MiB, and
-   no exercise comes near. An endless loop that prints would fill a disk
-   within a minute, so a file may have 1 MiB. */
+   long as people look at a silent terminal. Every machine has 512 MiB, more
+   than exercises need. An endless loop that prints would fill a disk within
+   a minute, so a file may have 1 MiB. */
 enum { MIB = 1 << 20, MEMORY_MIB = 512, SANITIZER_STATUS = 86 };
 
 struct result {
     struct process_end end;
     char nonce[REPORT_NONCE + 1];
-    char *report; /* as it was written */
-    char *output; /* what the program printed */
-    char *error;  /* what the sanitizers added to it, or NULL */
+    char *report; /* content of the report */
+    char *output; /* output of the program */
+    char *error;  /* report of the sanitizers, or NULL */
 };
 
-/* Draws a nonce, 16 random bytes of the kernel's: no program prints that
+/* Draws a nonce, 16 random bytes from the kernel, which no program prints
    by accident. */
 static void draw_nonce(char nonce[REPORT_NONCE + 1])
 {
@@ -59,9 +59,9 @@ static void draw_nonce(char nonce[REPORT_NONCE + 1])
         snprintf(nonce + 2 * i, 3, "%02x", bytes[i]);
 }
 
-/* Creates a file (O_EXCL: nobody else has made it). O_APPEND writes at its
-   end: a program that closes one descriptor too many and opens a file
-   instead could otherwise write over the verdict. */
+/* Creates a file (O_EXCL: it must not exist). O_APPEND writes at its end: a
+   program that closes one descriptor too many and opens a file instead
+   could otherwise write over the verdict. */
 static int open_fresh(const char *path)
 {
     unlink(path);
@@ -71,8 +71,8 @@ static int open_fresh(const char *path)
     return file;
 }
 
-/* Removes words from a text: the address sanitizer's announcement of a
-   deadly signal, which comes before it knows more. */
+/* Removes words from a text: the announcement of a deadly signal, which the
+   address sanitizer prints before its report. */
 static void drop_words(char *text, const char *words)
 {
     const size_t length = strlen(words);
@@ -80,13 +80,12 @@ static void drop_words(char *text, const char *words)
         memmove(text, text + length, strlen(text + length) + 1);
 }
 
-/* Cuts the sanitizers' report off the output and returns it, or NULL.
-   (They could write to a file, but with some compilers the one for
-   undefined behaviour always writes to standard error.) The report begins
-   with the line that names a sanitizer or says "runtime error", or with a
-   line of equals signs before that. This is only called when the status is
-   a sanitizer's, so that a program that prints these words keeps its
-   output. */
+/* Cuts the sanitizers' report off the output and returns it, or NULL. (With
+   some compilers the sanitizer for undefined behaviour always writes to
+   standard error, never to a file.) The report begins with the line that
+   names a sanitizer or says "runtime error", or with a line of equals signs
+   before that. It is only called when the status is a sanitizer's, so that
+   a program that prints these words keeps its output. */
 static char *cut_error(char *output)
 {
     char *error = strstr(output, "AddressSanitizer:");
@@ -104,9 +103,8 @@ static char *cut_error(char *output)
     return copy;
 }
 
-/* Finds the next line of the report with this word, from `from' on; copies
-   its text and returns where that begins, or NULL. Such a line begins with
-   the nonce. */
+/* Finds the next line of the report, from `from' on, with the nonce and
+   this word; copies the text after them and returns its place, or NULL. */
 static const char *find_line(const char *from, const struct result *result,
                              const char *word, char text[REPORT_LINE])
 {
@@ -125,18 +123,18 @@ static struct {
         orders; /* descriptors of the waiting runner, or 0 */
 } served;
 
-/* Starts a runner for one test and waits for it; or, if end is NULL, one
-   that runs beside us and waits for orders. It works in an empty folder
-   `desk' inside ours, so that a file of its own called `output' is not
-   ours, and its temporary files are removed with it.
+/* Starts a runner for one test and waits for it; or, if end is NULL, a
+   runner that waits for orders. It works in an empty folder `desk' inside
+   ours, so that a file of its own called `output' is not ours, and its
+   temporary files are removed with it.
 
-   The sanitizers get their options from the environment: the status that
-   tells us of them, that they catch abort, and that they look for leaks
-   only when asked. The address sanitizer maps some fourteen terabytes at
-   its start, so that a limit on addresses would end it before main;
-   instead it watches the memory in use, in a thread. A copy of the process
-   has no such thread: there we watch (uses_more). A judge has no
-   sanitizers, even if the program in its sandbox has. */
+   The sanitizers get options from the environment: a status that tells us
+   of them, to catch abort, and to search for leaks only when asked. The
+   address sanitizer maps some fourteen terabytes at its start, so that a
+   limit on addresses would end it before main; instead it watches the
+   memory in use, in a thread. A copy of the process has no such thread:
+   there process_copy watches. A judge has no sanitizers, even if the
+   program in its sandbox has. */
 static bool start_runner(const struct trial *trial, const char *test,
                          const struct process_files *files,
                          struct process_end *end)
@@ -171,10 +169,10 @@ static bool start_runner(const struct trial *trial, const char *test,
                : process_start(command, desk, files, &limits);
 }
 
-/* The runner gets a socket for orders and for the numbers of its copies,
-   and ends when our end is closed. Only Linux can make such copies. In the
-   grader it is the judge that waits, and it has the pipes to its sandbox
-   from the start. */
+/* Starts the waiting runner. It gets a socket for orders and for the
+   numbers of its copies, and ends when our end is closed. Only Linux can
+   make such copies. In the grader the judge waits so, and has the pipes to
+   its sandbox from the start. */
 void trial_open(const struct trial *trial)
 {
 #ifdef __linux__
@@ -215,9 +213,9 @@ void trial_close(void)
    killed and the test gets a runner of its own, with a new report. Report
    and output are read when no process is left that could write to them.
 
-   In the grader the output is in a file to which the program in the
-   sandbox has written. If its user is ours it may have removed our
-   permission to read, so we restore it. */
+   In the grader the program in the sandbox has written the output to a
+   file. If its user is ours it may have removed our permission to read, so
+   we restore it. */
 static void run_runner(const struct trial *trial, int number,
                        struct result *result)
 {
@@ -285,8 +283,8 @@ static const char round_and_round[] =
     "had come back to where it was before, with the same values in all its "
     "variables. Which loop was it in, and what was to end it?";
 
-/* Explains a time-out by a question; what the program was doing is for a
-   debugger to find out. */
+/* Explains a time-out by a question; only a debugger could tell where the
+   program was. */
 static void tell_time_out(const struct trial *trial,
                           const struct process_end *end, FILE *story)
 {
@@ -306,10 +304,10 @@ static void tell_time_out(const struct trial *trial,
     text_field(story, "what", text);
 }
 
-/* What the end of a process means, by a sanitizer's word or by a signal.
-   Not all is certain: SIGSEGV is nearly always a pointer or an index; a
-   SIGKILL that is not ours came from a kernel short of memory, or from a
-   person. */
+/* Explanations of the end of a process, by a sanitizer's word or by a
+   signal. Not all are certain: SIGSEGV is nearly always a pointer or an
+   index; a SIGKILL that is not ours came from a kernel short of memory, or
+   from a person. */
 static const struct {
     const char *word;
     int signal;
@@ -354,9 +352,9 @@ static const char *meaning(const char *word, int signal)
     return NULL;
 }
 
-/* Puts a sanitizer's report into words. For undefined behaviour its own
-   words are as good as ours; a word that the table lacks, from a newer
-   compiler, is shown as it stands. */
+/* Explains a sanitizer's report in a sentence. For undefined behaviour its
+   own words are used, and for a word that the table lacks, from a newer
+   compiler. */
 static void error_text(const char *report, char *text, size_t room)
 {
     const char *undefined = strstr(report, "runtime error: ");
@@ -371,7 +369,7 @@ static void error_text(const char *report, char *text, size_t room)
              known ? known : word);
 }
 
-/* Puts a crash into words. The sanitizer's report comes first, since
+/* Explains a crash in a sentence. The sanitizer's report comes first, since
    sanitizers end a program with a status, too. */
 static void crash_text(const struct result *result, char *text, size_t room)
 {
@@ -395,9 +393,9 @@ static void crash_text(const struct result *result, char *text, size_t room)
 
 /* Shows the student's line that was running: in a list of calls, which
    begins with the innermost, it is the first mention of his file, even if
-   the error lies in a library function. Paths may be absolute, so only the
-   end is compared. The function's name stands before the place, behind "
-   in ". */
+   the error is in a library function. Paths may be absolute, so only the
+   end is compared. The function's name comes before the path, after " in
+   ". */
 static void tell_place(const char *report, const char *source, FILE *story)
 {
     char name[4096], text[4600], function[128] = "";
@@ -437,8 +435,8 @@ static void tell_crash(const struct trial *trial,
         text_field(story, "where", nowhere);
 }
 
-/* A leak costs no point, but the student is told where the first leaked
-   block was allocated. */
+/* Tells where the first leaked block was allocated. A leak costs no
+   point. */
 bool trial_leak(const char *prints, const char *source, FILE *story)
 {
     char *text = text_read(prints);
@@ -455,9 +453,8 @@ bool trial_leak(const char *prints, const char *source, FILE *story)
 }
 
 /* Returns the number of an equation in the book. A suite knows only its
-   label, since numbers change when an equation is added. Where the table
-   lacks the label (the chapter is still being written) it is shown
-   itself. */
+   label, since numbers change when an equation is added. A label that the
+   table lacks (the chapter is still being written) is returned itself. */
 static const char *equation_in_book(const char *label,
                                     char text[REPORT_LINE])
 {
@@ -473,9 +470,9 @@ static const char *equation_in_book(const char *label,
     return text;
 }
 
-/* Writes what a failed test reported, as a teacher would put it: what was
-   asked, the input, the expected and the actual answer, the tolerance and
-   its reason, the equation, a question. It never says what to type. */
+/* Writes the report of a failed test, as a teacher would put it: the
+   quantity, the input, the expected and the actual answer, the tolerance
+   and its reason, the equation, a question. It never says what to type. */
 static void tell_failure(const struct result *result, FILE *story)
 {
     char text[REPORT_LINE], book[REPORT_LINE];
@@ -510,13 +507,13 @@ static bool is_mistake(const char *report)
            !strstr(report, "failed to allocate");
 }
 
-/* Judges a test. The order of the questions must stay. A program that was
-   stopped has timed out, whatever it reported. One that ended by a signal
-   or with a status has crashed (sanitizers use a status), and so has one
-   without a signed verdict: somebody called exit or closed the report. A
+/* Judges a test. The order of the conditions must stay. A program that was
+   stopped has timed out, whatever it reported. A program that ended by a
+   signal or with a status has crashed (sanitizers use a status), and so has
+   one without a signed verdict: it called exit or closed the report. A
    reached gap comes before the verdict, since a program that forked may
-   report both. "Passed" is what is left: to ask first whether the verdict
-   is "passed" would pass a program that overruns its stack afterwards. */
+   report both. "Passed" comes last: if it came first, a program that
+   overruns its stack after the verdict would pass. */
 enum state trial_run(const struct trial *trial, int number, FILE *story)
 {
     struct result result = {0};

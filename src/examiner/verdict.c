@@ -9,8 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Names the other tests that failed: that both failures of six tests are
-   about walls says more than either. */
+/* Names the other tests that failed: two failures that are both about walls
+   say more than one. */
 static void tell_others(const struct exercise *e, const enum state states[],
                         int decides, int run, FILE *story)
 {
@@ -43,10 +43,10 @@ static bool repeatable(const enum state states[], int run)
     return true;
 }
 
-/* Reports memory that a passing answer has leaked. Only the last test looks
-   for leaks, if those before it have passed, because one look for each
-   exercise is enough. A verdict with a leak is not stored as a plain
-   pass. */
+/* Reports memory that a passing answer has leaked; returns whether there
+   was any. One search for leaks in each exercise is enough: the last test
+   makes it, if the others have passed. A verdict with a leak is not stored,
+   since it is more than a plain pass. */
 static bool tell_leak(const struct exercise *e, const struct trial *trial,
                       FILE *story)
 {
@@ -66,11 +66,12 @@ static bool tell_leak(const struct exercise *e, const struct trial *trial,
     return leaks;
 }
 
-/* Runs the tests of an exercise and sets its state. One test decides the
-   state and is told in full: the first that failed or, if nothing failed
-   but gaps were reached, the first gap. An exercise with gaps and failures
-   is begun: the student can mend something. After a time-out no more tests
-   run, since nobody wants to wait five seconds for each. */
+/* Runs the tests of an exercise and sets its state; returns whether the
+   verdict can be stored. One test decides the state and is told in full:
+   the first that failed or, if gaps were reached but nothing failed, the
+   first gap. An exercise with gaps and failures is begun, since there is
+   something to correct. After a time-out no more tests run, since nobody
+   wants to wait five seconds for each. */
 static bool run_tests(struct exercise *e, const struct trial *trial,
                       FILE *story)
 {
@@ -118,9 +119,9 @@ static bool run_tests(struct exercise *e, const struct trial *trial,
     return !tell_leak(e, trial, story) && repeatable(states, run);
 }
 
-/* Returns whether the verdict would be the same tomorrow. That a file does
-   not build is certain only if the compiler has found an error in it; a
-   disk may have been full. */
+/* Judges an exercise; returns whether the verdict can be stored. That a
+   file does not build is certain only if the compiler has found an error in
+   it, since the disk may have been full. */
 static bool build_and_test(struct exercise *e,
                            const struct verdict_rules *rules, FILE *story)
 {
@@ -148,8 +149,8 @@ static void forget(struct exercise *e)
     e->earned = e->gap = e->wants = 0;
 }
 
-/* Says that the student's file is missing, which counts as not begun. The
-   examiner never writes one unasked. */
+/* Reports that the student's file is missing, which counts as not begun.
+   The examiner never writes one unasked. */
 static void tell_missing(struct exercise *e)
 {
     char text[4 * COURSE_PATH];
@@ -188,8 +189,8 @@ void verdict_from_cache(struct exercise *e,
         tell_missing(e);
 }
 
-/* Judges in the cheapest way: comparing with the stub takes microseconds,
-   a stored verdict a fraction of a millisecond, building and running a
+/* Judges in the cheapest way: comparing with the stub takes microseconds, a
+   stored verdict a fraction of a millisecond, building and running a
    quarter of a second. The key is computed before the compiler starts; if
    it has changed at the end the file was saved meanwhile, and the verdict
    is not stored. */

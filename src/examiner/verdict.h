@@ -7,11 +7,11 @@
 /* How an exercise is to be judged. */
 struct verdict_rules {
     bool strict;    /* warnings are errors */
-    bool use_cache; /* verdicts are read from the cache and stored there */
-    int seconds;    /* of processor time for a test */
+    bool use_cache; /* read verdicts from the cache, store them */
+    int seconds;    /* processor time of a test */
 };
 
-/* Judges an exercise: fills in its state, points and story. */
+/* Judges an exercise: fills in its state, points and report (story). */
 void verdict_reach(struct exercise *e, const struct verdict_rules *rules);
 
 /* Judges an exercise if that needs no compiler; otherwise e->judged stays

@@ -18,10 +18,9 @@ static void give_terminal_back(void)
     tcsetpgrp(STDIN_FILENO, before);
 }
 
-/* Makes this process the terminal's foreground, in a group of its own.
+/* Puts this process into the terminal's foreground, in a group of its own.
    Ctrl-C goes to every process of the foreground group, and make would end
-   with an error message. Ctrl-Z is ignored, or make would wait for
-   ever. */
+   with an error message. Ctrl-Z is ignored, or make would wait for ever. */
 static void take_terminal(void)
 {
     before = getpgrp();
@@ -38,11 +37,11 @@ struct seen {
     uint64_t judged, last; /* checksums */
 };
 
-/* Returns whether a file was saved and has to be judged: its checksum is
-   not that of the file judged last, and was the same at two looks in
-   succession, because an editor may empty a file first and write it then.
-   If an editor pauses for more than a tenth of a second in between, half a
-   file is judged. */
+/* Returns whether a file was saved and has to be judged: its checksum
+   differs from that of the file last judged, and is that of the previous
+   check, because an editor may empty a file before writing it. If an editor
+   pauses for more than a tenth of a second in between, half a file is
+   judged. */
 static bool saved(struct exercise *e, struct seen *seen)
 {
     if (!text_plain(e->file))
@@ -76,12 +75,12 @@ static void show(const struct course *course, const struct exercise *e)
     fflush(stdout);
 }
 
-enum { WATCH_PAUSE = 100 }; /* ms between two looks */
+enum { WATCH_PAUSE = 100 }; /* time between two checks, ms */
 
 /* Waits a tenth of a second for a command from the keyboard; returns
    whether to go on. Commands end with Enter: reading single keys needs
-   another mode of the terminal, in which it would stay if this process
-   were killed. */
+   another mode of the terminal, which would remain if this process were
+   killed. */
 static bool key_goes_on(const struct exercise *shown)
 {
     static bool silent;
@@ -98,9 +97,9 @@ static bool key_goes_on(const struct exercise *shown)
     return line[0] != 'q';
 }
 
-/* Judges every chosen file that was saved. To compute forty checksums ten
-   times a second takes half a millisecond each time; the ways by which
-   systems announce a changed file differ, and lose a file that an editor
+/* Judges every chosen file that was saved. Forty checksums ten times a
+   second take half a millisecond each time; the ways by which systems
+   announce a changed file differ, and fail for a file that an editor
    replaces, as most editors do. */
 static void judge_saved(struct course *course,
                         const struct verdict_rules *rules,

@@ -4,8 +4,8 @@
 
 #include "examiner/verdict.h"
 
-/* Shows what to do next, and again whenever a chosen file was saved;
-   returns after a signal, or after a q on the keyboard. */
+/* Shows the next step, and again whenever a chosen file was saved; returns
+   after a signal, or after a q on the keyboard. */
 void watch_files(struct course *course, const struct verdict_rules *rules);
 
 #endif

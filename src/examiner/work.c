@@ -18,8 +18,8 @@ static void remove_folder(void)
 }
 
 /* Returns the name of the temporary folder, which the first call makes. It
-   lies in build/, since on some machines programs in /tmp may not be
-   executed; its name is new each time, so that two examiners that run at
+   is in build/, since on some machines programs in /tmp may not be
+   executed, and has a new name each time, so that two examiners running at
    once do not share it. */
 const char *work_folder(void)
 {

@@ -201,7 +201,7 @@ static void say_failure(double got, const struct check *c)
     say("got", check_text("%s%s%s", found, space, unit));
     say("tolerance", check_text("%.3g%s%s%s%s", c->tolerance, space, unit,
                                 *reason ? ": " : "", reason));
-    say("book", c->equation);
+    say("book", c->equation ? c->equation : check_suite.equation);
     if (mistake)
         say("hint", check_text("%s [%s]", mistake->hint, mistake->name));
     else

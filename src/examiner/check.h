@@ -38,7 +38,7 @@ struct check {
     double expected;
     double tolerance;     /* largest |got - expected| that passes */
     const char *because;  /* where the tolerance comes from */
-    const char *equation; /* its label in the book: "eq:difference" */
+    const char *equation; /* its label in the book; NULL: the suite's */
     const char *question; /* a question that helps the student on */
     struct check_mistake mistakes[12]; /* unused ones have no name */
 };
@@ -65,6 +65,8 @@ struct check_suite {
     const char *file; /* "01a-collide.c", in exercises/ and solutions/ */
     const char *title;
     int minutes; /* how long the exercise should take */
+    /* The label of the equation that failures name: "eq:difference". */
+    const char *equation;
     struct check_test tests[CHECK_TESTS]; /* ends without a name */
     void (*idle[8])(void);                /* the idle tests */
 };

@@ -1,6 +1,4 @@
-/* The suite of exercise 01a: equal velocities, equal masses, known values,
-   their mirror images, what is conserved, the wall, and numbers that are
-   drawn. */
+/* The suite of exercise 01a, "Two bodies meet". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -61,7 +59,7 @@ static bool check_body(int body, double u1, double u2, double im1,
         got, .quantity = quantity[body], .unit = "m/s",
         .input = input(u1, u2, im1, im2), .expected = expected,
         .tolerance = tolerance(u1, u2), .because = because,
-        .equation = "eq:reverse", .question = question,
+        .question = question,
         .mistakes = {
             {"stuck-together", centre,
              "This is the velocity of the centre of mass itself, as if the "
@@ -112,7 +110,7 @@ static bool check_beside_wall(int body, double u1, double u2, double im1,
         answer(u1, u2, im1, im2).v[body], .quantity = quantity[body],
         .unit = "m/s", .input = input(u1, u2, im1, im2),
         .expected = expected, .tolerance = tolerance(u1, u2),
-        .because = because, .equation = "eq:reverse",
+        .because = because,
         .question = "Sit on the wall: the body comes in, and goes out as "
                     "fast. What does that look like from the ground, when "
                     "the wall moves?",
@@ -261,6 +259,7 @@ const struct check_suite check_suite = {
     .file = "01a-collide.c",
     .title = "Two bodies meet",
     .minutes = 10,
+    .equation = "eq:reverse",
     .tests = {{"nothing happens to bodies with the same velocity",
                test_nothing_happens, 1, 0},
               {"equal masses exchange their velocities", test_equal_masses,

@@ -1,5 +1,4 @@
-/* The hidden tests of exercise 01b: bodies that no restitution between 0
-   and 1 describes, and bodies of very different mass in other units. */
+/* The hidden tests of exercise 01b, "Weighing without a balance". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -31,14 +30,13 @@ static bool check_meeting(struct meeting m, const char *question)
     return CHECK_NEAR(told ? 1.0 : 0.0,
                       .quantity = "what is returned (1 true, 0 false)",
                       .input = input, .expected = 1.0, .tolerance = 0.0,
-                      .because = "yes or no", .equation = "eq:momentum",
-                      .question = question) &&
+                      .because = "yes or no", .question = question) &&
            CHECK_NEAR(ratio, .quantity = "mass ratio m1/m2", .input = input,
                       .expected = m.m1 / m.m2,
                       .tolerance = slack * m.m1 / m.m2,
                       .because = "8 epsilons, times how much smaller a "
                                  "change of velocity is than a velocity",
-                      .equation = "eq:momentum", .question = question) &&
+                      .question = question) &&
            CHECK_NEAR(restitution, .quantity = "restitution",
                       .input = input, .expected = m.e,
                       .tolerance = slack * (1.0 + fabs(m.e)),

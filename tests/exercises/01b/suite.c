@@ -1,6 +1,4 @@
-/* The suite of exercise 01b: equal masses, known values, lost energy, both
-   bodies moving, what is conserved, walls and what is nearly one, what no
-   collision can do, and numbers that are drawn. */
+/* The suite of exercise 01b, "Weighing without a balance". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -42,9 +40,8 @@ static bool check_told(struct seen s, bool expected, const char *question)
         answer(s).told ? 1.0 : 0.0,
         .quantity =
             "what is returned: can the velocities tell? (1 true, 0 false)",
-        .unit = "", .input = input(s), .expected = expected ? 1.0 : 0.0,
-        .tolerance = 0.0, .because = "yes or no", .equation = "eq:momentum",
-        .question = question);
+        .input = input(s), .expected = expected ? 1.0 : 0.0,
+        .tolerance = 0.0, .because = "yes or no", .question = question);
 }
 
 /* The second body's gain in velocity by the first one's loss. Each
@@ -58,13 +55,13 @@ static bool check_ratio(struct seen s, double expected,
     const double roundings =
         1.0 + fastest(s) / fabs(loss) + fastest(s) / fabs(gain);
     return CHECK_NEAR(
-        answer(s).ratio, .quantity = "mass ratio m1/m2", .unit = "",
-        .input = input(s), .expected = expected,
+        answer(s).ratio, .quantity = "mass ratio m1/m2", .input = input(s),
+        .expected = expected,
         .tolerance = wall ? 0.0 : 4.0 * DBL_EPSILON * expected * roundings,
         .because = wall ? "a velocity that has not changed is exact"
                         : "4 epsilons, times how much smaller a change of "
                           "velocity is than the velocities",
-        .equation = "eq:momentum", .question = question,
+        .question = question,
         .mistakes = {
             {"upside-down", loss / gain,
              "This is m2/m1. The body whose velocity changes less: is it "
@@ -89,8 +86,8 @@ static bool check_restitution(struct seen s, double expected,
     const double towards = s.u1 - s.u2, apart = s.v2 - s.v1;
     const double roundings = 1.0 + fastest(s) / fabs(towards);
     return CHECK_NEAR(
-        answer(s).restitution, .quantity = "restitution", .unit = "",
-        .input = input(s), .expected = expected,
+        answer(s).restitution, .quantity = "restitution", .input = input(s),
+        .expected = expected,
         .tolerance = 4.0 * DBL_EPSILON * (1.0 + expected) * roundings,
         .because = "4 epsilons, times how much smaller the speed of "
                    "approach is than the velocities",
@@ -184,7 +181,6 @@ static void test_momentum(void)
         .expected = m1 * s.u1 + m2 * s.u2,
         .tolerance = 16.0 * DBL_EPSILON * (1.0 + fabs(m1)) * fastest(s),
         .because = "16 epsilons of the sum of m |v|",
-        .equation = "eq:momentum",
         .question = "Put your masses into the momentum before and after. "
                     "Where does the difference come from?");
 }
@@ -264,8 +260,8 @@ static bool check_refused(struct seen s, const char *slip, const char *why)
         answer(s).told ? 1.0 : 0.0,
         .quantity =
             "what is returned: can the velocities tell? (1 true, 0 false)",
-        .unit = "", .input = input(s), .expected = 0.0, .tolerance = 0.0,
-        .because = "yes or no", .equation = "eq:momentum",
+        .input = input(s), .expected = 0.0, .tolerance = 0.0,
+        .because = "yes or no",
         .question = "Can these four velocities belong to a collision?",
         .mistakes = {{slip, 1.0, why}});
 }
@@ -286,9 +282,8 @@ static bool check_slow(void)
                answer(s).told ? 1.0 : 0.0,
                .quantity = "what is returned: can the velocities tell? (1 "
                            "true, 0 false)",
-               .unit = "", .input = input(s), .expected = 1.0,
-               .tolerance = 0.0, .because = "yes or no",
-               .equation = "eq:momentum", .question = question,
+               .input = input(s), .expected = 1.0, .tolerance = 0.0,
+               .because = "yes or no", .question = question,
                .mistakes = {{"slow-taken-for-alike", 0.0, question}}) &&
            check_ratio(s, 3.0, question) &&
            check_restitution(s, 0.5, question) &&
@@ -375,6 +370,7 @@ const struct check_suite check_suite = {
     .file = "01b-measure.c",
     .title = "Weighing without a balance",
     .minutes = 20,
+    .equation = "eq:momentum",
     .tests =
         {{"bodies that exchange their velocities weigh the same",
           test_twins, 1, 0},

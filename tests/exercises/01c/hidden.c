@@ -1,5 +1,4 @@
-/* The hidden tests of exercise 01c: a stack on its head, and tall
-   towers in other units. */
+/* The hidden tests of exercise 01c, "A stack of balls is dropped". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -39,7 +38,6 @@ static void test_on_its_head(void)
                              (masses[n - 1] * (fabs(up) + speed) +
                               turned[n - 1] * (fabs(down) + speed)),
                 .because = "16 epsilons for each ball, of both momenta",
-                .equation = "eq:restitution",
                 .question = "The stack was put on its head, and the "
                             "momentum of the ball on top has changed. "
                             "Which ball counts twice?"))
@@ -73,7 +71,6 @@ static void test_towers(void)
                 .expected = expected,
                 .tolerance = 4.0 * (double)n * DBL_EPSILON * speed,
                 .because = "4 epsilons for each ball, of the speed",
-                .equation = "eq:restitution",
                 .question =
                     "Most of these many balls are equal and only pass the "
                     "bounce on. Which of them does not, in your function?"))

@@ -1,6 +1,4 @@
-/* The suite of exercise 01c: one ball, equal balls, known values, limits,
-   the energy, loss, the ball that is too heavy to be thrown up, and stacks
-   that are drawn. */
+/* The suite of exercise 01c, "A stack of balls is dropped". */
 
 #include "examiner/check.h"
 #include <stdio.h>
@@ -76,7 +74,7 @@ static bool check_top(size_t n, const double masses[], double speed,
             4.0 * (double)n * DBL_EPSILON * (fabs(expected) + speed),
         .because = "4 epsilons for each ball, of the velocity seen from "
                    "the falling stack",
-        .equation = "eq:restitution", .question = question,
+        .question = question,
         .mistakes = {
             {"floor-forgotten", -speed,
              "The top ball falls on as if nothing had happened. Nothing "
@@ -254,6 +252,7 @@ const struct check_suite check_suite = {
     .file = "01c-stack.c",
     .title = "A stack of balls is dropped",
     .minutes = 25,
+    .equation = "eq:restitution",
     .tests =
         {{"a single ball bounces back from the floor", test_one_ball, 1, 0},
          {"equal balls only pass the bounce on", test_equal_balls, 1, 0},

@@ -1,7 +1,5 @@
 /* mistake: never-downwards */
 
-#include <math.h>
-
 double top_velocity(size_t n, const double masses[], double speed,
                     double restitution)
 {

@@ -1,5 +1,4 @@
-/* The hidden tests of exercise 01d: balls and peas, and what the aim does
-   not depend on. */
+/* The hidden tests of exercise 01d, "Taking aim". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -19,7 +18,7 @@ static bool check(double b, const char *said, double expected,
         b, .quantity = "impact parameter b, or -1", .unit = "m",
         .input = said, .expected = expected, .tolerance = tolerance,
         .because = "32 epsilons of r1 + r2, and none for a refusal",
-        .equation = "eq:impulse", .question = question);
+        .question = question);
 }
 
 /* A ball meets a pea 20 to 1000 times lighter. It is turned by a little

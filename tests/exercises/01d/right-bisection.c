@@ -1,7 +1,5 @@
 /* A right answer: the blow carried out, and bisection to take aim. */
 
-#include <math.h>
-
 static double turn(double phi, double ratio)
 {
     return atan2(sin(2 * phi), ratio - cos(2 * phi));

@@ -1,7 +1,5 @@
 /* A right answer: the tangent of the line of centres, by a quadratic. */
 
-#include <math.h>
-
 double impact_parameter(double r1, double r2, double im1, double im2,
                         double deflection)
 {

@@ -1,6 +1,4 @@
-/* The suite of exercise 01d: a graze and a head-on blow, a disk that
-   nothing moves, equal masses, a known value, the blow carried out, two
-   answers, angles out of reach, and shots that are drawn. */
+/* The suite of exercise 01d, "Taking aim". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -81,7 +79,7 @@ static bool check_aim(struct shot s, double expected, const char *question)
     return CHECK_NEAR(
         aim(s), .quantity = "impact parameter b", .unit = "m",
         .input = input(s), .expected = expected, .tolerance = tolerance(s),
-        .because = because, .equation = "eq:impulse", .question = question,
+        .because = because, .question = question,
         .mistakes = {
             {"the-harder-blow",
              ratio > 1.0 ? formula(s, ratio, true) : expected,
@@ -118,7 +116,7 @@ static bool check_out_of_reach(struct shot s, const char *question)
         aim(s), .quantity = "impact parameter b, or -1", .unit = "m",
         .input = input(s), .expected = -1.0, .tolerance = 0.0,
         .because = "the answer for an angle out of reach",
-        .equation = "eq:impulse", .question = question,
+        .question = question,
         .mistakes = {
             {"out-of-reach", formula(s, s.im2 / s.im1, false),
              "No impact parameter turns this disk so far. Carry out the "
@@ -192,7 +190,6 @@ static void test_blow(void)
                 .tolerance = 128.0 * DBL_EPSILON,
                 .because = "128 epsilons: those of the aim, and an angle "
                            "up to six times as sensitive",
-                .equation = "eq:impulse",
                 .question = "The blow was carried out with your b, "
                             "along the line of centres. For which "
                             "angles does it come out as wanted?"))
@@ -301,6 +298,7 @@ const struct check_suite check_suite = {
     .file = "01d-aim.c",
     .title = "Taking aim",
     .minutes = 40,
+    .equation = "eq:impulse",
     .tests =
         {{"a disk that only grazes goes straight on", test_graze, 1, 0},
          {"a target that nothing moves is a mirror", test_fixed, 1, 0},

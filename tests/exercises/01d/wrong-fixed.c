@@ -1,7 +1,5 @@
 /* mistake: target-held-fast */
 
-#include <math.h>
-
 double impact_parameter(double r1, double r2, double im1, double im2,
                         double deflection)
 {

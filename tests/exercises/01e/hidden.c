@@ -1,5 +1,4 @@
-/* What the grader also asks of exercise 01e: functions that are right but
-   for a heavy body, but for slow ones, and one in other words. */
+/* The hidden tests of exercise 01e, "CHECKcollide". */
 
 #include "examiner/check.h"
 
@@ -66,7 +65,7 @@ static void check_all(const struct judged all[], int count)
                 .quantity =
                     "1 if the function that you judge was called at all",
                 .input = all[i].how, .expected = 1.0, .tolerance = 0.0,
-                .because = "yes or no", .equation = "eq:reverse",
+                .because = "yes or no",
                 .question = "What do you know of a function that you have "
                             "not let compute anything?") ||
             !CHECK_NEAR(
@@ -74,7 +73,6 @@ static void check_all(const struct judged all[], int count)
                 .quantity = "what you say of a function (1 true, 0 false)",
                 .input = all[i].how, .expected = all[i].right ? 1.0 : 0.0,
                 .tolerance = 0.0, .because = "yes or no",
-                .equation = "eq:reverse",
                 .question = "Which collision would tell, and did you let "
                             "it compute that?"))
             return;

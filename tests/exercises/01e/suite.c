@@ -1,6 +1,4 @@
-/* The suite of exercise 01e: functions that collide two bodies. The right
-   ones differ by roundings; the wrong ones are those that exercise 01a
-   knows, and some more. */
+/* The suite of exercise 01e, "CHECKcollide". */
 
 #include "examiner/check.h"
 
@@ -237,8 +235,7 @@ static bool check_called(const char *how)
         judged[at].calls > 0 ? 1.0 : 0.0,
         .quantity = "1 if the function that you judge was called at all",
         .input = how, .expected = 1.0, .tolerance = 0.0,
-        .because = "yes or no", .equation = "eq:reverse",
-        .question = question,
+        .because = "yes or no", .question = question,
         .mistakes = {{"never-called", 0.0, question}});
 }
 
@@ -252,8 +249,7 @@ static bool check_right(law *collide, const char *how, const char *mistake,
                 .quantity =
                     "what you say of a right function (1 true, 0 false)",
                 .input = how, .expected = 1.0, .tolerance = 0.0,
-                .because = "yes or no", .equation = "eq:reverse",
-                .question = question,
+                .because = "yes or no", .question = question,
                 .mistakes = {{mistake, 0.0, question}}));
 }
 
@@ -297,8 +293,7 @@ static bool check_wrong(law *collide, const char *how, const char *mistake,
                 .quantity =
                     "what you say of a wrong function (1 true, 0 false)",
                 .input = how, .expected = 0.0, .tolerance = 0.0,
-                .because = "yes or no", .equation = "eq:reverse",
-                .question = question,
+                .because = "yes or no", .question = question,
                 .mistakes = {{mistake, 1.0, question}}));
 }
 
@@ -477,6 +472,7 @@ const struct check_suite check_suite = {
     .file = "01e-check.c",
     .title = "CHECKcollide",
     .minutes = 30,
+    .equation = "eq:reverse",
     .tests = {{"three right functions are right", test_right, 1, 0},
               {"one that loses energy is refused", test_energy, 1, 0},
               {"one that loses momentum is refused", test_momentum, 1, 0},

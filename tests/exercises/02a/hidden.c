@@ -1,4 +1,4 @@
-/* The hidden tests of exercise 02a: long rings, and rings in a mirror. */
+/* The hidden tests of exercise 02a, "The next collision on a ring". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -62,7 +62,6 @@ static void test_flown(void)
                     .tolerance =
                         8.0 * DBL_EPSILON * (r.length + 3.5 * time),
                     .because = "8 epsilons of the length and of the way",
-                    .equation = "eq:gap-time",
                     .question = "Let all beads fly until then. Who is "
                                 "through whom, or who has not yet met?"))
                 return;
@@ -106,13 +105,13 @@ static void test_mirror(void)
                         .expected = time, .tolerance = 1e-9 * time,
                         .because = "a billionth: the places in the mirror "
                                    "are rounded",
-                        .equation = "eq:gap-time", .question = question) ||
+                        .question = question) ||
             !CHECK_NEAR((double)mirrored, .quantity = "*left in the mirror",
                         .input = input(&m, unit),
                         .expected = (double)((2 * r.n - 2 - left) % r.n),
                         .tolerance = 0.0,
                         .because = "a number of a bead is exact",
-                        .equation = "eq:gap-time", .question = question))
+                        .question = question))
             return;
     }
 }

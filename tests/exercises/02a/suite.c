@@ -1,7 +1,4 @@
-/* The suite of exercise 02a: two beads, beads that never meet, the seam,
-   both ways round, one that catches up, pairs that part, pairs that touch,
-   the wrong order by a rounding, ties, a ring that turns as a whole, and
-   rings that are drawn. */
+/* The suite of exercise 02a, "The next collision on a ring". */
 
 #include "examiner/check.h"
 #include <stdio.h>
@@ -149,7 +146,7 @@ static bool check_time(const struct ring *r, double expected,
         answer(r).time, .quantity = "time until two beads meet",
         .unit = "s", .input = input(r), .expected = expected,
         .tolerance = tolerance(r, first_pair(r), expected),
-        .because = because, .equation = "eq:gap-time", .question = question,
+        .because = because, .question = question,
         .mistakes = {
             {"time-in-the-past", soonest(r, in_the_past),
              "The meeting of a pair that approaches would be in the past: "
@@ -193,9 +190,8 @@ static bool check_left(const struct ring *r, size_t expected,
             last = i;
     return CHECK_NEAR(
         answer(r).left, .quantity = "*left, the left one of the two",
-        .unit = "", .input = input(r), .expected = (double)expected,
-        .tolerance = 0.0, .because = "a number of a bead is exact",
-        .equation = "eq:gap-time", .question = question,
+        .input = input(r), .expected = (double)expected, .tolerance = 0.0,
+        .because = "a number of a bead is exact", .question = question,
         .mistakes = {{"last-of-a-tie", (double)last,
                       "Several pairs meet at this time. Which of them was "
                       "wanted, and which one does your comparison keep?"},
@@ -271,7 +267,7 @@ static bool check_two(const char *question)
                answer(&back).time, .quantity = "time until two beads meet",
                .unit = "s", .input = input(&back), .expected = 5.0,
                .tolerance = tolerance(&back, 1, 5.0), .because = because,
-               .equation = "eq:gap-time", .question = question,
+               .question = question,
                .mistakes = {{"one-pair-of-two", INFINITY, behind}}) &&
            check_both(back, 5.0, 1, question) &&
            check_both(RING(2, 10.0, {3.0, 3.0}, {1.0, -1.0}), 0.0, 0,
@@ -495,6 +491,7 @@ const struct check_suite check_suite = {
     .file = "02a-ring.c",
     .title = "The next collision on a ring",
     .minutes = 15,
+    .equation = "eq:gap-time",
     .tests =
         {{"two beads that approach meet", test_two, 1, 0},
          {"of three pairs the first to meet is found", test_three, 1, 0},

@@ -1,7 +1,4 @@
-/* The suite of exercise 02b: several collisions within a tick, a path
-   without any, ticks between two collisions, a tick on a collision, the
-   flight after the last, how many samples, the average, a long run, and
-   paths that are drawn. */
+/* The suite of exercise 02b, "A sampler that looks too often". */
 
 #include "examiner/check.h"
 #include <stdio.h>
@@ -158,7 +155,7 @@ static bool check_sample(const struct job *j, const double x[], size_t k,
                                k, k == 1 ? "" : "s"),
         .unit = "m", .input = input(j), .expected = expected,
         .tolerance = tolerance(j, k), .because = because,
-        .equation = "eq:clock", .question = question,
+        .question = question,
         .mistakes = {
             {"at-the-events", at_events(j, k),
              "This is the place of a collision. The clock asks at its own "
@@ -254,10 +251,9 @@ static bool check_empty(const struct job *j, double place,
 {
     return CHECK_NEAR(isnan(place) ? 0.0 : 1.0,
                       .quantity = "samples more than were wanted",
-                      .unit = "", .input = input(j), .expected = 0.0,
-                      .tolerance = 0.0,
+                      .input = input(j), .expected = 0.0, .tolerance = 0.0,
                       .because = "a number of samples is exact",
-                      .equation = "eq:clock", .question = question);
+                      .question = question);
 }
 
 static void test_how_many(void)
@@ -313,7 +309,6 @@ static void test_average(void)
         .tolerance = jumps * j.tick * j.tick / (8.0 * end),
         .because = "all jumps of the velocity, times the tick squared over "
                    "8 times the whole time",
-        .equation = "eq:clock",
         .question = "The average over time is the area under the path. "
                     "Which part of the path have you looked at too often?",
         .mistakes = {{"at-the-events", at_collisions,
@@ -353,7 +348,6 @@ static void test_long_run(void)
                     "how far x[%zu] is from the true place", k - 1),
                 .unit = "m", .input = input(&j), .expected = 0.0,
                 .tolerance = tolerance(&j, k), .because = because,
-                .equation = "eq:clock",
                 .question = "All was well for a few ticks, and now it is "
                             "not. Which of your numbers remembers the "
                             "roundings of all ticks before?",
@@ -416,6 +410,7 @@ const struct check_suite check_suite = {
     .file = "02b-sampler.c",
     .title = "A sampler that looks too often",
     .minutes = 20,
+    .equation = "eq:clock",
     .tests = {{"after several collisions the ball is on its present flight",
                test_several, 2, 0},
               {"a ball that meets nobody flies on", test_no_collision, 1,

@@ -1,7 +1,4 @@
-/* The suite of exercise 02c: time 0, one body and its walls, two that meet,
-   a full box worked out by hand, what is conserved, a box that comes back
-   to where it began, a million seconds, the way back in time, and boxes in
-   which every collision is carried out. */
+/* The suite of exercise 02c, "A million seconds, no collision". */
 
 #include "examiner/check.h"
 #include <stdio.h>
@@ -118,7 +115,7 @@ static bool check_place(const struct gas *g, double t, size_t k, double got,
         got, .quantity = check_text("x[%zu]", k), .unit = "m",
         .input = input(g, t), .expected = expected,
         .tolerance = tolerance(g, t), .because = because,
-        .equation = "eq:flight", .question = question,
+        .question = question,
         .mistakes = {
             {"walls-forgotten", sorted_place(g, k, t, UNFOLDED),
              "This is outside the box, or was put there by a ghost that "
@@ -156,7 +153,7 @@ static bool check_velocity(const struct gas *g, double t, size_t k,
         .input = input(g, t), .expected = expected, .tolerance = 0.0,
         .because =
             "a velocity is handed on and turned round, never computed",
-        .equation = "eq:flight", .question = question,
+        .question = question,
         .mistakes = {
             {"velocity-not-reflected", g->v[ghost],
              "This is how fast the ghost moved at first. At the time t it "
@@ -257,7 +254,6 @@ static void test_energy(void)
         .input = input(&odd, t), .expected = energy(odd.v, odd.n),
         .tolerance = 8.0 * DBL_EPSILON * energy(odd.v, odd.n),
         .because = "8 epsilons of the energy: a sum in another order",
-        .equation = "eq:flight",
         .question = "Velocities are handed on and turned round. Which one "
                     "have you lost, or given twice?");
 }
@@ -340,7 +336,6 @@ static void test_million(void)
                     check_text("how far x[%zu] is from the true place", k),
                 .unit = "m", .input = input(&g, t), .expected = 0.0,
                 .tolerance = tolerance(&g, t), .because = because,
-                .equation = "eq:flight",
                 .question =
                     "Which of your operations is done again and again in a "
                     "million seconds, and adds its rounding each time?",
@@ -375,12 +370,12 @@ static void test_backwards(void)
                         .tolerance = 2.0 * tolerance(&odd, t),
                         .because = "twice 4 epsilons of the length and of "
                                    "the way at top speed",
-                        .equation = "eq:flight", .question = question) ||
+                        .question = question) ||
             !CHECK_NEAR(a.v[k], .quantity = check_text("v[%zu]", k),
                         .unit = "m/s", .input = input(&back, t),
                         .expected = -odd.v[k], .tolerance = 0.0,
                         .because = "a velocity is never computed",
-                        .equation = "eq:flight", .question = question))
+                        .question = question))
             return;
 }
 
@@ -490,6 +485,7 @@ const struct check_suite check_suite = {
     .file = "02c-relabel.c",
     .title = "A million seconds, no collision",
     .minutes = 30,
+    .equation = "eq:flight",
     .tests = {{"at time 0 nothing has changed", test_start, 1, 0},
               {"a body alone goes to and fro between its walls", test_walls,
                2, 0},

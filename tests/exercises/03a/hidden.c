@@ -1,5 +1,4 @@
-/* What the grader also asks of exercise 03a: the law seen in a mirror and
-   in other units, and bins cut in two. */
+/* The hidden tests of exercise 03a, "Bins of equal probability". */
 
 #include "examiner/check.h"
 
@@ -52,7 +51,6 @@ static bool check_edge(const char *quantity, size_t bins, double got,
                       .expected = expected, .tolerance = tolerance(),
                       .because = "16 epsilons of the larger end, and of "
                                  "the probability divided by the density",
-                      .equation = "eq:equal-bins",
                       .question = "Two calls with the same law, told in "
                                   "two ways, disagree. Does your answer "
                                   "depend on where the law lies, or on "
@@ -75,7 +73,6 @@ static void test_mirror(void)
                 .tolerance =
                     2.0 * tolerance() / (high - low) * (1.0 + 0.5 * hump),
                 .because = "that of two edges, times the density",
-                .equation = "eq:equal-bins",
                 .question = "Has every bin the same probability?"))
             return;
         for (size_t k = 0; k <= bins; ++k)

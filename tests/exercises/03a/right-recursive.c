@@ -1,8 +1,6 @@
 /* A right answer: find the edge in the middle, then do the same on either
    side of it; false position where it pays, halving where it does not. */
 
-#include <math.h>
-
 static double (*law)(double x);
 static double share;
 

@@ -1,7 +1,4 @@
-/* The suite of exercise 03a: an even law, a law turned round by hand, the
-   arcsine, a law far from zero, shares without a formula, a single bin,
-   flat pieces, a law so steep that the last digit counts, and laws drawn
-   with their edges known. */
+/* The suite of exercise 03a, "Bins of equal probability". */
 
 #include "examiner/check.h"
 
@@ -250,12 +247,11 @@ static bool check_end(const struct law *l, size_t bins, bool last,
             .quantity =
                 check_text("%s, minus %s", quantity, last ? "high" : "low"),
             .input = input(l, bins), .expected = 0.0, .tolerance = 0.0,
-            .because = because, .equation = "eq:equal-bins",
-            .question = searched,
+            .because = because, .question = searched,
             .mistakes = {{"ends-searched-for", off, searched}});
     return CHECK_NEAR(
         got, .quantity = quantity, .input = input(l, bins), .expected = end,
-        .tolerance = 0.0, .because = because, .equation = "eq:equal-bins",
+        .tolerance = 0.0, .because = because,
         .question = "Where do the bins begin, and where do they end?",
         .mistakes = {
             {"left-empty", CHECK_EMPTY, check_text(empty, bins)},
@@ -292,7 +288,7 @@ static bool check_edge(const struct law *l, size_t bins, size_t k,
             off, .quantity = check_text("%s, minus its place", quantity),
             .input = input(l, bins), .expected = 0.0,
             .tolerance = tolerance, .because = because,
-            .equation = "eq:equal-bins", .question = question,
+            .question = question,
             .mistakes = {{"stops-early", off,
                           "Your search is on the right way and stops too "
                           "early. What makes it stop? Can it go on until "
@@ -300,7 +296,7 @@ static bool check_edge(const struct law *l, size_t bins, size_t k,
     return CHECK_NEAR(
         got, .quantity = quantity, .input = input(l, bins),
         .expected = expected, .tolerance = tolerance, .because = because,
-        .equation = "eq:equal-bins", .question = question,
+        .question = question,
         .mistakes = {
             {"equal-widths", l->low + (l->high - l->low) * p,
              "These bins are equally wide. What is the probability of the "
@@ -373,7 +369,6 @@ static bool check_shares(const struct law *l, size_t bins)
                     8.0 * DBL_EPSILON * (1.0 + 5.0 * larger / mixed_width),
                 .because = "8 epsilons, and of the larger end times the "
                            "density, which is at most 5 over the width",
-                .equation = "eq:equal-bins",
                 .question = "Every bin should have the same. Which of its "
                             "two edges is at fault?"))
             return false;
@@ -427,7 +422,7 @@ static void test_flat(void)
                 .input = input(&lumps, 4), .expected = 0.25 * (double)k,
                 .tolerance = 0.0,
                 .because = "the ends are given, not computed",
-                .equation = "eq:equal-bins", .question = searched,
+                .question = searched,
                 .mistakes = {{"ends-searched-for", 0.25, searched},
                              {"ends-searched-for", 0.75, searched}}))
             return;
@@ -438,7 +433,6 @@ static void test_flat(void)
                 .input = input(&lumps, 4), .expected = 0.25 * (double)k,
                 .tolerance = 16.0 * DBL_EPSILON,
                 .because = "16 epsilons: the density is 4",
-                .equation = "eq:equal-bins",
                 .question = "A flat piece has many places with the same "
                             "probability below. Does your search come to "
                             "one of them?"))
@@ -467,7 +461,6 @@ static bool check_inside(const struct law *l, size_t bins)
             "how often distribution() was asked outside low to high",
         .input = input(l, bins), .expected = 0.0, .tolerance = 0.0,
         .because = "it is given from low to high",
-        .equation = "eq:equal-bins",
         .question = "Between which two places must an edge lie, whatever "
                     "the law is?");
 }
@@ -494,6 +487,7 @@ const struct check_suite check_suite = {
     .file = "03a-bins.c",
     .title = "Bins of equal probability",
     .minutes = 15,
+    .equation = "eq:equal-bins",
     .tests = {{"an even law has bins of equal width", test_even, 1, 0},
               {"a rising law has the bins worked out by hand", test_by_hand,
                1, 0},

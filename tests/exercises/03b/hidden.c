@@ -1,5 +1,4 @@
-/* What the grader also asks of exercise 03b: other units, and a quantity
-   that has only two values. */
+/* The hidden tests of exercise 03b, "An error bar that keeps its word". */
 
 #include "examiner/check.h"
 #include "toolbox/random.h"
@@ -61,7 +60,6 @@ static void test_units(void)
                                     "plus 7 and times %g",
                                     unit),
                 .expected = 1.0, .tolerance = 1e-6, .because = "roundings",
-                .equation = "eq:block",
                 .question = "The same measurement in other units, from "
                             "another zero. Which of your steps minds?"))
             return;

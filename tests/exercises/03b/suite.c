@@ -1,5 +1,4 @@
-/* The suite of exercise 03b: the mean, an error for each kind of memory,
-   and how often the truth lies within it. */
+/* The suite of exercise 03b, "An error bar that keeps its word". */
 
 #include "examiner/check.h"
 #include "toolbox/random.h"
@@ -136,7 +135,7 @@ static void test_mean(void)
                                     n, s.x[0], n + 1),
                 .expected = 3.5, .tolerance = 1e-11,
                 .because = "the roundings of thousands of additions",
-                .equation = "eq:block", .question = question,
+                .question = question,
                 .mistakes = {
                     {"rest-left-out", mean < 2.6 ? mean : 3.5, left_out},
                     {"sum-for-mean", 3.5 * (double)n,
@@ -274,7 +273,6 @@ static bool check_share(double got, double low, double high, double reach,
         .input = check_text("%d series of all five kinds", SERIES),
         .expected = middle, .tolerance = high - middle,
         .because = check_text("%g to %g were allowed", low, high),
-        .equation = "eq:block",
         .question =
             got < middle
                 ? "Your error bars break their word. In the series that "
@@ -326,6 +324,7 @@ const struct check_suite check_suite = {
     .file = "03b-errorbar.c",
     .title = "An error bar that keeps its word",
     .minutes = 30,
+    .equation = "eq:block",
     .tests =
         {{"the mean is that of all values", test_mean, 1, 0},
          {"values without a memory have the ordinary error", test_none, 1,

@@ -1,5 +1,4 @@
-/* What the grader also asks of exercise 03c: that n movers share the energy
-   evenly, and the tails near the largest velocity. */
+/* The hidden tests of exercise 03c, "The exact law of the velocities". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -42,7 +41,6 @@ static void test_energy(void)
                         .input = check_text("n = %d movers", n),
                         .expected = 1.0 / n, .tolerance = 1e-9,
                         .because = "an integral in 30 strips",
-                        .equation = "eq:velocity-law",
                         .question =
                             "All movers are alike and share the energy. "
                             "Which part of it has each, on average?"))
@@ -82,7 +80,6 @@ static void test_tails(void)
                                             side * u),
                         .expected = side > 0.0 ? 1.0 - past : past,
                         .tolerance = 1e-13, .because = "what was asked for",
-                        .equation = "eq:velocity-law",
                         .question =
                             "Little is left beyond this velocity. Which "
                             "of your terms should nearly cancel there?"))

@@ -1,6 +1,4 @@
-/* The suite of exercise 03c: the two laws known at sight, four and five
-   movers by hand, a table, the slope, the mirror, a hundred movers, what
-   lies outside, and laws drawn. */
+/* The suite of exercise 03c, "The exact law of the velocities". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -74,7 +72,7 @@ static bool check_first(int n, double u, double expected,
     return CHECK_NEAR(
         got, .quantity = "probability below u", .input = input(n, u),
         .expected = expected, .tolerance = tolerance, .because = because,
-        .equation = "eq:velocity-law", .question = question,
+        .question = question,
         .mistakes = {
             {"density-for-distribution", density(n, u),
              "This is the density at u. What was asked for is all that "
@@ -202,7 +200,6 @@ static void test_slope(void)
                 .input = input(n, u), .expected = density(n, u),
                 .tolerance = 1.25 * h * h + 1e-13 / h,
                 .because = "that of a difference quotient",
-                .equation = "eq:velocity-law",
                 .question = "The slope of a distribution function is the "
                             "density. Is yours too steep or too flat?"))
             return;
@@ -216,7 +213,6 @@ static void test_mirror(void)
                 .quantity = "probability below -u, plus that below u",
                 .input = input(n, 0.3), .expected = 1.0,
                 .tolerance = 2.0 * tolerance, .because = because,
-                .equation = "eq:velocity-law",
                 .question = "Left and right are alike, so what lies below "
                             "-u lies above u too. Which of your terms does "
                             "not change its sign with u?"))
@@ -329,6 +325,7 @@ const struct check_suite check_suite = {
     .file = "03c-velocity.c",
     .title = "The exact law of the velocities",
     .minutes = 30,
+    .equation = "eq:velocity-law",
     .tests =
         {{"three movers: every velocity is equally likely", test_three, 1,
           0},

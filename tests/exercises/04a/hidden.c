@@ -1,5 +1,4 @@
-/* What the grader also asks of exercise 04a: a box seen in a mirror and in
-   other units, and swings that conserve the energy. */
+/* The hidden tests of exercise 04a, "Springs of air". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -55,7 +54,6 @@ static bool check_same(const char *quantity, const struct box *b,
         .tolerance = tolerance(b) + 4.0 * DBL_EPSILON * fabs(expected),
         .because = "16 epsilons of what the gases push at most, times how "
                    "much shorter a gas is than the box, and 4 of the slope",
-        .equation = "eq:piston-force",
         .question =
             "The same box, described in two ways, moves in two ways. Which "
             "of your lines takes left for right, or one unit for another?");

@@ -1,6 +1,4 @@
-/* The suite of exercise 04a: the velocity, equal gases, the left gas on a
-   line and in more directions, the right gas, the stored energy, small and
-   large swings, the gas that rides along, and boxes drawn. */
+/* The suite of exercise 04a, "Springs of air". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -82,8 +80,7 @@ static bool check_velocity(const struct box *b, struct state s)
     return CHECK_NEAR(
         answer(b, s).x, .quantity = "slope[0], dx/dt", .unit = "m/s",
         .input = input(b, s), .expected = s.v, .tolerance = 0.0,
-        .because = "it is given", .equation = "eq:piston-force",
-        .question = question,
+        .because = "it is given", .question = question,
         .mistakes = {
             {"position-for-velocity", s.x, question},
             {"slopes-exchanged", acceleration(b, s.x),
@@ -112,13 +109,13 @@ static bool check_empty(void)
             const struct box b = {f, 12.0, 40.0, i == 2 ? 6.0 : 0.0, {0}};
             const struct state s = {i ? 6.0 : 2.0, i == 1 ? 0.0 : 0.75};
             if (!(check_velocity(&b, s) &&
-                  CHECK_NEAR(
-                      answer(&b, s).v, .quantity = dv_dt, .unit = "m/s^2",
-                      .input = input(&b, s), .expected = 0.0,
-                      .tolerance = 0.0, .because = "nothing pushes",
-                      .equation = "eq:piston-force", .question = question,
-                      .mistakes = {
-                          {"nothing-divided", CHECK_NAN, question}})))
+                  CHECK_NEAR(answer(&b, s).v, .quantity = dv_dt,
+                             .unit = "m/s^2", .input = input(&b, s),
+                             .expected = 0.0, .tolerance = 0.0,
+                             .because = "nothing pushes",
+                             .question = question,
+                             .mistakes = {{"nothing-divided", CHECK_NAN,
+                                           question}})))
                 return false;
         }
     return true;
@@ -135,7 +132,6 @@ static void test_middle(void)
                answer(&b, s).v, .quantity = dv_dt, .unit = "m/s^2",
                .input = input(&b, s), .expected = 0.0,
                .tolerance = tolerance(&b, s.x), .because = because,
-               .equation = "eq:piston-force",
                .question = "The two gases are alike. Why should the piston "
                            "be moved?",
                .mistakes = {{"both-push-right", 2.0 * one / b.mass, both},
@@ -252,7 +248,7 @@ static bool check_two(const struct box *b, double x, const char *question)
         answer(b, s).v, .quantity = dv_dt, .unit = "m/s^2",
         .input = input(b, s), .expected = acceleration(b, x),
         .tolerance = tolerance(b, x), .because = because,
-        .equation = "eq:piston-force", .question = question,
+        .question = question,
         .mistakes = {{"left-length-for-both",
                       (left - push(b, 1, x)) / inertia(b),
                       "The right gas has the length of the left one here. "
@@ -452,7 +448,6 @@ static bool check_drawn(const struct box *b, struct state s)
         answer(b, s).v, .quantity = dv_dt, .unit = "m/s^2",
         .input = input(b, s), .expected = (left - right) / moved,
         .tolerance = tolerance(b, s.x), .because = because,
-        .equation = "eq:piston-force",
         .question = "Work out the two forces on paper. Which of them is "
                     "not yours, and what does the piston carry along?",
         .mistakes = {{"both-push-right", (left + right) / moved,
@@ -485,6 +480,7 @@ const struct check_suite check_suite = {
     .file = "04a-air.c",
     .title = "Springs of air",
     .minutes = 30,
+    .equation = "eq:piston-force",
     .tests =
         {{"the position changes as fast as the velocity says",
           test_velocity, 1, 0},

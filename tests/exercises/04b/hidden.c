@@ -1,5 +1,4 @@
-/* What the grader also asks of exercise 04b: other units, and a gas that is
-   cut into sorts in another way. */
+/* The hidden tests of exercise 04b, "One blow at a time". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -19,7 +18,7 @@ static bool check_same(double got, double expected, const char *quantity,
                       .expected = expected,
                       .tolerance = 100.0 * DBL_EPSILON * fabs(expected),
                       .because = "a hundred epsilons: a few roundings",
-                      .equation = "eq:friction", .question = question);
+                      .question = question);
 }
 
 /* In grams and kilometres: factors of 2, which round nothing. */

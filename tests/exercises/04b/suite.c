@@ -1,6 +1,4 @@
-/* The suite of exercise 04b: a wall at rest, from one side and the other,
-   particles that never come, a wall that moves, both sides, a light wall,
-   Maxwell's rain, and rains that are drawn. */
+/* The suite of exercise 04b, "One blow at a time". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -116,7 +114,7 @@ static bool check_force(const struct job *j, const char *question)
         answer(j, &slows), .quantity = "mean force on the wall",
         .unit = "N", .input = input(j), .expected = expected,
         .tolerance = allowed(j, size), .because = because,
-        .equation = "eq:friction", .question = question,
+        .question = question,
         .mistakes = {
             {"stopped-not-turned", wrong(j, stopped),
              "With this the particles would stick to the wall. With which "
@@ -152,7 +150,7 @@ static bool check_friction(const struct job *j, const char *question)
     return CHECK_NEAR(
         slows, .quantity = "friction", .unit = "kg/s", .input = input(j),
         .expected = expected, .tolerance = allowed(j, expected),
-        .because = because, .equation = "eq:friction", .question = question,
+        .because = because, .question = question,
         .mistakes = {
             {"left-empty", CHECK_EMPTY,
              "Not a number. Has anything been put into *friction?"},
@@ -266,7 +264,6 @@ static void test_maxwell(void)
                .input = input(&j), .expected = expected,
                .tolerance = 2e-4 * expected,
                .because = "strips of 0.05 thermal velocities",
-               .equation = "eq:friction",
                .question = "In the book this is 4 m n <|v|>. Where does a "
                            "factor go astray when you add up sorts?");
 }
@@ -309,16 +306,15 @@ static void test_drawn(void)
         static const char question[] =
             "The force was found blow by blow, for a wall at rest and for "
             "one that moves to and fro. Which sorts push, and how?";
-        if (!CHECK_NEAR(
-                got, .quantity = "mean force on the wall", .unit = "N",
-                .input = input(&j), .expected = expected,
-                .tolerance = 8.0 * allowed(&j, size), .because = because,
-                .equation = "eq:friction", .question = question) ||
+        if (!CHECK_NEAR(got, .quantity = "mean force on the wall",
+                        .unit = "N", .input = input(&j),
+                        .expected = expected,
+                        .tolerance = 8.0 * allowed(&j, size),
+                        .because = because, .question = question) ||
             !CHECK_NEAR(slows, .quantity = "friction", .unit = "kg/s",
                         .input = input(&j), .expected = slope,
                         .tolerance = 16.0 * allowed(&j, size),
-                        .because = because, .equation = "eq:friction",
-                        .question = question) ||
+                        .because = because, .question = question) ||
             !check_force(&j, question) || !check_friction(&j, question))
             return;
     }
@@ -328,6 +324,7 @@ const struct check_suite check_suite = {
     .file = "04b-rain.c",
     .title = "One blow at a time",
     .minutes = 25,
+    .equation = "eq:friction",
     .tests =
         {{"a wall at rest is pressed by what comes from the left",
           test_rest, 1, 0},

@@ -1,5 +1,4 @@
-/* What the grader also asks of exercise 05a: there and back, a box turned
-   round, and a disk that is on its way already. */
+/* The hidden tests of exercise 05a, "The time to a round wall". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -55,7 +54,6 @@ static bool check_same(const char *quantity, const struct flight *f,
         .expected = expected,
         .tolerance = 64.0 * DBL_EPSILON * f->box / speed(f),
         .because = "64 epsilons of the time to fly the radius of the box",
-        .equation = "eq:pair-quadratic",
         .question = "A round box looks alike from all sides, and a "
                     "straight path forwards and backwards. What of this "
                     "does your function not know?");

@@ -1,6 +1,4 @@
-/* The suite of exercise 05a: from the centre, from elsewhere, towards the
-   wall and away from it, all directions, on the wall, a hair beyond, along
-   the wall, at rest, other units, and flights drawn from their ends. */
+/* The suite of exercise 05a, "The time to a round wall". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -104,7 +102,7 @@ static bool check_inside(struct flight f, double expected,
         got, .quantity = "time until the disk touches the wall",
         .unit = "s", .input = input(&f), .expected = expected,
         .tolerance = tolerance(&f, got), .because = because,
-        .equation = "eq:pair-quadratic", .question = question,
+        .question = question,
         .mistakes = {
             {"radius-forgotten", box_alone(&f),
              "By then the CENTRE of the disk is at the wall of the box. "
@@ -180,7 +178,7 @@ static bool check_across(struct flight f, double expected,
                got, .quantity = "time until the disk touches the wall",
                .unit = "s", .input = input(&f), .expected = expected,
                .tolerance = tolerance(&f, got), .because = because,
-               .equation = "eq:pair-quadratic", .question = question,
+               .question = question,
                .mistakes = {{"stuck-at-the-wall", 0.0,
                              "The disk has just bounced and moves inwards. "
                              "With this time it would bounce again at "
@@ -357,7 +355,6 @@ static bool check_along(struct flight f)
                             sqrt(dot(f.v, f.v)),
                .because = "4 square roots of an epsilon, times the time to "
                           "fly the radius s",
-               .equation = "eq:pair-quadratic",
                .question =
                    "The disk touches the wall and moves just along it, so "
                    "the next moment it would be outside. What is your "
@@ -382,7 +379,6 @@ static void test_along_the_wall(void)
                .tolerance = slope,
                .because = "from now to twice the time of the nearest "
                           "approach: inside the rounding all are alike",
-               .equation = "eq:pair-quadratic",
                .question = "This path all but touches the circle. Which "
                            "number under the root is as good as none?",
                .mistakes = {{"root-of-a-negative", CHECK_NAN,
@@ -456,6 +452,7 @@ const struct check_suite check_suite = {
     .file = "05a-round.c",
     .title = "The time to a round wall",
     .minutes = 20,
+    .equation = "eq:pair-quadratic",
     .tests =
         {{"a disk from the centre comes straight to the wall", test_centre,
           1, 0},

@@ -1,5 +1,4 @@
-/* What the grader also asks of exercise 05b: the two disks exchanged, seen
-   in a mirror and in other units, and a pair that is under way already. */
+/* The hidden tests of exercise 05b, "Two disks that fall". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -140,7 +139,7 @@ static void test_under_way(void)
               CHECK_NEAR(first.time < INFINITY ? 1.0 : 0.0,
                          .quantity = "do they meet? (1 yes, 0 never)",
                          .expected = 1.0, .tolerance = 0.0,
-                         .because = "yes or no", .equation = "eq:pair-time",
+                         .because = "yes or no",
                          .question = "Disk b is on its way to a. What "
                                      "turns it away?")))
             return;

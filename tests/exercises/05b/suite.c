@@ -1,7 +1,4 @@
-/* The suite of exercise 05b: along a line, in the plane, with gravity,
-   passing, parting and moving alike, touching and overlapping, the height
-   where they touch, disks of unequal size, falling along, small gaps, and
-   meetings drawn from their ends. */
+/* The suite of exercise 05b, "Two disks that fall". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -133,12 +130,12 @@ static bool check_meets(const struct pair *p, double got,
                         const char *question, const char *mistake,
                         const char *hint)
 {
-    return CHECK_NEAR(
-        got == INFINITY ? 0.0 : 1.0,
-        .quantity = "do the disks ever touch? (1 yes, 0 never)",
-        .input = input(p), .expected = 1.0, .tolerance = 0.0,
-        .because = "yes or no", .equation = "eq:pair-time",
-        .question = question, .mistakes = {{mistake, 0.0, hint}});
+    return CHECK_NEAR(got == INFINITY ? 0.0 : 1.0,
+                      .quantity =
+                          "do the disks ever touch? (1 yes, 0 never)",
+                      .input = input(p), .expected = 1.0, .tolerance = 0.0,
+                      .because = "yes or no", .question = question,
+                      .mistakes = {{mistake, 0.0, hint}});
 }
 
 static bool check_time(struct pair p, double expected, const char *question)
@@ -187,8 +184,7 @@ static bool check_never(struct pair p, const char *question)
         .quantity = "0 if they never touch, -1 if they meet now, or else "
                     "the time until they touch",
         .input = input(&p), .expected = 0.0, .tolerance = 0.0,
-        .because = "never is never", .equation = "eq:pair-time",
-        .question = question,
+        .because = "never is never", .question = question,
         .mistakes = {
             {"root-of-a-negative", CHECK_NAN,
              "Not a number: they pass each other, or move alike. What "
@@ -217,7 +213,7 @@ static bool check_now(struct pair p, const char *question)
            CHECK_NEAR(got, .quantity = quantity, .unit = "s",
                       .input = input(&p), .expected = 0.0, .tolerance = 0.0,
                       .because = "two that touch and approach meet now",
-                      .equation = "eq:pair-time", .question = question,
+                      .question = question,
                       .mistakes = {
                           {"time-in-the-past", root(&p, touching(&p), -1.0),
                            "A rounding has let them overlap, and the time "
@@ -402,7 +398,7 @@ static void test_height_now(void)
         answer(&p).height, .quantity = "*height, where the two touch",
         .unit = "m", .input = input(&p), .expected = 3.6,
         .tolerance = 16.0 * DBL_EPSILON * 8.0,
-        .because = "16 epsilons of the heights", .equation = "eq:pair-time",
+        .because = "16 epsilons of the heights",
         .question =
             "They touch now. How far is the contact from either centre?",
         .mistakes = {{"left-empty", CHECK_EMPTY,
@@ -466,7 +462,6 @@ static void test_small_gaps(void)
                 .tolerance = 1e-13 * expected,
                 .because = "13 digits: the gap, the radii and their "
                            "squares are exact here",
-                .equation = "eq:pair-time",
                 .question = "The gap is small. How many digits does your "
                             "formula keep?",
                 .mistakes = {{"digits-cancelled", naive, hint},
@@ -594,6 +589,7 @@ const struct check_suite check_suite = {
     .file = "05b-falling.c",
     .title = "Two disks that fall",
     .minutes = 25,
+    .equation = "eq:pair-time",
     .tests =
         {{"on a line the gap closes at the relative speed",
           test_along_a_line, 1, 0},

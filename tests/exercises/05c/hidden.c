@@ -1,5 +1,4 @@
-/* Further tests of exercise 05c, for the lecturer: other units, a disk at
-   rest or on one axis only, and collisions that fall on the ticks. */
+/* The hidden tests of exercise 05c, "Mend the clock". */
 
 #include "examiner/check.h"
 

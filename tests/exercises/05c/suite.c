@@ -1,8 +1,4 @@
-/* The suite of exercise 05c: the energy, which sees nothing; one disk in a
-   long box, with collisions within a tick, on a tick, several in a tick and
-   two at one time; how many samples, and of which times; and four disks: do
-   they touch when they collide, is the clock right after a long time, and
-   what is the pressure on the walls? */
+/* The suite of exercise 05c, "Mend the clock". */
 
 #include "examiner/check.h"
 
@@ -414,8 +410,6 @@ static bool check(const struct job *j, look *see, size_t which,
     const double got = see(&b, which);
     c.input = check_text("%s; tick %g s, %zu samples", j->disks, j->tick,
                          j->samples);
-    if (!c.equation)
-        c.equation = "eq:disk-clock";
     if (!(fabs(got - c.expected) <= c.tolerance))
         for (size_t i = 0; i < room && first + i < SLIPS; ++i)
             c.mistakes[i] = mistake(j, see, which, first + i, &b);
@@ -847,6 +841,7 @@ const struct check_suite check_suite = {
     .file = "05c-clock.c",
     .title = "Mend the clock",
     .minutes = 30,
+    .equation = "eq:disk-clock",
     .tests =
         {{"the energy is conserved, and with a wrong clock too",
           test_energy, 1, 0},

@@ -1,5 +1,4 @@
-/* Further tests of exercise 05d, for the lecturer: other units, the box
-   lying on its side, and times that are cut at a hit. */
+/* The hidden tests of exercise 05d, "Pressure from a list of wall hits". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -60,7 +59,7 @@ static bool check(double got, double expected, const char *quantity,
                   const struct list *l, const char *question)
 {
     return CHECK_NEAR(
-        got, .quantity = quantity, .unit = "",
+        got, .quantity = quantity,
         .input = check_text("%d drawn hits, from %g s until %g s, box %g m "
                             "by %g m, N = %zu, %g J",
                             HITS, l->from, l->until, l->size[0], l->size[1],
@@ -68,7 +67,7 @@ static bool check(double got, double expected, const char *quantity,
         .expected = expected,
         .tolerance = 4.0 * (HITS + 16) * DBL_EPSILON * fabs(expected),
         .because = "4 epsilons for each hit, and 64 for the rest",
-        .equation = "eq:wall-pressure", .question = question);
+        .question = question);
 }
 
 /* Lengths, times and masses in other units: Z has none. */

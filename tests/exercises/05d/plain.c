@@ -1,7 +1,5 @@
 /* A right answer in plain C, with which wrong.diff begins. */
 
-#include <math.h>
-
 void wall_z(size_t n, const struct wall_hit hits[], const double size[2],
             size_t disks, double energy, double from, double until,
             double z[2])

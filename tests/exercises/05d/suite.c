@@ -1,6 +1,4 @@
-/* The suite of exercise 05d: one disk to and fro, both axes, unequal
-   masses, points, the time that counts, its ends, times that follow each
-   other, drawn disks, and lists without a hit. */
+/* The suite of exercise 05d, "Pressure from a list of wall hits". */
 
 #include "examiner/check.h"
 #include <stdio.h>
@@ -247,12 +245,10 @@ static bool check_z(const struct record *r, int k, double expected,
 {
     const double got = answer(r, k);
     struct check c = {.quantity = name_of(k),
-                      .unit = "",
                       .input = input(r),
                       .expected = expected,
                       .tolerance = tolerance(r, expected),
                       .because = because,
-                      .equation = "eq:wall-pressure",
                       .question = question};
     const size_t room = sizeof c.mistakes / sizeof c.mistakes[0];
     struct slip slip[SLIPS];
@@ -373,7 +369,6 @@ static void test_points(void)
         if (!CHECK_NEAR(answer(&r, k), .quantity = name_of(k),
                         .input = input(&r), .expected = 1.0,
                         .tolerance = tolerance(&r, 1.0), .because = because,
-                        .equation = "eq:wall-pressure",
                         .question = "Points that never meet are an ideal "
                                     "gas. What is P V / (N kT) of that?"))
             return;
@@ -427,7 +422,7 @@ static void test_parts(void)
         .quantity = "mean of z[0] over eight times that follow each other",
         .input = input(&whole), .expected = right(&whole, 0),
         .tolerance = 8.0 * tolerance(&whole, right(&whole, 0)),
-        .because = because, .equation = "eq:wall-pressure",
+        .because = because,
         .question = "The pressure in a long time is the mean of that in "
                     "its parts. Is every hit in one of them?");
 }
@@ -497,7 +492,6 @@ static void test_no_hits(void)
                 answer(&none, k), .quantity = name_of(k),
                 .input = input(&none), .expected = 0.0, .tolerance = 0.0,
                 .because = "nothing was hit",
-                .equation = "eq:wall-pressure",
                 .question = "Nothing was hit in this time. What is the "
                             "pressure, and was it filled in?",
                 .mistakes = {{"nothing-over-nothing", CHECK_NAN,
@@ -507,7 +501,6 @@ static void test_no_hits(void)
     CHECK_NEAR(
         answer(&quiet, 0), .quantity = name_of(0), .input = input(&quiet),
         .expected = 0.0, .tolerance = 0.0, .because = "nothing was hit",
-        .equation = "eq:wall-pressure",
         .question =
             "No hit falls into this time. What is the pressure in it?");
 }
@@ -516,6 +509,7 @@ const struct check_suite check_suite = {
     .file = "05d-pressure.c",
     .title = "Pressure from a list of wall hits",
     .minutes = 25,
+    .equation = "eq:wall-pressure",
     .tests =
         {{"one disk presses as worked out by hand", test_one_disk, 2, 0},
          {"it does not press on the other walls", test_other_axis, 1, 0},

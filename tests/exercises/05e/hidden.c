@@ -1,6 +1,4 @@
-/* What the grader also asks of exercise 05e: a program that takes a step
-   behind the wall, one that has forgotten y, and one that begins too late.
- */
+/* The hidden tests of exercise 05e, "A check that finds the clock". */
 
 #include "examiner/check.h"
 
@@ -97,7 +95,7 @@ static void check_both(const struct judged both[2])
                 .quantity =
                     "1 if the program that you judge was run at all",
                 .input = both[i].how, .expected = 1.0, .tolerance = 0.0,
-                .because = "yes or no", .equation = "eq:disk-clock",
+                .because = "yes or no",
                 .question = "What do you know of a program that you have "
                             "not run?") ||
             !CHECK_NEAR(
@@ -105,7 +103,6 @@ static void check_both(const struct judged both[2])
                 .quantity = "what you say of a program (1 true, 0 false)",
                 .input = both[i].how, .expected = both[i].right ? 1.0 : 0.0,
                 .tolerance = 0.0, .because = "yes or no",
-                .equation = "eq:disk-clock",
                 .question = "Which sample would tell, and do you look at "
                             "both of its coordinates?"))
             return;

@@ -1,5 +1,4 @@
-/* The suite of exercise 05e: programs that move one disk, right ones and
-   those whose clock is wrong. */
+/* The suite of exercise 05e, "A check that finds the clock". */
 
 #include "examiner/check.h"
 
@@ -290,8 +289,7 @@ static bool check_called(const char *how)
                       .quantity =
                           "1 if the program that you judge was run at all",
                       .input = how, .expected = 1.0, .tolerance = 0.0,
-                      .because = "yes or no", .equation = "eq:disk-clock",
-                      .question = question,
+                      .because = "yes or no", .question = question,
                       .mistakes = {{"never-called", 0.0, question}});
 }
 
@@ -305,8 +303,7 @@ static bool check_right(program *run, const char *how, const char *mistake,
                 .quantity =
                     "what you say of a right program (1 true, 0 false)",
                 .input = how, .expected = 1.0, .tolerance = 0.0,
-                .because = "yes or no", .equation = "eq:disk-clock",
-                .question = question,
+                .because = "yes or no", .question = question,
                 .mistakes = {{mistake, 0.0, question}}));
 }
 
@@ -347,8 +344,7 @@ static bool check_wrong(program *run, const char *how, const char *mistake,
         got,
         .quantity = "what you say of a wrong program (1 true, 0 false)",
         .input = how, .expected = 0.0, .tolerance = 0.0,
-        .because = "yes or no", .equation = "eq:disk-clock",
-        .question = question,
+        .because = "yes or no", .question = question,
         .mistakes = {{"no-bounce", seen > 0 ? 0.0 : got, none},
                      {mistake, seen > 0 ? got : 0.0, question}});
 }
@@ -476,15 +472,15 @@ static void test_drawn(void)
             const char *box =
                 check_text("a box of %g m by %g m", w[i / 4], h[i / 4]);
             if (!check_called(box) ||
-                !CHECK_NEAR(
-                    judged[at++].said,
-                    .quantity = k < 2 ? "what you say of a right program"
+                !CHECK_NEAR(judged[at++].said,
+                            .quantity =
+                                k < 2 ? "what you say of a right program"
                                       : "what you say of a wrong program",
-                    .input = box, .expected = k < 2 ? 1.0 : 0.0,
-                    .tolerance = 0.0, .because = "yes or no",
-                    .equation = "eq:disk-clock", .question = question,
-                    .mistakes = {
-                        {"only-this-box", k < 2 ? 0.0 : 1.0, question}}))
+                            .input = box, .expected = k < 2 ? 1.0 : 0.0,
+                            .tolerance = 0.0, .because = "yes or no",
+                            .question = question,
+                            .mistakes = {{"only-this-box",
+                                          k < 2 ? 0.0 : 1.0, question}}))
                 return;
         }
 }
@@ -493,6 +489,7 @@ const struct check_suite check_suite = {
     .file = "05e-finds.c",
     .title = "A check that finds the clock",
     .minutes = 35,
+    .equation = "eq:disk-clock",
     .tests =
         {{"two right programs are right", test_right, 1, 0},
          {"the article's program is refused", test_article, 2, 0},

@@ -1,8 +1,6 @@
 /* A right answer: one event after the other in the order of time. The next
    one is the earliest whose parent has been seen. */
 
-#include <math.h>
-
 static size_t following(size_t n, const struct event heap[], double now)
 {
     size_t k = 0, best = n;

@@ -1,6 +1,4 @@
-/* The suite of exercise 05f: a good top, a stale one, the better event on
-   the other side, what is counted, none left, an empty heap, large heaps,
-   counters that run over, and heaps that are drawn. */
+/* The suite of exercise 05f, "What is still true in a heap". */
 
 #include "examiner/check.h"
 #include "toolbox/random.h"
@@ -136,10 +134,9 @@ static bool check_next(const struct job *j, double got, size_t next,
                        const char *question)
 {
     return CHECK_NEAR(
-        got, .quantity = "number of the next event", .unit = "",
-        .input = input(j), .expected = (double)next, .tolerance = 0.0,
-        .because = "a place in an array is exact", .equation = "eq:heap",
-        .question = question,
+        got, .quantity = "number of the next event", .input = input(j),
+        .expected = (double)next, .tolerance = 0.0,
+        .because = "a place in an array is exact", .question = question,
         .mistakes = {
             {"top-unchecked", 0.0,
              "This is the top of the heap, and it is stale. Which two "
@@ -175,9 +172,8 @@ static bool check_stale(const struct job *j, double got, size_t next,
 {
     return CHECK_NEAR(
         got, .quantity = "*stale, the stale events before the next one",
-        .unit = "", .input = input(j), .expected = (double)stale,
-        .tolerance = 0.0, .because = "a number of events is exact",
-        .equation = "eq:heap", .question = question,
+        .input = input(j), .expected = (double)stale, .tolerance = 0.0,
+        .because = "a number of events is exact", .question = question,
         .mistakes = {
             {"passed-on-the-way", (double)passed(j, 0),
              "These are the stale events that you looked at on the way. "
@@ -397,6 +393,7 @@ const struct check_suite check_suite = {
     .file = "05f-stale.c",
     .title = "What is still true in a heap",
     .minutes = 25,
+    .equation = "eq:heap",
     .tests = {{"a top that is good is the next event", test_good_top, 1, 0},
               {"stale events are passed over", test_stale_top, 1, 0},
               {"the next event may stand on the other side",

@@ -1,5 +1,4 @@
-/* Further tests of exercise 06a, for the lecturer: nine disks in nine parts
-   of a box of any size, and a disk that fills its box from side to side. */
+/* The hidden tests of exercise 06a, "A sampler that keeps what fitted". */
 
 #include "examiner/check.h"
 
@@ -43,7 +42,6 @@ static bool check(double got, double expected, double tolerance,
                       .expected = expected, .tolerance = tolerance,
                       .because = "8 epsilons of the size of the box; a "
                                  "number of throws is exact",
-                      .equation = "eq:throw",
                       .question = "Any two of the disks may overlap. Are "
                                   "all of them looked at, and all thrown "
                                   "again?");

@@ -1,7 +1,5 @@
 /* A right answer: one loop, and back to the first disk at an overlap. */
 
-#include <math.h>
-
 size_t throw_disks(size_t n, const double radius[], double width,
                    double height, double x[], double y[])
 {

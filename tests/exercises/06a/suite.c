@@ -1,7 +1,4 @@
-/* The suite of exercise 06a: disks that fit at once, two that overlap,
-   three of which two do, several bad throws in a row, radii that differ, a
-   first disk that leaves no room, drawn throws and drawn boxes, the
-   acceptance of two disks, and the crowd at the walls. */
+/* The suite of exercise 06a, "A sampler that keeps what fitted". */
 
 #include "examiner/check.h"
 #include "toolbox/random.h"
@@ -383,8 +380,7 @@ static bool check_ended(const struct job *j, const struct answer *a,
                       .quantity = "does it end before it has asked for "
                                   "100000 random numbers? (1 yes, 0 no)",
                       .input = input(j), .expected = 1.0, .tolerance = 0.0,
-                      .because = "yes or no", .equation = "eq:throw",
-                      .question = question);
+                      .because = "yes or no", .question = question);
 }
 
 /* A coordinate is a product and two sums of numbers up to the box's size,
@@ -408,8 +404,7 @@ static bool check_place(const struct job *j, const struct answer *a,
             .unit = "m", .input = input(j), .expected = want,
             .tolerance = tolerance,
             .because = "4 epsilons of the size of the box",
-            .equation = "eq:throw", .question = question,
-            .mistakes = {behind(j, a, before, got)});
+            .question = question, .mistakes = {behind(j, a, before, got)});
     }
     return true;
 }
@@ -443,9 +438,8 @@ static bool check_throws(const struct job *j, const struct answer *a,
 {
     return CHECK_NEAR(
         a->throws, .quantity = "how often all disks were thrown",
-        .unit = "", .input = input(j), .expected = expected,
-        .tolerance = 0.0, .because = "a number of throws is exact",
-        .equation = "eq:throw", .question = question,
+        .input = input(j), .expected = expected, .tolerance = 0.0,
+        .because = "a number of throws is exact", .question = question,
         .mistakes = {{"counts-failures", expected - 1.0,
                       "These are the throws that failed. Was the last one, "
                       "which fitted, not a throw?"},
@@ -677,7 +671,6 @@ static bool check_many(const struct job *j)
                     .input = input(j), .expected = (double)i,
                     .tolerance = 0.0,
                     .because = "a number of a disk is exact",
-                    .equation = "eq:throw",
                     .question =
                         "Two of the disks overlap. Who looks, and when?",
                     .mistakes = {
@@ -719,7 +712,7 @@ static bool check_hundred(void)
     if (!CHECK_NEAR(ended ? (double)throws : NAN, .quantity = "throws",
                     .input = text, .expected = 2.0, .tolerance = 0.0,
                     .because = "a number of throws is exact",
-                    .equation = "eq:throw", .question = question))
+                    .question = question))
         return false;
     for (int i = 0; i < N; ++i)
         if (!CHECK_NEAR(x[i] + 10.0 * y[i],
@@ -728,7 +721,7 @@ static bool check_hundred(void)
                         .expected = 0.1 * (i % ROW) + i / ROW + 0.55,
                         .tolerance = 128.0 * DBL_EPSILON,
                         .because = "8 epsilons of 11 m, and some",
-                        .equation = "eq:throw", .question = question))
+                        .question = question))
             return false;
     return true;
 }
@@ -829,14 +822,14 @@ static void test_crowd(void)
                .input = check_text("1000 placings, %s", input(&four)),
                .expected = expected, .tolerance = tolerance,
                .because = "4 times the scatter of 1000 placings",
-               .equation = "eq:throw", .question = question,
-               .mistakes = {m});
+               .question = question, .mistakes = {m});
 }
 
 const struct check_suite check_suite = {
     .file = "06a-throw.c",
     .title = "A sampler that keeps what fitted",
     .minutes = 20,
+    .equation = "eq:throw",
     .tests = {{"disks that fit at once stay where they fell", test_at_once,
                1, 0},
               {"when two of three overlap, all three are thrown again",

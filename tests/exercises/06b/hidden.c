@@ -1,5 +1,4 @@
-/* A further test of exercise 06b, for the lecturer: a ring of many disks in
-   a dish of any size. */
+/* The hidden tests of 06b, "A chain that forgets its rejections". */
 
 #include "examiner/check.h"
 

@@ -1,7 +1,5 @@
 /* A right answer: each placing is weighed with the tries that it lasts. */
 
-#include <math.h>
-
 static double squares(size_t n, const double x[], const double y[])
 {
     double all = 0;

@@ -1,6 +1,4 @@
-/* The suite of exercise 06b: moves that take place, moves into the wall and
-   into another disk, what just fits, a disk that cannot move, a chain of
-   many tries, drawn chains, one disk in a dish, and two. */
+/* The suite of exercise 06b, "A chain that forgets its rejections". */
 
 #include "examiner/check.h"
 #include "toolbox/random.h"
@@ -352,8 +350,7 @@ static bool check_places(const struct job *j, const struct answer *a,
                                    c % 2 ? "y" : "x", c / 2),
             .unit = "m", .input = input(j), .expected = want,
             .tolerance = rounding(j), .because = because,
-            .equation = "eq:metropolis", .question = question,
-            .mistakes = {behind(j, a, got)});
+            .question = question, .mistakes = {behind(j, a, got)});
     }
     return true;
 }
@@ -364,7 +361,7 @@ static bool check_ended(const struct job *j, const struct answer *a)
                       .quantity = "does it end before it has asked for 60 "
                                   "random numbers a try? (1 yes, 0 no)",
                       .input = input(j), .expected = 1.0, .tolerance = 0.0,
-                      .because = "yes or no", .equation = "eq:metropolis",
+                      .because = "yes or no",
                       .question =
                           "Does a loop of yours wait for a move that is "
                           "allowed? What does it do where there is none?");
@@ -376,10 +373,10 @@ static bool check_given(const struct job *j, const struct answer *expected,
     const struct answer a = run(student, j);
     return check_ended(j, &a) &&
            CHECK_NEAR(a.accepted, .quantity = "accepted moves, *accepted",
-                      .unit = "", .input = input(j),
-                      .expected = expected->accepted, .tolerance = 0.0,
+                      .input = input(j), .expected = expected->accepted,
+                      .tolerance = 0.0,
                       .because = "a number of moves is exact",
-                      .equation = "eq:metropolis", .question = question,
+                      .question = question,
                       .mistakes = {behind(j, &a, a.accepted)}) &&
            check_places(j, &a, expected, question) &&
            CHECK_NEAR(
@@ -391,9 +388,8 @@ static bool check_given(const struct job *j, const struct answer *expected,
                .mistakes = {behind(j, &a, a.mean)}) &&
            CHECK_NEAR(
                a.numbers, .quantity = "random numbers that were asked for",
-               .unit = "", .input = input(j),
-               .expected = 3.0 * (double)j->tries, .tolerance = 0.0,
-               .because = "three for each try", .equation = "eq:metropolis",
+               .input = input(j), .expected = 3.0 * (double)j->tries,
+               .tolerance = 0.0, .because = "three for each try",
                .question = "A try asks for three numbers. Does yours also "
                            "when it is rejected?");
 }
@@ -514,7 +510,7 @@ static bool check_hundred(void)
                       .quantity = "accepted moves, *accepted",
                       .input = text, .expected = N, .tolerance = 0.0,
                       .because = "a number of moves is exact",
-                      .equation = "eq:metropolis", .question = question) &&
+                      .question = question) &&
            CHECK_NEAR(mean, .quantity = "average of x^2 + y^2",
                       .unit = "m^2", .input = text, .expected = expected,
                       .tolerance = 16.0 * DBL_EPSILON * N,
@@ -690,6 +686,7 @@ const struct check_suite check_suite = {
     .file = "06b-rejected.c",
     .title = "A chain that forgets its rejections",
     .minutes = 25,
+    .equation = "eq:metropolis",
     .tests =
         {{"an accepted move counts the new placing", test_accepted, 1, 0},
          {"a move into the wall counts the old one again", test_wall, 2, 0},

@@ -1,5 +1,4 @@
-/* Further tests of exercise 06c, for the lecturer: other units, and how
-   fast the overlap grows. */
+/* The hidden tests of exercise 06c, "Pushed together by nothing". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -81,7 +80,6 @@ static bool check_growth(const struct zones *z, double near, double far)
         .unit = z->dimensions == 2 ? "m^2" : "m^3", .input = input(z, far),
         .expected = expected, .tolerance = 1e-6 * expected,
         .because = "the error of the integral, of 5 points",
-        .equation = "eq:depletion",
         .question = "Two big bodies come nearer. By how much does the lens "
                     "grow at its chord?");
 }
@@ -113,7 +111,6 @@ static void test_units(void)
                         .expected = -z.density * shared,
                         .tolerance = 1e-12 * z.density * shared,
                         .because = "a multiple of kT has no unit of length",
-                        .equation = "eq:depletion",
                         .question = "How many small ones gain the room "
                                     "that is in *overlap?"))
             return;

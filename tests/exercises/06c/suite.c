@@ -1,6 +1,4 @@
-/* The suite of exercise 06c: equal disks, equal spheres, unequal ones, a
-   chord behind a centre, touching, where the zones end, overlapping, and
-   drawn pairs. */
+/* The suite of exercise 06c, "Pushed together by nothing". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -191,7 +189,7 @@ static bool check_potential(struct pair p, double overlap,
         answer(p).potential, .quantity = "the potential", .unit = "kT",
         .input = input(p), .expected = expected,
         .tolerance = p.density * slack.overlap, .because = slack.because,
-        .equation = "eq:depletion", .question = question,
+        .question = question,
         .mistakes = {
             {"pushed-apart", -expected,
              "The size is right. The small ones have more room when the "
@@ -231,7 +229,7 @@ static bool check_apart(struct pair p, double tolerance,
                       .unit = "kT", .input = input(p), .expected = 0.0,
                       .tolerance = tolerance,
                       .because = "zones that do not meet share nothing",
-                      .equation = "eq:depletion", .question = question,
+                      .question = question,
                       .mistakes = {{"not-cut-off", -p.density * goes_on(p),
                                     cut}}) &&
            CHECK_NEAR(
@@ -240,7 +238,7 @@ static bool check_apart(struct pair p, double tolerance,
                .unit = p.dimensions == 2 ? "m^2" : "m^3", .input = input(p),
                .expected = 0.0, .tolerance = tolerance,
                .because = "zones that do not meet share nothing",
-               .equation = "eq:depletion", .question = question,
+               .question = question,
                .mistakes = {{"left-empty", CHECK_EMPTY,
                              "Not a number: was something put into "
                              "*overlap where the zones do not meet?"}});
@@ -334,8 +332,7 @@ static bool check_touching(struct pair p)
                       .quantity =
                           "is the potential infinite? (1 yes, 0 no)",
                       .input = input(p), .expected = 0.0, .tolerance = 0.0,
-                      .because = "yes or no", .equation = "eq:depletion",
-                      .question = why,
+                      .because = "yes or no", .question = why,
                       .mistakes = {{"touching-forbidden", 1.0, why}}) &&
            check_both(p, question);
 }
@@ -356,8 +353,7 @@ static bool check_core(struct pair p)
     return CHECK_NEAR(
         answer(p).potential, .quantity = "the potential", .unit = "kT",
         .input = input(p), .expected = INFINITY, .tolerance = 0.0,
-        .because = "infinity is exact", .equation = "eq:depletion",
-        .question = why,
+        .because = "infinity is exact", .question = why,
         .mistakes = {{"no-core", -p.density * exact(p), why}});
 }
 
@@ -437,6 +433,7 @@ const struct check_suite check_suite = {
     .file = "06c-depletion.c",
     .title = "Pushed together by nothing",
     .minutes = 35,
+    .equation = "eq:depletion",
     .tests =
         {{"two equal disks share a lens", test_disks, 2, 0},
          {"two equal spheres share two caps", test_spheres, 2, 0},

@@ -1,5 +1,4 @@
-/* The suite of exercise 06d: one disk, a row, a disk aside, what is seen
-   through the edges, a chain by hand, the way in all, and drawn boxes. */
+/* The suite of exercise 06d, "A push that is handed on". */
 
 #include "examiner/check.h"
 #include <string.h>
@@ -117,7 +116,7 @@ static bool check(const struct box *from, const char *question)
                 .tolerance = slack,
                 .because =
                     "64 epsilons of the box and the way, for each touch",
-                .equation = "eq:global-balance", .question = question,
+                .question = question,
                 .mistakes = {
                     {"radius-for-diameter", would(from, radius, i),
                      "Your disks come nearer to each other than they can. "
@@ -154,7 +153,7 @@ static bool check(const struct box *from, const char *question)
         (double)touches, .quantity = "what is returned",
         .input = input(from), .expected = (double)expected,
         .tolerance = 0.0, .because = "a number of touches",
-        .equation = "eq:global-balance", .question = count,
+        .question = count,
         .mistakes = {{"disks-counted", (double)expected + 1.0, count}});
 }
 
@@ -251,7 +250,7 @@ static void test_room(void)
                 .quantity = "what is missing of the way in all, in widths "
                             "of the box",
                 .input = input(&from), .expected = 0.0, .tolerance = 1e-11,
-                .because = "roundings", .equation = "eq:global-balance",
+                .because = "roundings",
                 .question =
                     "Whatever one disk does not go, another one does. Add "
                     "up how far each has gone: is it the length?"))
@@ -274,6 +273,7 @@ const struct check_suite check_suite = {
     .file = "06d-chain.c",
     .title = "A push that is handed on",
     .minutes = 35,
+    .equation = "eq:global-balance",
     .tests = {{"one disk goes all the way", test_one, 1, 0},
               {"in a row the push is handed on", test_row, 2, 0},
               {"a disk aside is touched later", test_aside, 1, 0},

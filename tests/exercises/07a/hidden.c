@@ -1,6 +1,4 @@
-/* Further tests of exercise 07a, for the lecturer: the two means as
-   integrals over the probabilities, other units, and speeds out of reach.
- */
+/* The hidden tests of exercise 07a, "How fast is a disk?". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -26,7 +24,7 @@ static bool check(double got, double expected, double tolerance,
         .input = check_text(
             "n = %d disks, mean square %g m^2/s^2, v = %g m/s", n, mean, v),
         .expected = expected, .tolerance = tolerance,
-        .because = "1e-12 of what is summed up", .equation = "eq:speed-law",
+        .because = "1e-12 of what is summed up",
         .question = "A law gives all its means. Do yours belong to one "
                     "law, and to the energy that was given?");
 }

@@ -1,6 +1,4 @@
-/* The suite of exercise 07a: two disks, a table, what lies outside, one
-   disk, small speeds, many disks, the mean square, the fourth power, and
-   drawn gases. */
+/* The suite of exercise 07a, "How fast is a disk?". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -49,8 +47,7 @@ static bool check_digits(const struct known *k, double got,
     return CHECK_NEAR(
         off, .quantity = "relative error of the probability below v",
         .input = input(k), .expected = 0.0, .tolerance = tolerance,
-        .because = because, .equation = "eq:speed-law",
-        .question = question,
+        .because = because, .question = question,
         .mistakes = {
             {"digits-lost", off,
              "The formula is right, and its last digits are gone, or all "
@@ -158,7 +155,6 @@ static bool check_outside(int n, double mean, double v, double expected)
         below(n, mean, v), .quantity = "probability of a speed below v",
         .input = input(&k), .expected = expected, .tolerance = 0.0,
         .because = "nothing is to be computed here",
-        .equation = "eq:speed-law",
         .question = fast ? most
                          : "No speed is negative. How many of them lie "
                            "below this v?",
@@ -197,7 +193,6 @@ static void test_one(void)
                 .quantity = "probability of a speed below v",
                 .input = input(&k), .expected = k.below, .tolerance = 0.0,
                 .because = "there is only one speed",
-                .equation = "eq:speed-law",
                 .question = "One disk alone keeps its energy, and so its "
                             "speed. Which is it, and is it below v?"))
             return;
@@ -252,7 +247,6 @@ static bool check_mean(int n, double mean)
                       .unit = "m^2/s^2", .input = input(&k),
                       .expected = mean, .tolerance = all * tolerance,
                       .because = "that of the probabilities, summed up",
-                      .equation = "eq:speed-law",
                       .question =
                           "The mean of the squares was given. Which "
                           "squares are too frequent in your law?");
@@ -275,7 +269,7 @@ static bool check_fourth(int n, double mean, double v)
         .input = input(&k),
         .expected = square * (count / (count + 1.0) * 2.0),
         .tolerance = tolerance * square * (count / (count + 1.0) * 2.0),
-        .because = because, .equation = "eq:speed-law",
+        .because = because,
         .question = "Integrate v^4 times the density, or 4 v^3 times the "
                     "probability of a speed above v. What comes out for "
                     "two disks, on paper?",
@@ -323,7 +317,6 @@ static void test_agree(void)
         .tolerance = 8.0 * all * all * tolerance,
         .because =
             "that of a probability, times 4 (7.5 m^2/s^2)^2/6, and its own",
-        .equation = "eq:speed-law",
         .question =
             "Your probability below this v gives the expected number, and "
             "*fourth is another one. Do both come from one law?");
@@ -357,6 +350,7 @@ const struct check_suite check_suite = {
     .file = "07a-speeds.c",
     .title = "How fast is a disk?",
     .minutes = 25,
+    .equation = "eq:speed-law",
     .tests = {{"two disks: every share is equally likely", test_two, 1, 0},
               {"three to 250 disks agree with a table", test_some, 2, 0},
               {"no disk has more than all the energy", test_outside, 1, 0},

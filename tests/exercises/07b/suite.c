@@ -1,7 +1,4 @@
-/* The suite of exercise 07b: a gas without collisions, one collision worked
-   out by hand, unequal masses, an oblique one, the order of a pair, the
-   plane and space, two disks that go to and fro, drawn collisions, and the
-   pressure. */
+/* The suite of exercise 07b, "Pressure without walls". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -228,10 +225,10 @@ static bool check_z(const struct record *r, double expected,
                     const char *question)
 {
     const double got = answer(r).z;
-    return CHECK_NEAR(got, .quantity = "Z", .unit = "", .input = input(r),
+    return CHECK_NEAR(got, .quantity = "Z", .input = input(r),
                       .expected = expected, .tolerance = tolerance(r),
-                      .because = because, .equation = "eq:virial",
-                      .question = question, .mistakes = {mistake(r, got)});
+                      .because = because, .question = question,
+                      .mistakes = {mistake(r, got)});
 }
 
 static double ideal(const struct record *r, int sides)
@@ -252,7 +249,7 @@ static bool check_pressure(const struct record *r, double z,
         .expected = z * p,
         .tolerance = p * (tolerance(r) + 16.0 * DBL_EPSILON * z),
         .because = "that of Z, times n kT/V, and 16 epsilons",
-        .equation = "eq:virial", .question = question,
+        .question = question,
         .mistakes = {{"third-side-read", z * ideal(r, 3),
                       "In the plane the box has an area. How many of its "
                       "sides have you multiplied?"},
@@ -503,6 +500,7 @@ const struct check_suite check_suite = {
     .file = "07b-virial.c",
     .title = "Pressure without walls",
     .minutes = 30,
+    .equation = "eq:virial",
     .tests =
         {{"a gas without collisions is ideal", test_none, 1, 0},
          {"two equal disks head on are as worked out by hand", test_head_on,

@@ -1,5 +1,4 @@
-/* Further tests of exercise 08a, for the lecturer: equal areas, the common
-   motion of many bodies, and other units. */
+/* The hidden tests of exercise 08a, "Drift, kick, drift". */
 
 #include "examiner/check.h"
 
@@ -21,7 +20,7 @@ static bool check(double got, double expected, double tolerance,
                       .expected = expected, .tolerance = tolerance,
                       .because =
                           "some epsilons a step of all that is added up",
-                      .equation = "eq:verlet", .question = question);
+                      .question = question);
 }
 
 /* A planet, whose force points to the sun whatever its strength. */

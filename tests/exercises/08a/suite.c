@@ -1,7 +1,4 @@
-/* The suite of exercise 08a: free flight, one step of an oscillator, a
-   stone, back in time, how often the forces are asked for, many steps,
-   drawn oscillators that are coupled, forth and back, and no step at all.
- */
+/* The suite of exercise 08a, "Drift, kick, drift". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -159,7 +156,6 @@ static bool check_step(struct point p, double dt, struct point expected,
             .expected = k == 0 ? expected.x : expected.v,
             .tolerance = 16.0 * DBL_EPSILON * size,
             .because = "16 epsilons of all that is added up",
-            .equation = "eq:verlet",
             .question = question};
         for (size_t i = 0, used = 0; i < SLIPS; ++i)
             if (near(s.x[0], slip[i].end.x) && near(s.v[0], slip[i].end.v))
@@ -184,7 +180,6 @@ static bool check_free(size_t n, size_t i, double got, double expected,
                             n, i),
         .expected = expected, .tolerance = 0.0,
         .because = "these numbers are exact in binary",
-        .equation = "eq:verlet",
         .question = "Nothing acts on these bodies. Where is each of them "
                     "after 1.5 s, and what stands behind the last one?",
         .mistakes = {
@@ -278,7 +273,7 @@ static void test_asked(void)
                 .input = check_text("4 coordinates, %zu step%s", steps,
                                     steps == 1 ? "" : "s"),
                 .expected = (double)steps, .tolerance = 0.0,
-                .because = "a number is exact", .equation = "eq:verlet",
+                .because = "a number is exact",
                 .question = "Forces are what costs time in a large run. "
                             "How many kicks has a step?",
                 .mistakes = {{"one-after-the-other", 4.0 * (double)steps,
@@ -332,7 +327,6 @@ static void test_many(void)
                         .input = input, .expected = end.x,
                         .tolerance = tolerance,
                         .because = "8 epsilons of the amplitude a step",
-                        .equation = "eq:verlet",
                         .question = "One step was right. What is different "
                                     "in the second one?",
                         .mistakes = {{"one-step-only", one.x,
@@ -342,7 +336,6 @@ static void test_many(void)
                         .input = input, .expected = end.v,
                         .tolerance = tolerance * z / dt / 0.6,
                         .because = "8 epsilons of the amplitude a step",
-                        .equation = "eq:verlet",
                         .question = "x is right at the end. Does v belong "
                                     "to the same time?"))
             return;
@@ -417,7 +410,6 @@ static bool check_coupled(size_t n)
                     .expected = k == 0 ? end.x[i] : end.v[i] * dt,
                     .tolerance = tolerance,
                     .because = "some epsilons of all the amplitudes",
-                    .equation = "eq:verlet",
                     .question =
                         "Each coordinate pulls at all the others. Where "
                         "are they when the force is asked for?"))
@@ -458,14 +450,13 @@ static void test_back(void)
         (void)steps_under(pendulums, 5, &s, -dt, steps);
         for (int k = 0; k < 5; ++k)
             if (!CHECK_NEAR(
-                    s.x[k], .quantity = check_text("x[%d]", k), .unit = "",
+                    s.x[k], .quantity = check_text("x[%d]", k),
                     .input = check_text("five pendulums, %zu steps of %g "
                                         "and %zu of -%g; v[%d] was %g",
                                         steps, dt, steps, dt, k, v[k]),
                     .expected = x[k], .tolerance = 1e-10,
                     .because = "a rounding grows 3000 times at most, in "
                                "each of 160 steps",
-                    .equation = "eq:verlet",
                     .question = "Forth and back again: read your step "
                                 "backwards. Is it the same step?"))
                 return;
@@ -489,7 +480,6 @@ static void test_none(void)
                         .input = "2 coordinates, no step",
                         .expected = expected[k], .tolerance = 0.0,
                         .because = "nothing is to be done",
-                        .equation = "eq:verlet",
                         .question = "No step: what has to change?"))
             return;
 }
@@ -498,6 +488,7 @@ const struct check_suite check_suite = {
     .file = "08a-drift.c",
     .title = "Drift, kick, drift",
     .minutes = 20,
+    .equation = "eq:verlet",
     .tests = {{"without forces bodies fly straight on", test_free, 1, 0},
               {"one step of an oscillator, as on paper", test_oscillator, 2,
                0},

@@ -1,6 +1,4 @@
-/* Further tests of exercise 08b, for the lecturer: Newton's rule of
-   integration, stages that change places, and numbers that act on each
-   other. */
+/* The hidden tests of exercise 08b, "One more row in the tableau". */
 
 #include "examiner/check.h"
 
@@ -27,7 +25,7 @@ static bool check(double got, double expected, double tolerance,
     return CHECK_NEAR(got, .quantity = quantity, .input = input,
                       .expected = expected, .tolerance = tolerance,
                       .because = "some epsilons of all that is added up",
-                      .equation = "eq:runge-kutta", .question = question);
+                      .question = question);
 }
 
 /* A cubic in t, whose integral is exact, over any step. */

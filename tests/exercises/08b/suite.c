@@ -1,6 +1,4 @@
-/* The suite of exercise 08b: the rows and the weights of the 3/8 rule; one
-   stage, two, and three; many numbers at once; drawn tables; the new method
-   on a turning wheel; and its order. */
+/* The suite of exercise 08b, "One more row in the tableau". */
 
 #include "examiner/check.h"
 #include <complex.h>
@@ -117,7 +115,6 @@ static bool check_entry(const struct table *table, int i, int j)
         .expected = expected,
         .tolerance = DBL_EPSILON,
         .because = "a third is rounded once",
-        .equation = "eq:runge-kutta",
         .question = "Row i says how much of each slope leads to stage i. "
                     "Which place has this number in the sentence?",
         .mistakes = {
@@ -151,7 +148,6 @@ static void test_weights(void)
                 .input = "the weights are 1/8, 3/8, 3/8 and 1/8",
                 .expected = eighths[i] / 8.0, .tolerance = DBL_EPSILON,
                 .because = "eighths are exact in binary",
-                .equation = "eq:runge-kutta",
                 .question = "What is the mean of four slopes that are all "
                             "the same?",
                 .mistakes = {{"integer-division", 0.0,
@@ -224,7 +220,7 @@ static void test_one(void)
                 y[0], .quantity = "y after one step of the Euler method",
                 .input = line_text(&euler, t[i], h[i], begin),
                 .expected = i == 2 ? 1.5 : expected[i], .tolerance = 1e-14,
-                .because = "some epsilons", .equation = "eq:runge-kutta",
+                .because = "some epsilons",
                 .question = "One stage, of weight 1: this is the Euler "
                             "method. Where does its straight line lead?",
                 .mistakes = {{"weights-without-the-step", far,
@@ -294,7 +290,6 @@ static bool check_two(const struct table *w, double t, double h, double y,
                       .tolerance =
                           1e-14 * (fabs(y) + fabs(expected) + 20.0),
                       .because = "some epsilons of all that is added up",
-                      .equation = "eq:runge-kutta",
                       .question = question};
     for (int i = 0; i < SLIPS; ++i)
         c.mistakes[i] =
@@ -346,7 +341,6 @@ static void test_three(void)
                 .expected = 1.5 * (1.0 + one * z + two * z * z + cube),
                 .tolerance = 1e-14 * 20.0,
                 .because = "some epsilons of all that is added up",
-                .equation = "eq:runge-kutta",
                 .question = "The third stage uses two slopes. Are both "
                             "kept until then?",
                 .mistakes = {
@@ -378,7 +372,6 @@ static bool check_number(size_t n, size_t i, double got)
         .expected =
             i < n ? ((double)i + 1.0) * (1.0 + z + 0.5 * z * z) : 4096.0,
         .tolerance = 1e-12, .because = "some epsilons of all the terms",
-        .equation = "eq:runge-kutta",
         .question =
             "Each of the numbers goes its own way. How many of them does a "
             "slope have, and what stands behind the last?",
@@ -403,7 +396,6 @@ static void test_numbers(void)
                         .input = check_text("%zu numbers, two stages", n),
                         .expected = 2.0, .tolerance = 0.0,
                         .because = "a number is exact",
-                        .equation = "eq:runge-kutta",
                         .question = "One call gives the slopes of all "
                                     "numbers. How many stages are there?"))
             return;
@@ -485,7 +477,6 @@ static void test_drawn(void)
                 .expected = begin * polynomial(&table, line.rate * h),
                 .tolerance = 1e-12,
                 .because = "an epsilon for each of 256 chains, 16 times",
-                .equation = "eq:runge-kutta",
                 .question = "A table of this size: are all slopes kept, "
                             "and all rows read?"))
             return;
@@ -499,7 +490,6 @@ static void test_drawn(void)
                                     t, h, stages),
                 .expected = integral(&table, t, h), .tolerance = 1e-13,
                 .because = "some epsilons of 8 cosines",
-                .equation = "eq:runge-kutta",
                 .question = "Only the time matters here. At which times "
                             "does this table take its slopes?"))
             return;
@@ -544,7 +534,6 @@ static void test_wheel(void)
                     .expected = k == 0 ? creal(end) : cimag(end),
                     .tolerance = 1e-14 * 10.0,
                     .because = "some epsilons of ten terms",
-                    .equation = "eq:runge-kutta",
                     .question = "Four stages of order 4 give 1 + z + z^2/2 "
                                 "+ z^3/6 + z^4/24. Does every y, and every "
                                 "slope, have the number that it should?"))
@@ -572,20 +561,21 @@ static void test_order(void)
     const struct table table = new_method();
     const double ratio =
         error_at_end(&table, 40) / error_at_end(&table, 80);
-    CHECK_NEAR(
-        log2(ratio),
-        .quantity = "order of your method, from 40 steps and 80",
-        .input = "y' = -2 t y^2 from y = 1 at t = 0 to t = 2",
-        .expected = 4.0, .tolerance = 0.15,
-        .because = "steps of finite size", .equation = "eq:runge-kutta",
-        .question = "Half the step: how much smaller should the error be? "
-                    "This law asks for the time and for y.");
+    CHECK_NEAR(log2(ratio),
+               .quantity = "order of your method, from 40 steps and 80",
+               .input = "y' = -2 t y^2 from y = 1 at t = 0 to t = 2",
+               .expected = 4.0, .tolerance = 0.15,
+               .because = "steps of finite size",
+               .question =
+                   "Half the step: how much smaller should the error be? "
+                   "This law asks for the time and for y.");
 }
 
 const struct check_suite check_suite = {
     .file = "08b-tableau.c",
     .title = "One more row in the tableau",
     .minutes = 30,
+    .equation = "eq:runge-kutta",
     .tests = {{"the rows of the 3/8 rule", test_rows, 2, 0},
               {"its weights", test_weights, 1, 0},
               {"one stage is the Euler method", test_one, 1, 0},

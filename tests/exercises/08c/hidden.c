@@ -1,5 +1,4 @@
-/* Further tests of exercise 08c, for the lecturer: other units, one more
-   useless run, and an error of two terms. */
+/* The hidden tests of exercise 08c, "Measure an order". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -13,7 +12,7 @@ static bool check(double got, double expected, double tolerance,
     return CHECK_NEAR(got, .quantity = quantity, .input = input,
                       .expected = expected, .tolerance = tolerance,
                       .because = "some epsilons of four logarithms",
-                      .equation = "eq:order", .question = question);
+                      .question = question);
 }
 
 /* C h^p (1 + D h): the slope between two steps is p and what the second

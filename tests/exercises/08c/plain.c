@@ -1,7 +1,5 @@
 /* A right answer in plain C, with which wrong.diff begins. */
 
-#include <math.h>
-
 enum verdict measure_order(size_t n, const double h[], const double error[],
                            double rounding, double *order)
 {

@@ -1,6 +1,5 @@
 /* The runs of use are copied out first; then one looks at the last ones. */
 
-#include <math.h>
 #include <stdlib.h>
 
 struct run {

@@ -1,7 +1,5 @@
 /* From the largest step on; the last two slopes are kept. */
 
-#include <math.h>
-
 enum verdict measure_order(size_t n, const double h[], const double error[],
                            double rounding, double *order)
 {

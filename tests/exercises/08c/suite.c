@@ -1,6 +1,4 @@
-/* The suite of exercise 08c: two runs, signs, many runs, rounding, runs
-   that blew up, too few of them, orders that are none, a real method, and
-   drawn runs. */
+/* The suite of exercise 08c, "Measure an order". */
 
 #include "examiner/check.h"
 #include <stdio.h>
@@ -184,13 +182,11 @@ static bool check_order(const struct runs *r, double got, double p,
     struct slip slip[SLIPS];
     struct check c = {
         .quantity = "*order",
-        .unit = "",
         .input = input(r),
         .expected = p,
         .tolerance = tolerance(r, p),
         .because =
             "some epsilons of four logarithms, over that of the steps",
-        .equation = "eq:order",
         .question = question};
     slips_of(r, slip);
     for (int i = 0, used = 0; i < SLIPS && used < 8; ++i)
@@ -217,8 +213,7 @@ static bool check_verdict(const struct runs *r, enum verdict got,
         .quantity = "what is returned (0 TOO_FEW, 1 NOT_YET, 2 MEASURED)",
         .input = input(r), .expected = expected, .tolerance = 0.0,
         .because = check_text("it should be %s", verdict_name(expected)),
-        .equation = "eq:order", .question = question,
-        .mistakes = {one, other});
+        .question = question, .mistakes = {one, other});
 }
 
 static const struct check_mistake nothing = {NULL, 0.0, NULL};
@@ -250,7 +245,7 @@ static bool check_few(const struct runs *r, const char *question)
            CHECK_NEAR(
                isnan(got.order), .quantity = "is *order NAN? (1 yes, 0 no)",
                .input = input(r), .expected = 1.0, .tolerance = 0.0,
-               .because = "there is no order", .equation = "eq:order",
+               .because = "there is no order",
                .question = "No order could be measured. What was to stand "
                            "in *order then?",
                .mistakes = {{"order-of-nothing", 0.0,
@@ -469,7 +464,6 @@ static void test_leapfrog(void)
                .expected = 2.0, .tolerance = 0.02,
                .because = "rounding, less than a thousandth of the error, "
                           "and a few of them",
-               .equation = "eq:order",
                .question = "The smallest steps have errors that are only "
                            "rounding. Are they passed over?",
                .mistakes =
@@ -553,6 +547,7 @@ const struct check_suite check_suite = {
     .file = "08c-order.c",
     .title = "Measure an order",
     .minutes = 25,
+    .equation = "eq:order",
     .tests = {{"two runs have a slope", test_two, 2, 0},
               {"errors of either sign", test_signs, 1, 0},
               {"the smallest steps count", test_smallest, 1, 0},

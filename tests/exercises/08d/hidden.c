@@ -1,5 +1,4 @@
-/* Further tests of exercise 08d, for the lecturer: methods that are partly
-   implicit, and seconds or milliseconds. */
+/* The hidden tests of exercise 08d, "Find a stability limit". */
 
 #include "examiner/check.h"
 
@@ -23,7 +22,6 @@ static bool check(double got, double expected, const char *input,
                       .unit = "s", .input = input, .expected = expected,
                       .tolerance = isinf(expected) ? 0.0 : 1e-9,
                       .because = "10 times the width that was asked for",
-                      .equation = "eq:stability-limit",
                       .question = question);
 }
 

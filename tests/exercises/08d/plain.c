@@ -1,7 +1,5 @@
 /* A right answer in plain C, with which wrong.diff begins. */
 
-#include <math.h>
-
 static double growth(double h)
 {
     double p[2] = {1, 0}, q[2] = {0, 1}, t, d, u;

@@ -1,7 +1,6 @@
 /* The eigenvalues as complex numbers; a hundred halvings. */
 
 #include <complex.h>
-#include <math.h>
 
 static int grows(double h)
 {

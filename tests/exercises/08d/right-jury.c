@@ -1,8 +1,6 @@
 /* Without a root: both eigenvalues of l^2 - T l + D lie within a circle of
    the radius r if D <= r^2 and |T| r <= r^2 + D. Halving is recursive. */
 
-#include <math.h>
-
 static int good(double h)
 {
     const double r = 1 + 1e-11;

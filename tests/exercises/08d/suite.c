@@ -1,6 +1,4 @@
-/* The suite of exercise 08d: Runge-Kutta methods, the leapfrog in one step
-   and in two, friction, a gap, methods that are never stable and such as
-   always are, and drawn ones in drawn units. */
+/* The suite of exercise 08d, "Find a stability limit". */
 
 #include "examiner/check.h"
 #include <complex.h>
@@ -129,7 +127,7 @@ static bool check_limit(const struct method *m, double most,
             .quantity = "the largest stable step, minus the right one",
             .unit = "s", .input = input(m, most), .expected = 0.0,
             .tolerance = tolerance, .because = because,
-            .equation = "eq:stability-limit", .question = question,
+            .question = question,
             .mistakes = {
                 {"not-halved", got - expected,
                  "Within 0.01 s of the limit. Between which two steps does "
@@ -141,7 +139,6 @@ static bool check_limit(const struct method *m, double most,
         .expected = expected,
         .tolerance = isinf(expected) ? 0.0 : tolerance,
         .because = because,
-        .equation = "eq:stability-limit",
         .question = question,
         .mistakes = {{"trace-only", trace_alone(m),
                       "This is where the trace alone has an absolute value "
@@ -365,6 +362,7 @@ const struct check_suite check_suite = {
     .file = "08d-limit.c",
     .title = "Find a stability limit",
     .minutes = 30,
+    .equation = "eq:stability-limit",
     .tests = {{"Runge-Kutta methods: a complex pair", test_runge_kutta, 2,
                0},
               {"two leapfrogs end at +1", test_two_leaps, 1, 0},

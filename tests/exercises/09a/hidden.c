@@ -1,5 +1,4 @@
-/* Further tests of exercise 09a, for the lecturer: bodies that change
-   places, other units, and a body that falls. */
+/* The hidden tests of 09a, "The potential of the softened force". */
 
 #include "examiner/check.h"
 
@@ -25,8 +24,7 @@ static bool check(double got, double expected, double tolerance,
         .input = check_text("%s; k2 = %g m^3/(kg s^2), softening %g m",
                             b->text, b->k2, b->softening),
         .expected = expected, .tolerance = tolerance,
-        .because = "some epsilons of all pairs",
-        .equation = "eq:softened-force", .question = question);
+        .because = "some epsilons of all pairs", .question = question);
 }
 
 /* The bodies in another order, and the axes too. */

@@ -1,7 +1,5 @@
 /* A right answer in plain C, with which wrong.diff begins. */
 
-#include <math.h>
-
 double potential_energy(size_t n, const double mass[], const double x[],
                         double k2, double softening, double potential[])
 {

@@ -1,8 +1,6 @@
 /* One body after the other is brought in from far away; the energy is the
    work that was done. */
 
-#include <math.h>
-
 double potential_energy(size_t n, const double mass[], const double x[],
                         double k2, double softening, double potential[])
 {

@@ -1,7 +1,5 @@
 /* Every body looks at all others; half of the sum is the energy. */
 
-#include <math.h>
-
 double potential_energy(size_t n, const double mass[], const double x[],
                         double k2, double softening, double potential[])
 {

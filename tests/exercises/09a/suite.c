@@ -1,6 +1,4 @@
-/* The suite of exercise 09a: two bodies, three directions, five bodies,
-   no softening, bodies at one place, few bodies, a ring, the force as a
-   difference of energies, and drawn bodies. */
+/* The suite of exercise 09a, "The potential of the softened force". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -203,7 +201,6 @@ static bool check_value(const struct bodies *b, size_t i, double expected,
         .tolerance =
             (2.0 * (double)b->n + 16.0) * DBL_EPSILON * fabs(expected),
         .because = "2 epsilons for each body, and 16 for the distances",
-        .equation = "eq:softened-force",
         .question = question};
     slips_of(b, i, slip);
     for (size_t k = 0, used = 0; k < SLIPS && used < 8; ++k)
@@ -218,7 +215,7 @@ static bool check_behind(const struct bodies *b)
     return CHECK_NEAR(
         answer_of(b, b->n + 1), .quantity = "what stands behind potential",
         .input = b->text, .expected = 4096.0, .tolerance = 0.0,
-        .because = "it is nobody's", .equation = "eq:softened-force",
+        .because = "it is nobody's",
         .question = "How many bodies are there, and which is the last?");
 }
 
@@ -385,7 +382,6 @@ static void test_ring(void)
                     .expected = j < n ? sum : sum * (double)n,
                     .tolerance = 1e-12 * (double)n * fabs(sum),
                     .because = "roundings of the places",
-                    .equation = "eq:softened-force",
                     .question = "On a ring all bodies feel the same "
                                 "potential. How many pairs are there?"))
                 return;
@@ -457,7 +453,6 @@ static void test_gradient(void)
                 .tolerance = 2e-9 * size,
                 .because = "the energy's rounding over a thousandth of the "
                            "softening",
-                .equation = "eq:softened-force",
                 .question = "Move one body a little: the energy should "
                             "change by minus force times way. Which "
                             "potential has this force?"))
@@ -480,6 +475,7 @@ const struct check_suite check_suite = {
     .file = "09a-potential.c",
     .title = "The potential of the softened force",
     .minutes = 20,
+    .equation = "eq:softened-force",
     .tests = {{"two bodies", test_two, 2, 0},
               {"three directions", test_axes, 1, 0},
               {"five bodies and ten pairs", test_five, 2, 0},

@@ -1,5 +1,4 @@
-/* Further tests of exercise 09b, for the lecturer: energies on circles,
-   other units, and a ring that is made of more and more bodies. */
+/* The hidden tests of exercise 09b, "Speeds for a circle". */
 
 #include "examiner/check.h"
 #include "call.h"

@@ -1,7 +1,5 @@
 /* A right answer in plain C, with which wrong.diff begins. */
 
-#include <math.h>
-
 void binary_speeds(double k2, double m1, double m2, double d, double *v1,
                    double *v2)
 {

@@ -1,8 +1,6 @@
 /* Circles and their periods; for the choreography the pull of each body,
    part by part. */
 
-#include <math.h>
-
 #define PI 3.14159265358979323846
 
 void binary_speeds(double k2, double m1, double m2, double d, double *v1,

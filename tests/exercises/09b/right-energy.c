@@ -1,8 +1,6 @@
 /* The virial theorem: on circles, twice the kinetic energy is minus the
    potential energy. */
 
-#include <math.h>
-
 void binary_speeds(double k2, double m1, double m2, double d, double *v1,
                    double *v2)
 {

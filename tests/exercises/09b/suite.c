@@ -1,6 +1,4 @@
-/* The suite of exercise 09b: binaries on paper, one without mass, very
-   unequal ones, drawn ones; choreographies of two, three, one and many, and
-   drawn ones whose pull is added up. */
+/* The suite of exercise 09b, "Speeds for a circle". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -223,8 +221,7 @@ static bool check_ring(const struct ring *r, double expected,
                             "radius %g m",
                             r->k2, r->n, r->mass, r->radius),
         .expected = expected, .tolerance = tolerance * expected,
-        .because = because, .equation = "eq:choreography-speed",
-        .question = question,
+        .because = because, .question = question,
         .mistakes = {
             {"neighbours-only", many ? unit * sqrt(2.0 * next) : NAN,
              "Only the two neighbours pull here. How many others are "
@@ -278,7 +275,6 @@ static void test_one(void)
         .quantity = "the speed of one body alone", .unit = "m/s",
         .input = "k2 = 2 m^3/(kg s^2), n = 1, 3 kg, radius 0.5 m",
         .expected = 0.0, .tolerance = 0.0, .because = "nothing pulls",
-        .equation = "eq:choreography-speed",
         .question = "Nobody pulls at it. How fast must it go to "
                     "stay where it is?");
 }
@@ -323,7 +319,6 @@ static void test_agree(void)
                         .expected = speed(&b, 0),
                         .tolerance = 2.0 * tolerance * speed(&b, 0),
                         .because = "what was asked for, twice",
-                        .equation = "eq:choreography-speed",
                         .question = "The one function says this speed and "
                                     "the other that. Which is right?"))
             return;
@@ -334,6 +329,7 @@ const struct check_suite check_suite = {
     .file = "09b-speeds.c",
     .title = "Speeds for a circle",
     .minutes = 20,
+    .equation = "eq:choreography-speed",
     .tests = {{"binaries on paper", test_paper, 2, 0},
               {"a body without mass", test_massless, 1, 0},
               {"a heavy one hardly moves", test_unequal, 1, 0},

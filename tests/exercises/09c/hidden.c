@@ -1,5 +1,4 @@
-/* Further tests of exercise 09c, for the lecturer: from the angle that is
-   seen, revolution after revolution, and the area that is swept. */
+/* The hidden tests of exercise 09c, "Kepler's equation". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -19,7 +18,7 @@ static bool check(double got, double expected, double tolerance,
                       .input = check_text("e = %g, M = %.10g", e, mean),
                       .expected = expected, .tolerance = tolerance,
                       .because = "some epsilons, over 1 - e cos(E)",
-                      .equation = "eq:kepler", .question = question);
+                      .question = question);
 }
 
 /* From the angle that is seen from the sun: tan(E/2) is that of half the

@@ -1,8 +1,6 @@
 /* Newton's rule for what is added to M, from the middle; whenever it leaves
    what is known, the interval is halved instead. */
 
-#include <math.h>
-
 double eccentric_anomaly(double e, double mean)
 {
     double a = -e, b = e, d = 0, turns = floor(mean / 6.283185307179586);

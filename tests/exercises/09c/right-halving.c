@@ -1,7 +1,5 @@
 /* Halving, until there is no number between. */
 
-#include <math.h>
-
 double eccentric_anomaly(double e, double mean)
 {
     double low = mean - e, high = mean + e, middle;

@@ -1,6 +1,4 @@
-/* The suite of exercise 09c: a circle, ellipses with solutions that are
-   known, revolutions, signs, comets, small mean anomalies, and drawn
-   planets, of which E was there first. */
+/* The suite of exercise 09c, "Kepler's equation". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -42,7 +40,7 @@ static bool check_digits(double e, double mean, double solution, double got,
         .because = check_text("8 epsilons of 1 + |M|, over 1 - e cos(E); E "
                               "= %.17g, found %.17g",
                               solution, got),
-        .equation = "eq:kepler", .question = question,
+        .question = question,
         .mistakes = {
             {"stopped-too-soon", off,
              "The first digits are right, and the last ones are not. Does "
@@ -78,12 +76,10 @@ bool check_anomaly(double e, double mean, double solution,
     const double first = mean + e * sin(mean);
     const double tangent = mean + e * sin(mean) / (1.0 - e * cos(mean));
     struct check c = {.quantity = "E",
-                      .unit = "",
                       .input = input(e, mean),
                       .expected = solution,
                       .tolerance = tolerance(e, mean, solution),
                       .because = "8 epsilons of 1 + |M|, over 1 - e cos(E)",
-                      .equation = "eq:kepler",
                       .question = question};
     const struct check_mistake known[] = {
         {"mean-for-eccentric", mean,
@@ -250,6 +246,7 @@ const struct check_suite check_suite = {
     .file = "09c-kepler.c",
     .title = "Kepler's equation",
     .minutes = 30,
+    .equation = "eq:kepler",
     .tests = {{"a circle", test_circle, 1, 0},
               {"ellipses with a known solution", test_some, 2, 0},
               {"the two ends of the ellipse", test_ends, 1, 0},

@@ -1,7 +1,5 @@
 /* mistake: cosine-for-sine */
 
-#include <math.h>
-
 double eccentric_anomaly(double e, double mean)
 {
     double pi = acos(-1.0), a = mean - e, b = mean + e, c = mean;

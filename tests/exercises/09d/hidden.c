@@ -1,5 +1,4 @@
-/* What the grader also asks of exercise 09d: planets in another order, and
-   other units. */
+/* The hidden tests of 09d, "Ellipses, and kicks from the others". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -23,7 +22,7 @@ static bool check(double got, double expected, const char *what,
     return CHECK_NEAR(got, .quantity = what, .input = "two planets, drawn",
                       .expected = expected, .tolerance = 1e-12,
                       .because = "the roundings of a step",
-                      .equation = "eq:wisdom-holman", .question = question);
+                      .question = question);
 }
 
 static void test_order(void)

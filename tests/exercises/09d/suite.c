@@ -1,5 +1,4 @@
-/* The suite of exercise 09d: one planet, two, three, angular momentum, the
-   way back, and drawn planets. */
+/* The suite of exercise 09d, "Ellipses, and kicks from the others". */
 
 #include "examiner/check.h"
 #include <string.h>
@@ -129,7 +128,7 @@ static bool check_number(const struct planets *from, double dt, double got,
         .expected = would(from, right, dt, i, at),
         .tolerance = 100.0 * DBL_EPSILON * size,
         .because = "a hundred epsilons: the roundings of a few pulls",
-        .equation = "eq:wisdom-holman", .question = question,
+        .question = question,
         .mistakes = {{"two-whole-kicks", would(from, whole, dt, i, at),
                       "Each of your kicks takes a whole step. How long do "
                       "the others pull in all?"},
@@ -217,7 +216,6 @@ static bool check_massless(void)
                 .unit = "AU/d", .input = input(&p, 0.25), .expected = 0.0,
                 .tolerance = 0.0,
                 .because = "a body without a mass has a velocity",
-                .equation = "eq:wisdom-holman",
                 .question = "Which of your numbers is zero here?",
                 .mistakes = {{"divided-by-own-mass", CHECK_NAN,
                               "This body has no mass, and the Sun and the "
@@ -271,12 +269,12 @@ static void test_back(void)
         q = p;
         const double dt = check_draw(0.05, 0.5);
         ellipses_and_kicks(q.n, q.gm, q.sun, dt, q.x, q.v);
-        if (!CHECK_NEAR(
-                fabs(q.x[0][0] - p.x[0][0]) > 1e-6 ? 1.0 : 0.0,
-                .quantity = "has x[0][0] changed? (1 yes, 0 no)",
-                .input = input(&p, dt), .expected = 1.0, .tolerance = 0.0,
-                .because = "yes or no", .equation = "eq:wisdom-holman",
-                .question = "Nothing has moved. Who moves the planets?"))
+        if (!CHECK_NEAR(fabs(q.x[0][0] - p.x[0][0]) > 1e-6 ? 1.0 : 0.0,
+                        .quantity = "has x[0][0] changed? (1 yes, 0 no)",
+                        .input = input(&p, dt), .expected = 1.0,
+                        .tolerance = 0.0, .because = "yes or no",
+                        .question =
+                            "Nothing has moved. Who moves the planets?"))
             return;
         ellipses_and_kicks(q.n, q.gm, q.sun, -dt, q.x, q.v);
         for (size_t k = 0; k < p.n; ++k)
@@ -289,7 +287,6 @@ static void test_back(void)
                         .unit = "AU/d", .input = input(&p, dt),
                         .expected = p.v[k][a], .tolerance = 1e-12,
                         .because = "the roundings of two steps",
-                        .equation = "eq:wisdom-holman",
                         .question = "The last half of a kick should be "
                                     "undone by the first half of the step "
                                     "back. From which places is it taken?"))
@@ -320,7 +317,6 @@ static void test_turn(void)
                    "angular momentum after 50 steps, by that before",
                .input = input(&from, 0.1), .expected = 1.0,
                .tolerance = 1e-12, .because = "the roundings of 50 steps",
-               .equation = "eq:wisdom-holman",
                .question =
                    "Two planets pull each other along one line. Are the "
                    "two pulls equal, when each is multiplied by the mass?");
@@ -342,6 +338,7 @@ const struct check_suite check_suite = {
     .file = "09d-ellipses.c",
     .title = "Ellipses, and kicks from the others",
     .minutes = 30,
+    .equation = "eq:wisdom-holman",
     .tests = {{"a planet alone keeps its ellipse", test_one, 1, 0},
               {"two planets pull each other", test_two, 2, 0},
               {"three planets make three pairs", test_three, 1, 0},

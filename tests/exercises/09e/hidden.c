@@ -1,5 +1,4 @@
-/* What the grader also asks of exercise 09e: that the order does not
-   matter, and that the unit does not. */
+/* The hidden tests of exercise 09e, "The small ones count". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -32,7 +31,6 @@ static void test_backwards(void)
                 .tolerance = 4.0 * DBL_EPSILON * fabs(forth) +
                              2.0 * twice * twice * sizes,
                 .because = "what was asked for, each time",
-                .equation = "eq:compensated",
                 .question = "The same numbers. What is lost in one order, "
                             "and not in the other?"))
             return;
@@ -53,7 +51,6 @@ static void test_units(void)
                 .input = check_text("101 numbers, times 2^%d", unit),
                 .expected = sum_up(N, part), .tolerance = 0.0,
                 .because = "a power of two rounds nothing",
-                .equation = "eq:compensated",
                 .question = "Which of your numbers has a size of its own?"))
             return;
     }

@@ -1,6 +1,4 @@
-/* The suite of exercise 09e: easy sums, dust beside a Sun, a large number
-   that comes late, large ones that cancel, infinities, and sums drawn of
-   which the exact value is known. */
+/* The suite of exercise 09e, "The small ones count". */
 
 #include "examiner/check.h"
 #include <stdint.h>
@@ -66,8 +64,7 @@ static bool check(size_t n, const double part[], const char *what,
         .tolerance = isinf(expected) ? 0.0
                                      : 2.0 * DBL_EPSILON * fabs(expected) +
                                            twice * twice * sizes,
-        .because = "what was asked for", .equation = "eq:compensated",
-        .question = question,
+        .because = "what was asked for", .question = question,
         .mistakes = {
             {"one-after-another", n > 9 ? plain(n, part) : expected,
              "This is what one addition after another gives, each rounded. "
@@ -143,8 +140,7 @@ static void test_infinite(void)
         if (!CHECK_NEAR(sum_up(4, some), .quantity = "sum",
                         .input = check_text("{1, %g, 2, -3}", some[1]),
                         .expected = some[1], .tolerance = 0.0,
-                        .because = "infinite, and exact",
-                        .equation = "eq:compensated", .question = why,
+                        .because = "infinite, and exact", .question = why,
                         .mistakes = {{"infinity-lost", CHECK_NAN, why}}))
             return;
     }
@@ -187,6 +183,7 @@ const struct check_suite check_suite = {
     .file = "09e-small.c",
     .title = "The small ones count",
     .minutes = 25,
+    .equation = "eq:compensated",
     .tests = {{"a few easy numbers are added up", test_easy, 1, 0},
               {"twenty thousand grains count", test_dust, 2, 0},
               {"a large number may come late", test_late, 2, 0},

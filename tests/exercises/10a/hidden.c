@@ -1,6 +1,4 @@
-/* Further tests of exercise 10a, for the lecturer: bodies that are carried
-   by a flow, one that turns like a wheel and one that widens like a
-   balloon, and the names of the two bodies exchanged. */
+/* The hidden tests of exercise 10a, "A dashpot along the axis". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -21,7 +19,6 @@ static bool check(double got, double expected, double tolerance,
     return CHECK_NEAR(
         got, .quantity = quantity, .input = text, .expected = expected,
         .tolerance = tolerance, .because = "16 epsilons of the terms",
-        .equation = "eq:axial-dashpot",
         .question = "How fast does the distance of the two change, "
                     "wherever they are and however they turn?");
 }

@@ -1,7 +1,5 @@
 /* A right answer: the matrix that keeps the part along the axis. */
 
-#include <math.h>
-
 double dashpot(double c, const struct body *a, const struct body *b,
                double on_a[3], double on_b[3])
 {

@@ -1,6 +1,5 @@
 /* A right answer: a vector of length 1, and hypot for its length. */
 
-#include <math.h>
 #include <string.h>
 
 double dashpot(double c, const struct body *a, const struct body *b,

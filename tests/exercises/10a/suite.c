@@ -1,6 +1,4 @@
-/* The suite of exercise 10a: two bodies on an axis, their distance, a
-   dumbbell that turns, an oblique axis, what is equal and opposite, the
-   heat, bodies at the same place, and drawn bodies. */
+/* The suite of exercise 10a, "A dashpot along the axis". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -84,8 +82,7 @@ static bool check_force(const struct pair *p, double got, int k,
         .quantity =
             check_text("on_a[%d], the force on a along %c", k, "xyz"[k]),
         .unit = "N", .input = input(p), .expected = right,
-        .tolerance = tolerance(p), .because = because,
-        .equation = "eq:axial-dashpot", .question = question,
+        .tolerance = tolerance(p), .because = because, .question = question,
         .mistakes = {
             {"no-axis", CHECK_NAN,
              "Not a number: is every place filled in, and what do you "
@@ -125,7 +122,6 @@ static bool check_opposite(const struct pair *p, double got, int k)
             check_text("on_b[%d], the force on b along %c", k, "xyz"[k]),
         .unit = "N", .input = input(p), .expected = right,
         .tolerance = tolerance(p), .because = because,
-        .equation = "eq:axial-dashpot",
         .question = "What one of the two feels, the other feels as well. "
                     "In which direction?",
         .mistakes = {
@@ -145,7 +141,7 @@ static bool check_heat(const struct pair *p, double got,
         .tolerance = 2.0 * tolerance(p) * u,
         .because =
             "32 epsilons of c times the square of the relative speed",
-        .equation = "eq:axial-dashpot", .question = question,
+        .question = question,
         .mistakes = {
             {"half-the-power", 0.5 * p->heat,
              "Half of it. Is this an energy, or a force times a rate?"},
@@ -290,7 +286,6 @@ static void test_momenta(void)
                         .unit = "N m", .input = input(&p), .expected = 0.0,
                         .tolerance = tolerance(&p) * 6.0,
                         .because = "that of the forces, times 2 * 3 m",
-                        .equation = "eq:axial-dashpot",
                         .question = "Your dashpot turns the pair. Which "
                                     "way does its force point?"))
             return;
@@ -398,6 +393,7 @@ const struct check_suite check_suite = {
     .file = "10a-dashpot.c",
     .title = "A dashpot along the axis",
     .minutes = 20,
+    .equation = "eq:axial-dashpot",
     .tests = {{"two bodies on a line are braked", test_axis, 2, 0},
               {"the distance does not matter", test_distance, 2, 0},
               {"what turns is left to turn", test_turning, 2, 0},

@@ -1,5 +1,4 @@
-/* Further tests of exercise 10b, for the lecturer: a time cut in two, the
-   energy that is lost, and other units. */
+/* The hidden tests of exercise 10b, "The oscillator in closed form". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -15,7 +14,6 @@ static bool check(const struct oscillator *o, double t, double got,
                        o->mass, o->damping, o->stiffness, o->x, o->v, t),
         .expected = expected, .tolerance = tolerance,
         .because = "some 1e-12 of the largest that can be expected",
-        .equation = "eq:oscillator",
         .question = "The same oscillator, in another way. Does it come to "
                     "the same place?");
 }

@@ -1,6 +1,4 @@
-/* The suite of exercise 10b: no damping, some, a table of swings and of
-   creeping, the critical damping and a hair beside it, much damping, long
-   times, the start, and drawn oscillators of all kinds. */
+/* The suite of exercise 10b, "The oscillator in closed form". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -119,8 +117,7 @@ static bool check_digits(const struct known *k, double off,
     const bool much = ratio(&k->o) > 2.0;
     return CHECK_NEAR(
         off, .quantity = quantity, .input = input(k), .expected = 0.0,
-        .tolerance = 1e-12, .because = because, .equation = "eq:oscillator",
-        .question = question,
+        .tolerance = 1e-12, .because = because, .question = question,
         .mistakes = {
             {"digits-lost", off,
              much ? "The formula is right and its digits go. The slow one "
@@ -171,7 +168,7 @@ static bool check_large(const struct known *k, const char *quantity,
         got, .quantity = quantity, .unit = place ? "m" : "m/s",
         .input = input(k), .expected = expected,
         .tolerance = 1e-12 * unit * scale(o), .because = because,
-        .equation = "eq:oscillator", .question = question,
+        .question = question,
         .mistakes = {
             not_a_number(k),
             {"whole-damping", SLIP(WHOLE),
@@ -477,6 +474,7 @@ const struct check_suite check_suite = {
     .file = "10b-oscillator.c",
     .title = "The oscillator in closed form",
     .minutes = 30,
+    .equation = "eq:oscillator",
     .tests = {{"without damping it swings for ever", test_free, 1, 0},
               {"with some damping it swings and dies away", test_swings, 2,
                0},

@@ -1,5 +1,4 @@
-/* Further tests of exercise 10c, for the lecturer: the sum and the product
-   of all squares, a grid laid on its other side, and other units. */
+/* The hidden tests of exercise 10c, "The frequencies of a membrane". */
 
 #include "examiner/check.h"
 #include <stdlib.h>
@@ -18,7 +17,6 @@ static bool check(const struct grid *g, double got, double expected,
                             g->dy, g->restx, g->resty),
         .expected = expected, .tolerance = tolerance,
         .because = "some 1e-12 of what is summed up",
-        .equation = "eq:membrane-dispersion",
         .question = "All frequencies together tell how stiff the grid is. "
                     "Do yours?");
 }

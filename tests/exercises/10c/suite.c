@@ -1,6 +1,4 @@
-/* The suite of exercise 10c: a row of three, one mass, an oblong grid, what
-   the tension does, springs at their rest length and pressed ones, a long
-   row, the time step, and drawn grids. */
+/* The suite of exercise 10c, "The frequencies of a membrane". */
 
 #include "examiner/check.h"
 #include <stdlib.h>
@@ -120,8 +118,7 @@ static bool check_digits(const struct grid *g, int r, int s, double off,
         .quantity = check_text(
             "relative error of the frequency of mode (%d, %d)", r, s),
         .input = input(g), .expected = 0.0, .tolerance = 1e-12,
-        .because = "what was asked for",
-        .equation = "eq:membrane-dispersion", .question = question,
+        .because = "what was asked for", .question = question,
         .mistakes = {{"digits-lost", off,
                       "The formula is right and its last digits are gone. "
                       "What is left of 1 - cos(x) for a small x, and which "
@@ -155,8 +152,7 @@ static bool check_mode(const struct grid *g, const double omega[], int r,
     return CHECK_NEAR(
         got, .quantity = check_text("omega of mode (%d, %d)", r, s),
         .unit = "rad/s", .input = input(g), .expected = right,
-        .tolerance = allowed, .because = because,
-        .equation = "eq:membrane-dispersion", .question = question,
+        .tolerance = allowed, .because = because, .question = question,
         .mistakes = {
             {"root-of-a-negative", right < 0.0 ? CHECK_NAN : right,
              "Not a number. Here the springs push outwards. What does the "
@@ -245,7 +241,7 @@ static bool check_step(const struct grid *g, const char *question)
         .input = input(g), .expected = right,
         .tolerance = highest > 0.0 ? 1e-11 * right : 0.0,
         .because = "some times what is allowed for the highest frequency",
-        .equation = "eq:membrane-dispersion", .question = question,
+        .question = question,
         .mistakes = {
             {"corner-for-the-highest",
              corner <= 0.0 ? (right > 1e300 ? NAN : INFINITY)
@@ -364,7 +360,6 @@ static void test_long(void)
                              .unit = "rad/s", .input = input(&g),
                              .expected = right, .tolerance = 1e-12 * right,
                              .because = "what was asked for",
-                             .equation = "eq:membrane-dispersion",
                              .question = "A long row of masses: how long "
                                          "is the slowest wave?");
         }
@@ -402,7 +397,6 @@ static void test_places(void)
                       .unit = "rad/s", .input = input(&g),
                       .expected = frequency(&g, 4, 2),
                       .tolerance = tolerance(&g, 4, 2), .because = because,
-                      .equation = "eq:membrane-dispersion",
                       .question = "How many modes has a grid, and where "
                                   "does the last of them belong?") &&
            CHECK_NEAR(behind,
@@ -410,7 +404,6 @@ static void test_places(void)
                                   "place? (1 yes, 0 no)",
                       .input = input(&g), .expected = 0.0, .tolerance = 0.0,
                       .because = "yes or no",
-                      .equation = "eq:membrane-dispersion",
                       .question = "The masses at the edge are fixed. How "
                                   "many are left to move?"));
 }
@@ -462,6 +455,7 @@ const struct check_suite check_suite = {
     .file = "10c-membrane.c",
     .title = "The frequencies of a membrane",
     .minutes = 30,
+    .equation = "eq:membrane-dispersion",
     .tests = {{"three in a row have three modes", test_row, 2, 0},
               {"one mass hangs between four springs", test_one_mass, 1, 0},
               {"every mode stands in its place", test_oblong, 1, 0},

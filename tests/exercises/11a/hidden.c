@@ -1,5 +1,4 @@
-/* Further tests of exercise 11a, for the lecturer: a second push, the names
-   exchanged, very unequal masses, and other units. */
+/* The hidden tests of exercise 11a, "Push two spheres apart". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -16,7 +15,6 @@ static bool check(const struct sphere s[2], double got, double expected,
                             s[1].x[1], s[1].x[2]),
         .expected = expected, .tolerance = tolerance,
         .because = "16 epsilons of the largest of coordinates and radii",
-        .equation = "eq:push",
         .question = "The same two spheres in another way. Do they end up "
                     "where they did?");
 }

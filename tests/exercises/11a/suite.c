@@ -1,6 +1,4 @@
-/* The suite of exercise 11a: equal spheres, unequal masses, unequal radii,
-   an oblique line, what stays, spheres that are apart, at the same place,
-   or cannot be moved, and drawn spheres. */
+/* The suite of exercise 11a, "Push two spheres apart". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -66,8 +64,7 @@ static bool check_centre(const struct pair *p, bool first, double got,
             check_text("%s->x[%d], the centre of %s along %c",
                        first ? "a" : "b", k, first ? "a" : "b", "xyz"[k]),
         .unit = "m", .input = input(p), .expected = right,
-        .tolerance = tolerance(p), .because = because,
-        .equation = "eq:push", .question = question,
+        .tolerance = tolerance(p), .because = because, .question = question,
         .mistakes = {
             {"own-mass", from - opposite,
              "The heavier one has gone further here. What has each mass to "
@@ -106,8 +103,7 @@ static bool check_kept(const struct pair *p, bool first, double got, int k,
             check_text("%s->x[%d], the centre of %s along %c",
                        first ? "a" : "b", k, first ? "a" : "b", "xyz"[k]),
         .unit = "m", .input = input(p), .expected = right, .tolerance = 0.0,
-        .because = "not a bit of it should change", .equation = "eq:push",
-        .question = question);
+        .because = "not a bit of it should change", .question = question);
 }
 
 static bool is_finite(const struct sphere *s)
@@ -127,7 +123,7 @@ static bool check_finite(const struct pair *p, const struct answer *r)
         .quantity =
             "is there a coordinate that is no number? (1 yes, 0 no)",
         .input = input(p), .expected = 0.0, .tolerance = 0.0,
-        .because = "yes or no", .equation = "eq:push",
+        .because = "yes or no",
         .question = "Where does something come from that is no number?",
         .mistakes = {{"no-line", line ? 0.0 : 1.0,
                       "At the same place there is no line from one centre "
@@ -159,7 +155,7 @@ static bool check_depth(const struct pair *p, const char *question)
     return CHECK_NEAR(
         answer(p).depth, .quantity = "depth of the overlap", .unit = "m",
         .input = input(p), .expected = right, .tolerance = tolerance(p),
-        .because = because, .equation = "eq:push", .question = question,
+        .because = because, .question = question,
         .mistakes = {{"share-for-the-depth", right * p->b.mass / sum,
                       "This is the way of one of the two. How deep was the "
                       "overlap?"}});
@@ -263,16 +259,15 @@ static void test_touch(void)
                 .unit = "m", .input = input(&p),
                 .expected = (1.5 * p.a.x[k] + 4.0 * p.b.x[k]) / 5.5,
                 .tolerance = tolerance(&p), .because = because,
-                .equation = "eq:push",
                 .question = "By how much is m1 x1 + m2 x2 changed by one "
                             "of the two ways, and by the other?"))
             return;
     }
-    (void)CHECK_NEAR(
-        sqrt(square), .quantity = "distance of the centres", .unit = "m",
-        .input = input(&p), .expected = 1.75, .tolerance = tolerance(&p),
-        .because = because, .equation = "eq:push",
-        .question = "How far are two spheres apart that touch?");
+    (void)CHECK_NEAR(sqrt(square), .quantity = "distance of the centres",
+                     .unit = "m", .input = input(&p), .expected = 1.75,
+                     .tolerance = tolerance(&p), .because = because,
+                     .question =
+                         "How far are two spheres apart that touch?");
 }
 
 static bool check_unchanged(const struct pair *p, double gap)
@@ -284,8 +279,7 @@ static bool check_unchanged(const struct pair *p, double gap)
     if (!CHECK_NEAR(
             r.depth, .quantity = "depth of the overlap", .unit = "m",
             .input = input(p), .expected = 0.0, .tolerance = 0.0,
-            .because = "there is none", .equation = "eq:push",
-            .question = question,
+            .because = "there is none", .question = question,
             .mistakes = {
                 {"pulled-together", moved ? r.depth : 0.0,
                  "These two are apart, and have been pulled together. What "
@@ -447,6 +441,7 @@ const struct check_suite check_suite = {
     .file = "11a-apart.c",
     .title = "Push two spheres apart",
     .minutes = 20,
+    .equation = "eq:push",
     .tests =
         {{"equal masses go equally far", test_equal, 1, 0},
          {"the lighter one goes further", test_masses, 2, 0},

@@ -1,5 +1,4 @@
-/* Further tests of exercise 11b, for the lecturer: long rows, a row seen in
-   a mirror, and one seen by somebody who walks along, in other units. */
+/* The hidden tests of exercise 11b, "What leaves the cradle?". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -14,7 +13,6 @@ static bool check(size_t n, const char *row, double got, double expected,
                       .expected = expected, .tolerance = tolerance,
                       .because = "1e-11 of the largest that there is, or a "
                                  "number that is exact",
-                      .equation = "eq:cradle",
                       .question = "A row of balls does not depend on who "
                                   "looks at it. Does yours?");
 }

@@ -2,8 +2,6 @@
    found anew only beside the pair that collided; a ball knows where it was
    at its last collision. */
 
-#include <math.h>
-
 struct ball {
     double m, v, x, t;
 };

@@ -1,8 +1,6 @@
 /* A right answer: places, which are moved from one collision to the next,
    and the momentum that is exchanged. */
 
-#include <math.h>
-
 size_t cradle(size_t n, const double mass[], double v[])
 {
     double x[128], top = 0;

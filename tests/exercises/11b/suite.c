@@ -1,6 +1,4 @@
-/* The suite of exercise 11b: two balls, equal masses, balls that part, a
-   heavy first ball, rows worked out with fractions, three balls by
-   angles, and drawn rows. */
+/* The suite of exercise 11b, "What leaves the cradle?". */
 
 #include "examiner/check.h"
 #include <stdio.h>
@@ -230,8 +228,7 @@ static bool check_velocity(const struct row *r, size_t i,
         got->v[i],
         .quantity = check_text("v[%zu], of ball %zu at the end", i, i),
         .unit = "m/s", .input = input(r), .expected = expected->v[i],
-        .tolerance = tolerance(r), .because = because,
-        .equation = "eq:cradle", .question = question,
+        .tolerance = tolerance(r), .because = because, .question = question,
         .mistakes = {
             {"one-sweep", EXPLAINED(sweep),
              "This goes through the row once, from left to right. Is all "
@@ -256,8 +253,7 @@ static bool check_count(const struct row *r, size_t got, size_t expected,
     return CHECK_NEAR(
         (double)got, .quantity = "number of collisions", .input = input(r),
         .expected = (double)expected, .tolerance = 0.0,
-        .because = "a number is exact", .equation = "eq:cradle",
-        .question = question,
+        .because = "a number is exact", .question = question,
         .mistakes = {
             {"rounding-counted",
              got > expected ? (double)got : (double)expected,
@@ -278,7 +274,6 @@ static bool check_end(const struct row *r, const struct end *expected,
                       .input = input(r), .expected = -99.0,
                       .tolerance = 0.0,
                       .because = "it does not belong to the row",
-                      .equation = "eq:cradle",
                       .question = "Who is the last ball, and has it a "
                                   "neighbour on the right?");
 }
@@ -298,7 +293,6 @@ static bool check_two(double m0, double m1, double v0, double v1, double u0,
                     check_text("v[%d], of ball %d at the end", i, i),
                 .unit = "m/s", .input = input(&r), .expected = i ? u1 : u0,
                 .tolerance = tolerance(&r), .because = because,
-                .equation = "eq:cradle",
                 .question = "Two balls meet once. What does each give to "
                             "the other?",
                 .mistakes = {{"velocities-exchanged", i ? v0 : v1,
@@ -625,6 +619,7 @@ const struct check_suite check_suite = {
     .file = "11b-cradle.c",
     .title = "What leaves the cradle?",
     .minutes = 30,
+    .equation = "eq:cradle",
     .tests =
         {{"two balls bounce off each other", test_two, 2, 0},
          {"one in, one out", test_one, 1, 0},

@@ -1,7 +1,5 @@
 /* mistake: each-pair-once */
 
-#include <math.h>
-
 size_t cradle(size_t n, const double mass[], double v[])
 {
     double x[100], top = 0;

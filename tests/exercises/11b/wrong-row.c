@@ -1,7 +1,5 @@
 /* mistake: order-of-the-row */
 
-#include <math.h>
-
 size_t cradle(size_t n, const double mass[], double v[])
 {
     size_t i, k, count = 0;

@@ -1,5 +1,4 @@
-/* What the grader also asks of exercise 11c: seen from a train, and with
-   the two exchanged. */
+/* The hidden tests of exercise 11c, "Going back". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -25,7 +24,7 @@ static bool check(double got, double expected, const char *what,
         got, .quantity = what, .input = "two spheres, drawn, that overlap",
         .expected = expected, .tolerance = 1e-12,
         .because = "a handful of roundings, of numbers near 1",
-        .equation = "eq:back-time", .question = question);
+        .question = question);
 }
 
 static void test_train(void)

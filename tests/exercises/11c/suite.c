@@ -1,5 +1,4 @@
-/* The suite of exercise 11c: head on, a wall, aside, in space, what is not
-   to be changed, and pairs that are made from their contact. */
+/* The suite of exercise 11c, "Going back". */
 
 #include "examiner/check.h"
 #include <string.h>
@@ -98,7 +97,7 @@ static bool check_time(const struct made *m, double got,
         .input = input(&m->now), .expected = m->ago, .tolerance = slack(m),
         .because =
             "64 epsilons of places and radii, over the speed of approach",
-        .equation = "eq:back-time", .question = question,
+        .question = question,
         .mistakes = {
             {"other-root", m->ago + 2.0 * in / u2,
              "This is when they would come out at the other side. Which of "
@@ -160,7 +159,7 @@ static bool check_number(const struct made *m, const struct pair *got,
                          ? 4.0 * off
                          : 8.0 * fast * (off / far + 4.0 * DBL_EPSILON),
         .because = "what the error of the time does to it",
-        .equation = "eq:back-time", .question = question,
+        .question = question,
         .mistakes = {
             {"line-of-now", number(&now, at),
              "You exchange momentum along the line between the centres as "
@@ -281,14 +280,13 @@ static bool check_left(const struct pair *p, const char *mistake,
         changed += number(&q, at) != number(p, at);
     return CHECK_NEAR(got, .quantity = "what is returned", .unit = "s",
                       .input = input(p), .expected = -1.0, .tolerance = 0.0,
-                      .because = "-1 is exact", .equation = "eq:back-time",
-                      .question = question,
+                      .because = "-1 is exact", .question = question,
                       .mistakes = {{mistake, got, question}}) &&
            CHECK_NEAR(changed,
                       .quantity =
                           "how many numbers of the spheres have changed",
                       .input = input(p), .expected = 0.0, .tolerance = 0.0,
-                      .because = "none should", .equation = "eq:back-time",
+                      .because = "none should",
                       .question = "You say that nothing is to be done, and "
                                   "do something. In which order?",
                       .mistakes = {{"changed-anyway", changed,
@@ -317,7 +315,7 @@ static bool check_just_then(void)
                     .tolerance = slack(&m),
                     .because = "64 epsilons of places and radii, over the "
                                "speed of approach",
-                    .equation = "eq:back-time", .question = question,
+                    .question = question,
                     .mistakes = {{"dt-itself-refused", -1.0, question}}))
         return false;
     m.touching.dt = 0.0625 * (1.0 + 1e-6);
@@ -362,6 +360,7 @@ const struct check_suite check_suite = {
     .file = "11c-back.c",
     .title = "Going back",
     .minutes = 35,
+    .equation = "eq:back-time",
     .tests = {{"head on it is chapter 1's collision", test_head_on, 1, 0},
               {"a wall turns a sphere round", test_wall, 1, 0},
               {"aside they touched along another line", test_aside, 2, 0},

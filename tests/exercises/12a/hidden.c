@@ -1,5 +1,4 @@
-/* Further tests of exercise 12a, for the lecturer: costs and errors
-   exchanged, other units, and many choices. */
+/* The hidden tests of exercise 12a, "The Pareto front". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -23,7 +22,7 @@ static bool check(size_t n, const char *what, double got, double expected,
         got, .quantity = quantity,
         .input = check_text("%zu choices, %s", n, what),
         .expected = expected, .tolerance = 0.0,
-        .because = "a number of things is exact", .equation = "eq:front",
+        .because = "a number of things is exact",
         .question = "Is there anything in your program that knows more of "
                     "two choices than which is less?");
 }

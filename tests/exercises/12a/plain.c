@@ -1,6 +1,5 @@
 /* A right answer in plain C, with which wrong.diff begins. */
 
-#include <math.h>
 #include <stdbool.h>
 
 size_t pareto_front(size_t n, const struct choice c[], size_t f[])

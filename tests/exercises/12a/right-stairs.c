@@ -1,7 +1,5 @@
 /* Down the stairs: the next one is the cheapest of those that err less. */
 
-#include <math.h>
-
 size_t pareto_front(size_t n, const struct choice choice[], size_t front[])
 {
     double step = INFINITY;

@@ -1,6 +1,5 @@
 /* All are sorted; then one walks from the cheapest to the dearest. */
 
-#include <math.h>
 #include <stdlib.h>
 
 static int in_order(const void *p, const void *q)

@@ -1,5 +1,4 @@
-/* The suite of exercise 12a: three choices, any order, ties, equals, runs
-   that blew up, a staircase, a hair's breadth, and drawn choices. */
+/* The suite of exercise 12a, "The Pareto front". */
 
 #include "examiner/check.h"
 #include <stdio.h>
@@ -192,7 +191,6 @@ static bool check_number(const struct choices *c, const struct list *got,
                           .expected = expected,
                           .tolerance = 0.0,
                           .because = "a number of things is exact",
-                          .equation = "eq:front",
                           .question = question};
     if (got->count <= c->n)
         explain(c, got, number, check.mistakes);
@@ -426,6 +424,7 @@ const struct check_suite check_suite = {
     .file = "12a-front.c",
     .title = "The Pareto front",
     .minutes = 20,
+    .equation = "eq:front",
     .tests = {{"three choices, of which one may be beaten", test_three, 2,
                0},
               {"one choice, or none", test_few, 1, 0},

@@ -1,5 +1,4 @@
-/* What the grader also asks of exercise 12b: a step without any rounding,
-   for a body that nothing pulls, and a world in which rounding grows. */
+/* The hidden tests of exercise 12b, "Other units". */
 
 #include "examiner/check.h"
 
@@ -48,7 +47,6 @@ static void test_hill(void)
                         "of 0.1 s",
                .expected = 10.0, .tolerance = 3.0,
                .because = "chance is a factor of 20 at most",
-               .equation = "eq:choose-slip",
                .question = "On a hill a rounding grows as everything else. "
                            "Does your second run go through all steps?");
 }
@@ -64,7 +62,6 @@ static void test_negative(void)
                 .unit = "m", .input = "a spring and a weight, drawn",
                 .expected = 0.0, .tolerance = 1e-11 * (1.0 + fabs(end)),
                 .because = "far more than rounding can do",
-                .equation = "eq:choose-slip",
                 .question = "Which number was left in the old "
                             "units?"))
             return;

@@ -1,5 +1,4 @@
-/* The suite of exercise 12b: the run itself, what is given to the second
-   run, and how far apart the two are, by what rounding really does. */
+/* The suite of exercise 12b, "Other units". */
 
 #include "examiner/check.h"
 
@@ -170,8 +169,7 @@ static bool check_same(const struct job *j, const char *question)
     return CHECK_NEAR(
         got, .quantity = "how far the two runs are apart", .unit = "m",
         .input = input(j), .expected = 0.0, .tolerance = 1e-10 * size,
-        .because = "much more than rounding can do",
-        .equation = "eq:choose-slip", .question = question,
+        .because = "much more than rounding can do", .question = question,
         .mistakes = {
             {"velocity-in-old-units", f == VELOCITY ? got : 0.0,
              "Your second run does not begin with the same velocity. What "
@@ -203,7 +201,6 @@ static void test_run(void)
                 end, .quantity = "*end", .unit = "m", .input = input(&j),
                 .expected = plain(&j, j.n), .tolerance = 0.0,
                 .because = "the same steps have the same roundings",
-                .equation = "eq:choose-slip",
                 .question = "This is the run in m and s. How many steps "
                             "has it?",
                 .mistakes = {
@@ -287,7 +284,6 @@ static void test_size(void)
                         .unit = "m", .input = input(&j), .expected = 0.0,
                         .tolerance = 0.0,
                         .because = "no distance is negative",
-                        .equation = "eq:choose-slip",
                         .question = "What is a distance without its sign?",
                         .mistakes = {{"signed", d,
                                       "A distance has no sign. On which "
@@ -301,7 +297,6 @@ static void test_size(void)
                .tolerance = 0.7,
                .because = "the squares of two independent errors add; five "
                           "standard deviations of 60 such runs",
-               .equation = "eq:choose-slip",
                .question = "What you find is not what rounding does. Is "
                            "everything in one system of units, in each of "
                            "the runs?",
@@ -329,6 +324,7 @@ const struct check_suite check_suite = {
     .file = "12b-units.c",
     .title = "Other units",
     .minutes = 25,
+    .equation = "eq:choose-slip",
     .tests =
         {{"the run in metres ends where its steps lead", test_run, 1, 0},
          {"a spring in other units is the same spring", test_spring, 1, 0},

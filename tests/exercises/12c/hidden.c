@@ -1,5 +1,4 @@
-/* Further tests of exercise 12c, for the lecturer: other units, twice the
-   time, and what really happens in three scenes. */
+/* The hidden tests of exercise 12c, "Leave a force out". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -21,10 +20,10 @@ static bool check(double got, double expected, double tolerance,
                   const char *quantity, const char *input,
                   const char *question)
 {
-    return CHECK_NEAR(
-        got, .quantity = quantity, .input = input, .expected = expected,
-        .tolerance = tolerance, .because = "what was asked for, twice",
-        .equation = "eq:models-left-out", .question = question);
+    return CHECK_NEAR(got, .quantity = quantity, .input = input,
+                      .expected = expected, .tolerance = tolerance,
+                      .because = "what was asked for, twice",
+                      .question = question);
 }
 
 /* cosh(2 x) - 1 = 2 (cosh(x) - 1) (cosh(x) + 1). */

@@ -1,7 +1,5 @@
 /* A right answer in plain C, with which wrong.diff begins. */
 
-#include <math.h>
-
 bool leave_out(double push, double stretch, double time, double *budget,
                double *bound)
 {

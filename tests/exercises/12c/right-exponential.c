@@ -1,7 +1,5 @@
 /* exp(x) - 1 and 1 - exp(-x): their product is twice what is needed. */
 
-#include <math.h>
-
 bool leave_out(double push, double stretch, double time, double *budget,
                double *bound)
 {

@@ -1,7 +1,5 @@
 /* The series where it is short, and the cosine where it is not. */
 
-#include <math.h>
-
 bool leave_out(double push, double stretch, double time, double *budget,
                double *bound)
 {

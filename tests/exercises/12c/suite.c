@@ -1,6 +1,4 @@
-/* The suite of exercise 12c: a push and nothing else, a pencil on its tip,
-   little stretch and much, nothing at all, the verdict, a budget that is
-   spent, and drawn forces. */
+/* The suite of exercise 12c, "Leave a force out". */
 
 #include "examiner/check.h"
 #include "call.h"
@@ -100,7 +98,6 @@ static bool check_bound(const struct force *f, double got, double expected,
                       .expected = expected,
                       .tolerance = isinf(expected) ? 0.0 : 1e-12 * expected,
                       .because = "what was asked for",
-                      .equation = "eq:models-left-out",
                       .question = question};
     for (size_t i = 0, used = 0; i < sizeof all / sizeof *all; ++i)
         if (isnan(all[i].value) ? isnan(got) && i == 0
@@ -138,8 +135,7 @@ static bool check_may(const struct force *f, const struct answer *a,
         a->may, .quantity = "may the force go? (1 yes, 0 no)",
         .input = input(f), .expected = expected, .tolerance = 0.0,
         .because = "it may go if its bound is not more than the budget",
-        .equation = "eq:models-left-out", .question = question,
-        .mistakes = {mistake});
+        .question = question, .mistakes = {mistake});
 }
 
 static bool check_budget(const struct force *f, const struct answer *a,
@@ -149,8 +145,7 @@ static bool check_budget(const struct force *f, const struct answer *a,
     return CHECK_NEAR(
         a->budget, .quantity = "*budget, afterwards", .unit = "m",
         .input = input(f), .expected = expected, .tolerance = 2e-12 * whole,
-        .because = "1e-12 of the bound, and rounding",
-        .equation = "eq:models-left-out", .question = question,
+        .because = "1e-12 of the bound, and rounding", .question = question,
         .mistakes = {
             {"budget-not-spent", whole > expected ? whole : NAN,
              "The force goes, and the budget is what it was. How much is "
@@ -312,7 +307,6 @@ static void test_friction(void)
                 .tolerance = k * k * t * t + 1e-15 / (k * t),
                 .because = "the next term of a series, and rounding of "
                            "what friction does",
-                .equation = "eq:models-left-out",
                 .question = "The bound must not be less than what happens, "
                             "and not much more. Which is it?"))
             return;
@@ -362,6 +356,7 @@ const struct check_suite check_suite = {
     .file = "12c-without.c",
     .title = "Leave a force out",
     .minutes = 25,
+    .equation = "eq:models-left-out",
     .tests = {{"a push, and nothing that stretches", test_push, 2, 0},
               {"a pencil on its tip is pushed", test_pencil, 2, 0},
               {"no force, or no time", test_nothing, 1, 0},

@@ -26,7 +26,6 @@ static void test_train(void)
                                     u1, u2, -train),
                 .expected = here, .tolerance = 32.0 * DBL_EPSILON * all,
                 .because = "32 epsilons of the energy in play",
-                .equation = "eq:energy-loss",
                 .question = "Can a passer-by change what is lost?"))
             return;
     }

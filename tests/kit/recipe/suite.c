@@ -17,7 +17,6 @@ static void check_stake(double u1, double u2, double im1, double im2,
         .expected = expected, .tolerance = 16.0 * DBL_EPSILON * scale,
         .because = "16 epsilons of the energy in play: a handful of "
                    "roundings, doubled by squaring",
-        .equation = "eq:energy-loss",
         .question = "When they stick together, which motion is left, and "
                     "how much energy is in it?",
         .mistakes = {
@@ -59,6 +58,7 @@ const struct check_suite check_suite = {
     .file = "01f-stake.c",
     .title = "What a collision can cost at most",
     .minutes = 10,
+    .equation = "eq:energy-loss",
     .tests = {{"a pair worked out by hand", test_known, 2, 0},
               {"a body runs into a wall", test_wall, 1, 0},
               {"any pair", test_drawn, 2, 3},

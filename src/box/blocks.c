@@ -19,8 +19,8 @@ void blocks_free(struct blocks *b)
     free(b->sum);
     *b = (struct blocks){0};
 }
-/* Goes on to the next block. When all are full, neighbours are joined, and
-   the second half is empty again. */
+/* Ends the present block. When all blocks are full, it joins neighbours in
+   pairs, which empties the second half of them. */
 static void end_block(struct blocks *b)
 {
     const size_t width = b->width, half = BLOCKS_MOST / 2;
@@ -51,17 +51,18 @@ void blocks_append(struct blocks *b, const double sum[])
     end_block(b);
 }
 
-enum { PARTS = 16 }; /* of a third */
+enum { PARTS = 16 }; /* equal parts of a third of the values */
 
 struct third {
-    double mean, square; /* of the error */
+    double mean, square; /* square: of the standard error of the mean */
 };
 
-/* Returns the mean of a third of the values and the square of its error,
-   from the scatter of 16 parts, in this unit, so that squares of large and
-   small numbers can be taken. The scatter is no measure of the error, and
-   the square NAN, where events are so rare that a part has none, or so
-   regular, as the bounces of a single disk, that all parts are alike. */
+/* Returns the mean of a third of the values and the square of its standard
+   error, from the scatter of 16 parts. Both are in this unit, so that
+   squares of large and small numbers do not overflow. The square is NAN,
+   since the scatter then measures no error, if a part has only zeros
+   because events are rare, or if all parts are alike, as when a single disk
+   bounces regularly. */
 static struct third third_of(double unit, const double x[], size_t per)
 {
     double part[PARTS] = {0};
@@ -75,9 +76,10 @@ static struct third third_of(double unit, const double x[], size_t per)
     return (struct third){m.mean, idle ? NAN : m.variance / PARTS};
 }
 
-/* Of the two errors the smaller is taken: in a steady run they measure the
-   same, and where a crystal melts within a third the larger one would be
-   so large as to excuse it. */
+/* Returns by how many standard errors the last third exceeds the first, NAN
+   if that is unknown. It uses the smaller of the two errors: in a steady
+   run both estimate the same error, and where a crystal melts within a
+   third the larger one would be large enough to hide the drift. */
 static double drift_of(size_t n, const double x[])
 {
     const size_t per = n / 3 / PARTS;
@@ -92,7 +94,7 @@ static double drift_of(size_t n, const double x[])
            sqrt(2 * fmin(a.square, b.square)); /* (7.18, eq:drift) */
 }
 
-/* The error is that of chapter 3: blocks of these blocks. */
+/* The error comes from blocking these values, as in chapter 3. */
 struct blocks_average blocks_average_of(size_t n, const double x[])
 {
     struct statistics_blocking b;

@@ -1,17 +1,18 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 926065654 of the lines below */
-/* Days that are linked lists, as wide as keeps them a few events long. */
+/* checksum 282678327 of the lines below */
+/* A calendar queue: days that are linked lists, each a few events long. */
 #include "box/calendar.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 enum {
-    BUSY = 2,   /* events that a day should have */
-    CROWDED = 8 /* events looked at for each one that is found: too many */
+    BUSY = 2,   /* events that a day should contain */
+    CROWDED = 8 /* events examined for one found: days are too wide */
 };
 
-/* Marks a previous that is no event but a day, the first in its list. */
+/* The bit in `previous` that says: this event is the first in its list, and
+   the other bits are the number of the day. */
 #define DAY ((uint32_t)1 << 31)
 
 void calendar_free(struct calendar *c)

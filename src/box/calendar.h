@@ -1,4 +1,4 @@
-/* A list of future events that knows the earliest, day by day. */
+/* A calendar queue: future events in lists by day; finds the earliest. */
 #ifndef CALENDAR_H
 #define CALENDAR_H
 
@@ -8,44 +8,43 @@
 
 #define CALENDAR_NONE UINT32_MAX /* no event */
 
-/* What one of the numbered events has to remember. */
+/* One of the numbered events. */
 struct calendar_event {
-    double time;             /* s; INFINITY: in no list */
-    uint32_t next, previous; /* neighbours in the list of its day */
-    uint32_t partner;        /* the caller's: with whom */
-    uint32_t version;        /* the caller's: how the partner was then */
+    double time;             /* s; INFINITY: not in the calendar */
+    uint32_t next, previous; /* events in the list of its day */
+    uint32_t partner;        /* for the caller: a disk or a wall */
+    uint32_t version;        /* for the caller: to find stale events */
 };
 
-/* Events 0 to size-1, each with a time or none, in lists one day wide that
-   end with the number size. Behind the last day is one list of all that
-   comes later. */
+/* Events 0 to size - 1, each with a time or with none. Those of one day are
+   in one linked list, whose last `next` is size. All events after the last
+   day are in one more list. */
 struct calendar {
     struct calendar_event *event;
-    uint32_t *day; /* the first event of each day; [days]: later */
+    uint32_t *day; /* first event of each day; [days]: of the later ones */
     size_t size, days, today;
     size_t count;    /* events that have a time */
-    double begin;    /* of day 0, s */
-    double width;    /* of a day, s */
-    uint64_t asked;  /* how often for the first event, since the turn */
-    uint64_t looked; /* at how many events of a day for that */
+    double begin;    /* when day 0 begins, s */
+    double width;    /* length of a day, s */
+    uint64_t asked;  /* calls of calendar_first in this year */
+    uint64_t looked; /* events that these calls examined */
 };
 
-/* Prepares a calendar for events 0 to size-1 that starts at the time
-   begin, s, none of them with a time yet. width, s: a guess of how long a
-   day should be; the calendar mends it. Returns false, with nothing to
-   free, when there is no memory. Requires 0 < size < 2^31 - 64,
-   width > 0. */
+/* Prepares a calendar for events 0 to size-1 that starts at the time begin,
+   s, none of them with a time yet. width, s, is a first guess of the length
+   of a day, which the calendar adapts. Returns false, with nothing to free,
+   if memory runs out. Requires 0 < size < 2^31 - 64, width > 0. */
 bool calendar_create(struct calendar *c, size_t size, double begin,
                      double width);
 void calendar_free(struct calendar *c);
 
-/* Gives an event a time, s, whether it had one or not; INFINITY takes it
-   out. Cost: the same for any size. Source: (7.17, eq:day). */
+/* Gives an event a new time, s; INFINITY removes it from the calendar. The
+   cost does not depend on the number of events (7.17, eq:day). */
 void calendar_put(struct calendar *c, uint32_t event, double time);
 
-/* Returns the earliest event, CALENDAR_NONE if none has a time. Of events
-   at the same time, each with its partner, it returns the first in order of
-   the smaller number of the two, then of the larger. */
+/* Returns the earliest event, or CALENDAR_NONE if none has a time. Of
+   events at the same time it returns the one whose pair, event and partner,
+   has the smallest number, then the smaller other number. */
 uint32_t calendar_first(struct calendar *c);
 
 #endif

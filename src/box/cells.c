@@ -11,26 +11,24 @@
 #include <immintrin.h>
 #endif
 
-enum { BATCH = 4 }; /* anchors that are measured together */
+enum { BATCH = 4 }; /* anchors whose distances are computed together */
 
-/* Returns where the x of disk i's anchor stands; y and z stand `room` and
-   2 `room` floats behind it, since a cell keeps the x of all its anchors,
-   then the y, then the z. */
+/* Returns the address of the x of disk i's anchor; its y and z lie c->room
+   and 2 c->room floats behind it, since a cell stores the x of all its
+   anchors, then their y, then their z. */
 static const float *place_of(const struct cells *c, uint32_t i)
 {
     const struct cells_anchor *a = &c->anchor[i];
     return c->place + 3 * a->cell * c->room + a->spot;
 }
 
-/* x + SHIFT - SHIFT is the whole number nearest to x, as in image.h, for
-   vectors too. */
+/* x + SHIFT - SHIFT is the whole number nearest to x (see image.h). */
 #define SHIFT 6755399441055744.0
 
 /* Fills way with how far disk i has moved from its anchor, m, and v with
-   its velocity, m/s. It is asked for with each plan, so what
-   disks_position and disks_separation would give is written out here
-   without a division: 10 000 spheres run 6 % faster for it. Only disks
-   that fall take the long way. */
+   its velocity, m/s. Since every plan calls it, it repeats the code of
+   disks_position and disks_separation without their divisions: 10 000
+   spheres run 6 % faster. Only disks under gravity call disks_position. */
 static void leave_anchor(const struct cells *c, uint32_t i, double way[],
                          double v[])
 {
@@ -51,12 +49,11 @@ static void leave_anchor(const struct cells *c, uint32_t i, double way[],
 }
 
 /* Returns when disk i will be a skin away from its anchor, s (7.15,
-   eq:skin-end); INFINITY, without a root, if that is not before `until`,
-   and now if a rounding has put it there already. A disk that falls flies
-   a parabola, whose exact time would need the root of an equation of the
-   fourth degree. A quarter of its skin is set aside for falling, enough
-   for the time `most`, and within this time the straight flight has the
-   other three quarters. */
+   eq:skin-end): INFINITY, without taking a root, if that is not before
+   `until`, and now if rounding has put it there already. Under gravity the
+   exact time would be the root of a quartic. Instead, a quarter of the skin
+   is reserved for falling, which suffices for the time `most`, and a
+   straight flight may use the other three quarters. */
 static double skin_end(const struct cells *c, uint32_t i, double until)
 {
     const double g = c->d->gravity;
@@ -78,8 +75,8 @@ static double skin_end(const struct cells *c, uint32_t i, double until)
     return c->d->now + fmin(end, most);
 }
 
-/* Keeps in *first the earliest meeting of disk i with a neighbour, if it
-   comes before what is there. */
+/* Replaces *first by the earliest meeting of disk i with a neighbour, if
+   that comes before *first. */
 static void ask_each(const struct cells *c, uint32_t i,
                      struct disks_event *first)
 {
@@ -92,9 +89,9 @@ static void ask_each(const struct cells *c, uint32_t i,
     }
 }
 
-/* Four neighbours at a time. The lanes round as single numbers do, and the
-   operations are those of disks_meeting in the same order, so that the
-   bits are the same. */
+/* Code for four neighbours at a time. It does the operations of
+   disks_meeting in the same order, and vector lanes round as scalars do, so
+   the results are equal to the last bit. */
 #ifdef VECTOR_AVX2
 typedef __m256d v4;
 typedef long long l4 __attribute__((vector_size(32)));
@@ -104,7 +101,7 @@ VECTOR_AVX2 static inline v4 all(double x)
     return _mm256_set1_pd(x);
 }
 
-/* Turns four rows of four numbers into four columns. */
+/* Transposes a matrix of four rows, a to d. */
 VECTOR_AVX2 static inline void transpose(v4 a, v4 b, v4 c, v4 d,
                                          v4 column[4])
 {
@@ -116,8 +113,8 @@ VECTOR_AVX2 static inline void transpose(v4 a, v4 b, v4 c, v4 d,
     column[3] = _mm256_permute2f128_pd(ba, dc, 0x31);
 }
 
-/* Reads four disks, a cache line each, into columns: place holds four
-   times x, y, z and since, speed four times the velocity and the radius. */
+/* Reads four disks, a cache line each, into vectors: place becomes x, y, z
+   and since, speed the three velocities and the radius. */
 VECTOR_AVX2 static inline void gather(const struct disk *disk,
                                       const uint32_t *list, v4 place[4],
                                       v4 speed[4])
@@ -132,8 +129,9 @@ VECTOR_AVX2 static inline void gather(const struct disk *disk,
               _mm256_load_pd(c + 4), _mm256_load_pd(d + 4), speed);
 }
 
-/* Fills in where four disks are and how fast they move, as seen from disk
-   a, and the distances of contact. Returns the times of these places. */
+/* Fills in the separations and relative velocities of four disks as seen
+   from disk a, and their distances at contact. Returns the times for which
+   the separations are computed. */
 VECTOR_AVX2 static inline v4 approach(const struct cells *c,
                                       const struct disk *a,
                                       const uint32_t *list, v4 apart[3],
@@ -166,15 +164,16 @@ VECTOR_AVX2 static inline v4 choose(v4 otherwise, v4 x, l4 chosen)
     return _mm256_blendv_pd(otherwise, x, (v4)chosen);
 }
 
-/* The earliest meeting in each lane. */
+/* The earliest meeting in each lane: its time, s, and the partner. */
 struct lanes {
     v4 time;
     l4 who;
 };
 
-/* Lanes cannot branch, since they may disagree: both answers are computed
-   and one is chosen. To skip the root where no lane meets anybody, which
-   is often, costs more than the root: the processor cannot foresee it. */
+/* Updates *first by the meetings of disk a with four disks. Lanes cannot
+   branch separately, so both answers are computed and one is selected.
+   Skipping the root when no lane has a meeting, which is common, was
+   slower: the processor mispredicts this branch too often. */
 VECTOR_AVX2 static inline void meet_four(const struct cells *c,
                                          const struct disk *a,
                                          const uint32_t *list,
@@ -196,8 +195,8 @@ VECTOR_AVX2 static inline void meet_four(const struct cells *c,
     first->who = (l4)choose((v4)first->who, (v4)who, sooner);
 }
 
-/* As ask_each. A list whose length is no multiple of four ends with the
-   disk itself, which approaches nobody. */
+/* Does what ask_each does. A list whose length is no multiple of four is
+   padded with disk i itself, which it never meets. */
 VECTOR_AVX2 static void ask_four(const struct cells *c, uint32_t i,
                                  struct disks_event *first)
 {
@@ -217,9 +216,9 @@ VECTOR_AVX2 static void ask_four(const struct cells *c, uint32_t i,
 }
 #endif
 
-/* Eight neighbours at a time. A register holds half a disk twice, and
-   pairs are laid side by side so that the columns come out in the order of
-   the list. */
+/* Code for eight neighbours at a time. A 512-bit register takes halves of
+   two disks; pairs are chosen so that transposed columns follow the
+   list. */
 #ifdef VECTOR_AVX512
 #define EIGHT VECTOR_LONG VECTOR_AVX512 static inline
 typedef __m512d v8;
@@ -245,9 +244,10 @@ EIGHT void gather_eight(const struct disk *disk, const uint32_t *list,
     column[3] = _mm512_shuffle_f64x2(ba, dc, 0xdd);
 }
 
-/* The earliest meeting in each lane, and in which lanes two meetings had
-   the same time. That hardly ever happens, and to order them in each lane
-   would take 2 % of a dense gas's time, so it is only noted. */
+/* The earliest meeting in each lane: its time, s, and the partner. ties
+   marks lanes in which two meetings had equal times. These are so rare that
+   ordering them in each lane, which costs 2 % of the time in a dense gas,
+   is left to scalar code. */
 struct lanes_eight {
     v8 time;
     __m512i who;
@@ -257,7 +257,8 @@ struct lanes_eight {
 #define IS(a, how, b) _mm512_cmp_pd_mask(a, b, _CMP_##how##_OQ)
 #define DOT(a, b) (a[0] * b[0] + a[1] * b[1] + a[2] * b[2])
 
-/* asked: the lanes that count. */
+/* Updates *first by the meetings of disk a with the eight disks of the list
+   whose bit in `asked` is set. */
 EIGHT void meet_eight(const struct cells *c, const struct disk *a,
                       const uint32_t *list, __mmask8 asked,
                       struct lanes_eight *first)
@@ -291,11 +292,12 @@ EIGHT void meet_eight(const struct cells *c, const struct disk *a,
     first->who = _mm512_mask_mov_epi64(first->who, sooner, who);
 }
 
-/* As ask_each. Most disks have 9 to 16 neighbours: the first two batches
-   stand one after the other, so that the processor begins the second one
-   before it has the roots of the first. The last batch ends with the last
-   of the list; those in it that were asked before are masked out, or each
-   would tie with itself. After a tie all are asked again, one by one. */
+/* Does what ask_each does. Most disks have 9 to 16 neighbours: the first
+   two batches follow each other without a loop, so that the processor
+   starts the second before the roots of the first are done. The last batch
+   ends with the end of the list; lanes that repeat earlier neighbours are
+   masked out, as each would tie with itself. After a tie it calls
+   ask_each. */
 EIGHT void ask_eight(const struct cells *c, uint32_t i,
                      struct disks_event *first)
 {
@@ -336,8 +338,9 @@ size_t cells_lanes(void)
 #endif
 }
 
-/* The lanes know straight flights only: disks that fall are asked one by
-   one. */
+/* Updates *first by the meetings of disk i with its neighbours, by the
+   widest vector code available. That assumes straight flights, so under
+   gravity the neighbours are examined one by one. */
 static void look_at_neighbours(const struct cells *c, uint32_t i,
                                struct disks_event *first)
 {
@@ -353,10 +356,10 @@ static void look_at_neighbours(const struct cells *c, uint32_t i,
     ask_each(c, i, first);
 }
 
-/* A large system mostly waits for memory: the disks that collide next may
-   be anywhere, but it is known early which they are. To fetch them early
-   changes nothing but the time. gcc takes a function that only fetches for
-   one without effect and drops its calls, so all are inlined. */
+/* FETCH loads a cache line in advance. A large system mostly waits for
+   memory: the disks that collide next may lie anywhere, but they are known
+   early. gcc regards a function that only prefetches as without effect and
+   drops its calls, so all of them are inlined. */
 #ifdef __GNUC__
 #define FETCH(place) __builtin_prefetch(place)
 #define FETCHING static inline __attribute__((always_inline))
@@ -365,16 +368,16 @@ static void look_at_neighbours(const struct cells *c, uint32_t i,
 #define FETCHING static inline
 #endif
 
-/* Fewer than FETCH_EARLY disks fit into the cache. From FETCH_LATE on it
-   pays to fetch neighbours once more right before they are needed; with
-   fewer the fetches of look_ahead are enough. */
+/* Numbers of disks: fewer than FETCH_EARLY fit into the cache and need no
+   prefetching. From FETCH_LATE on it pays to fetch neighbours again right
+   before they are needed; below that look_ahead alone is enough. */
 enum { FETCH_EARLY = 4000, FETCH_LATE = 50000 };
-enum { FETCHED = 12 }; /* seats of a list; there are no fewer */
+enum { FETCHED = 12 }; /* entries fetched; no list has fewer */
 
-/* Fetches the neighbours of disk i. The processor cannot foresee how many
-   it has, so below FETCH_LATE twelve seats are fetched, whoever sits
-   there: 4 % with 10 000 spheres. With 100 000 memory has enough to do
-   without the free ones. */
+/* Prefetches the neighbours of disk i. Below FETCH_LATE disks it fetches
+   twelve entries of the list, used or not, since the processor mispredicts
+   the end of a loop of varying length: 4 % faster with 10 000 spheres. With
+   100 000 memory is too busy for the unused ones. */
 FETCHING void fetch_list(const struct cells *c, uint32_t i)
 {
     const uint32_t *list = c->neighbour + i * c->seats;
@@ -391,8 +394,8 @@ FETCHING void fetch_neighbours(const struct cells *c, uint32_t i)
         fetch_list(c, i);
 }
 
-/* Fetches what is known of disk i, with both ends of its list, which may
-   lie in two cache lines. */
+/* Prefetches the data of disk i and both ends of its neighbour list, which
+   may lie in two cache lines. */
 FETCHING void fetch_disk(const struct cells *c, uint32_t i)
 {
     FETCH(&c->d->disk[i]);
@@ -404,8 +407,8 @@ FETCHING void fetch_disk(const struct cells *c, uint32_t i)
         FETCH(c->neighbour + i * c->seats + FETCHED);
 }
 
-/* Fetches all disks that have an event on a day and their partners, or the
-   neighbours of both. */
+/* Prefetches all disks that have an event on a day and their partners, or,
+   if `neighbours`, the neighbours of both. */
 FETCHING void fetch_day(const struct cells *c, size_t day, bool neighbours)
 {
     const struct calendar_event *event = c->calendar.event;
@@ -423,10 +426,11 @@ FETCHING void fetch_day(const struct cells *c, size_t day, bool neighbours)
     }
 }
 
-/* Called when the calendar turns a page: fetches the first event of five
-   days later, the second of four, the disks of three and the neighbours of
-   tomorrow's, so that each finds what the one before has fetched. With
-   100 000 disks this is worth a third of the time. */
+/* Prefetches for the next days, whenever the calendar starts a new one: the
+   first event of the day in five days, the second event in four, the disks
+   in three, and the neighbours for tomorrow, so that each step finds what
+   the one before has loaded. It saves a third of the time with 100 000
+   disks. */
 FETCHING void look_ahead(const struct cells *c, size_t today)
 {
     const struct calendar_event *event = c->calendar.event;
@@ -440,8 +444,8 @@ FETCHING void look_ahead(const struct cells *c, size_t today)
     fetch_day(c, today + 1, true);
 }
 
-/* Plans what disk i does next: it meets a wall, a neighbour or the end of
-   its skin, where it is its own partner. */
+/* Plans the next event of disk i: it meets a wall or a neighbour, or
+   reaches the end of its skin, an event whose partner is i itself. */
 static void plan(struct cells *c, uint32_t i)
 {
     struct disks *d = c->d;
@@ -459,11 +463,10 @@ static void plan(struct cells *c, uint32_t i)
     calendar_put(&c->calendar, i, first.time);
 }
 
-/* Gives all lists four more seats, since nobody knows how many neighbours
-   a disk can have (a giant among small ones has hundreds). It happens a
-   few times in the first moments of a run. The lists are moved from the
-   last one on, so that none is written over. Returns false if memory runs
-   out. */
+/* Lengthens all lists by four entries, since there is no useful upper limit
+   for the neighbours of a disk (a giant among small ones has hundreds). It
+   happens a few times at the start of a run. Moving the lists in reverse
+   order overwrites none. Returns false if memory runs out. */
 static bool more_seats(struct cells *c)
 {
     const size_t n = c->d->count, seats = c->seats + 4, old = c->seats;
@@ -478,8 +481,8 @@ static bool more_seats(struct cells *c)
     return true;
 }
 
-/* Puts `other` on the list of disk i. Returns false if memory runs out, or
-   for a giant with more neighbours than 16 bits can count. */
+/* Appends `other` to the list of disk i. Returns false if memory runs out,
+   or if i has more neighbours than 16 bits can count. */
 static bool learn(struct cells *c, uint32_t i, uint32_t other)
 {
     if (c->anchor[i].neighbours == UINT16_MAX ||
@@ -489,10 +492,10 @@ static bool learn(struct cells *c, uint32_t i, uint32_t other)
     return true;
 }
 
-/* Takes `other` off the list of disk i. The order of a list means nothing,
-   since ties go by number: the last one moves to the seat. All seats are
-   written, four together, since a processor mostly guesses wrong where to
-   stop, and that costs it more than a few seats. */
+/* Removes `other` from the list of disk i; the last neighbour takes its
+   entry, as the order of a list has no effect on events. The loop visits
+   all entries, four together: stopping at the right one costs a branch that
+   is usually mispredicted, which takes longer. */
 static void forget(struct cells *c, uint32_t i, uint32_t other)
 {
     uint32_t *seat = c->neighbour + i * c->seats;
@@ -504,7 +507,7 @@ static void forget(struct cells *c, uint32_t i, uint32_t other)
     seat[last] = i;
 }
 
-/* Takes disk i off all lists, and empties its own. */
+/* Removes disk i from all lists and empties its own list. */
 static void forget_all(struct cells *c, uint32_t i)
 {
     uint32_t *seat = c->neighbour + i * c->seats;
@@ -515,9 +518,9 @@ static void forget_all(struct cells *c, uint32_t i)
     c->anchor[i].neighbours = 0;
 }
 
-/* Returns the cell in which a place is (7.16, eq:cell-index). Rounding can
-   put a place right below the edge of the box into a cell too many, so the
-   last one is the last. */
+/* Returns the cell that contains a place (7.16, eq:cell-index). Rounding
+   can give a place just below the edge of the box an index one too large,
+   which becomes that of the last cell. */
 static size_t cell_of(const struct cells *c, const double x[])
 {
     size_t cell = 0, k = DISKS_AXES;
@@ -530,8 +533,8 @@ static size_t cell_of(const struct cells *c, const double x[])
     return cell;
 }
 
-/* Gives all cells room for two more anchors, and moves the rows apart from
-   the last one on. Returns false if memory runs out. */
+/* Gives all cells space for two more anchors, and moves the arrays of the
+   cells apart, in reverse order. Returns false if memory runs out. */
 static bool more_room(struct cells *c)
 {
     const size_t old = c->room, room = old + 2;
@@ -553,8 +556,8 @@ static bool more_room(struct cells *c)
     return true;
 }
 
-/* Writes the anchor x of disk i to spot `at` of a cell; the coordinates
-   are `step` floats apart. */
+/* Stores disk i's anchor, x[0], x[step], x[2 step], as a cell's entry
+   `at`. */
 static void write_place(struct cells *c, size_t cell, size_t at, uint32_t i,
                         const float x[], size_t step)
 {
@@ -566,8 +569,8 @@ static void write_place(struct cells *c, size_t cell, size_t at, uint32_t i,
     c->anchor[i].spot = (uint16_t)at;
 }
 
-/* Takes the anchor of disk i out of its cell; the last one in it moves to
-   its spot. */
+/* Removes the anchor of disk i from its cell; the last anchor of the cell
+   takes its entry. */
 static void leave_cell(struct cells *c, uint32_t i)
 {
     const struct cells_anchor a = c->anchor[i];
@@ -576,8 +579,7 @@ static void leave_cell(struct cells *c, uint32_t i)
     write_place(c, a.cell, a.spot, last, place_of(c, last), c->room);
 }
 
-/* Drops the anchor of disk i where it is now. Returns false if memory runs
-   out. */
+/* Sets disk i's anchor to its present place; false if memory runs out. */
 static bool enter_cell(struct cells *c, uint32_t i)
 {
     double x[DISKS_AXES];
@@ -592,16 +594,15 @@ static bool enter_cell(struct cells *c, uint32_t i)
     return true;
 }
 
-/* Cells next to each other along an axis, and by how much the anchors in
-   each are shifted: a cell beyond the edge of a periodic box stands at its
-   other end. */
+/* A cell and its neighbours along one axis, and by how much their anchors
+   are shifted: the neighbour of an edge cell of a periodic box is the cell
+   at the opposite edge. */
 struct beside {
     size_t count, at[3];
     float shift[3]; /* m */
 };
 
-/* Returns cell g along axis k with its neighbours, of which there is only
-   one at a wall. */
+/* Returns cell g along axis k and its neighbours: two, or one at a wall. */
 static struct beside beside(const struct cells *c, size_t g, size_t k)
 {
     const bool periodic = c->inverse[k] > 0;
@@ -619,8 +620,9 @@ static struct beside beside(const struct cells *c, size_t g, size_t k)
     return b;
 }
 
-/* Makes two disks neighbours if they are, by the square of the distance of
-   their anchors (7.14, eq:neighbours). Returns false if memory runs out. */
+/* Makes disks i and `other` neighbours if the square of the distance of
+   their anchors, m^2, is small enough (7.14, eq:neighbours). Returns false
+   if memory runs out. */
 static bool consider(struct cells *c, uint32_t i, uint32_t other,
                      float square)
 {
@@ -631,16 +633,17 @@ static bool consider(struct cells *c, uint32_t i, uint32_t other,
     return learn(c, i, other) && learn(c, other, i);
 }
 
-enum { NEAR = 64, ROW = 16 }; /* the most that are found at a time */
+enum { NEAR = 64, ROW = 16 }; /* NEAR: size of a collection; ROW: lanes */
 
-/* Anchors that are near enough for the widest disk. */
+/* Anchors within the range that the widest disk would have. */
 struct near {
     size_t count;
     uint32_t who[NEAR + ROW];
     float square[NEAR + ROW]; /* of the distance, m^2 */
 };
 
-/* Considers those found near, and empties the list. */
+/* Calls consider for all anchors in *near, and empties it. Returns false if
+   memory runs out. */
 static bool consider_all(struct cells *c, uint32_t i, struct near *near)
 {
     for (size_t k = 0; k < near->count; ++k)
@@ -650,10 +653,10 @@ static bool consider_all(struct cells *c, uint32_t i, struct near *near)
     return true;
 }
 
-/* Measures a whole cell of at most 16 anchors at once, and packs those that
-   are near; the rest of the 16 is written over next time. A dense gas of
-   10 000 spheres, in which each eleventh collision renews a list, runs 3 %
-   faster for it. */
+/* Computes the distances of a cell of at most 16 anchors at once, and
+   appends the near anchors to *near; unused lanes are overwritten next
+   time. A dense gas of 10 000 spheres, in which every eleventh collision
+   renews a list, runs 3 % faster. */
 #ifdef VECTOR_AVX512
 VECTOR_AVX512 static void look_at_row(const struct cells *c, size_t cell,
                                       const float from[], float farthest,
@@ -677,14 +680,13 @@ VECTOR_AVX512 static void look_at_row(const struct cells *c, size_t cell,
 }
 #endif
 
-/* Adds to *near the anchors of a cell that are within the root of
-   `farthest` of a place. Four are measured together, in a loop of fixed
-   length that compilers turn into vector code; beyond the row those are
-   measured and not counted. All four are written down and only the near
-   ones counted, so that the next one is written over one that is not: one
-   in seven is near, and a processor that has to guess which loses more
-   time than the writing takes. With this, and with forget, spheres at the
-   packing 0.3 run a fifth faster. */
+/* Appends to *near the anchors of a cell whose squared distance from a
+   place is at most `farthest`, m^2. Four distances are computed together,
+   in a loop of fixed length that compilers vectorise; entries beyond the
+   cell's last anchor never count. All four are written, but the count grows
+   for near ones only, so that the next write replaces a distant one: one in
+   seven is near, and a mispredicted branch costs more than a write. With
+   this, and with forget, spheres at the packing 0.3 run a fifth faster. */
 static bool look_in_cell(struct cells *c, uint32_t i, size_t cell,
                          const float from[], float farthest,
                          struct near *near)
@@ -721,7 +723,8 @@ static bool look_in_cell(struct cells *c, uint32_t i, size_t cell,
     return true;
 }
 
-/* Makes the list of disk i, from the 9 or 27 cells around its anchor. */
+/* Makes the list of disk i, from the 9 or 27 cells around its anchor.
+   Returns false if memory runs out. */
 static bool find_neighbours(struct cells *c, uint32_t i)
 {
     const size_t nx = c->grid[0], ny = c->grid[1];
@@ -750,7 +753,8 @@ static bool find_neighbours(struct cells *c, uint32_t i)
     return consider_all(c, i, &near);
 }
 
-/* Drops the anchor of disk i anew, and makes its list. */
+/* Sets the anchor of disk i to its present place and makes its list anew.
+   Returns false if memory runs out. */
 static bool renew(struct cells *c, uint32_t i)
 {
     forget_all(c, i);
@@ -758,18 +762,18 @@ static bool renew(struct cells *c, uint32_t i)
     return enter_cell(c, i) && find_neighbours(c, i);
 }
 
-/* Neighbours that a disk should have in the plane and in space, measured
-   to be fastest for spheres at packings from 0.3 to 0.5; half as many again
-   cost little time, but memory. */
+/* Mean number of neighbours to aim at in the plane and in space, measured
+   to be fastest for spheres at packings from 0.3 to 0.5; 50 % more cost
+   little time, but memory. */
 enum { CROWD = 10, CROWD_3 = 11 };
 
-/* Returns the skin, m: so wide that a circle or sphere of radius 2 (r +
-   skin) holds CROWD disks and the one itself, but for dense packings, where
-   no disk gets far, not below 0.3 diameters (spheres at 0.49 then have 15
-   neighbours). A periodic box sets two bounds. Each axis needs three cells;
-   and two neighbours are at most sigma + 4 skins from each other when a
-   plan is made, which must be less than half the box for the nearest image
-   to be the one that they meet. */
+/* Returns the skin, m. It is so wide that a circle or sphere of radius 2 (r
+   + skin) contains CROWD disks besides the one in its centre, but at least
+   0.3 diameters, since in dense packings no disk gets far (spheres at 0.49
+   then have 15 neighbours). A periodic box limits it twice: each axis needs
+   three cells; and when a plan is made two neighbours are at most sigma + 4
+   skins apart, which must be less than half the box, so that they meet as
+   nearest images. */
 static double choose_skin(const struct disks *d, double radius, double pair)
 {
     double volume = 1, least = INFINITY;
@@ -805,13 +809,13 @@ static struct sizes sizes(const struct disks *d)
     return (struct sizes){first, first + second, sum / (double)d->count};
 }
 
-/* Chooses the skin and divides the box into cells, each as wide as the
-   reach of the two widest disks, so that a single giant counts once; more
-   than about two for each disk are of no use. Returns whether the box suits
-   them: a periodic axis needs three cells, or the same cell would stand on
-   both sides, while between walls one is enough. The slack makes up for
-   anchors being rounded to floats: a millionth of the box, of which they
-   can be wrong by a sixteen-millionth. */
+/* Chooses the skin and divides the box into cells as wide as the range of
+   the widest pair, so that a single giant counts once, but not into more
+   than about two for each disk, which bring no gain. Returns whether the
+   box is wide enough: a periodic axis needs three cells, or one cell would
+   lie on both sides of another; between walls one is enough. slack allows
+   for anchors being rounded to floats: it is a millionth of the box, and
+   they are wrong by up to a sixteen-millionth. */
 static bool lay_grid(struct cells *c, const struct disks *d)
 {
     const struct sizes s = sizes(d);
@@ -835,7 +839,7 @@ static bool lay_grid(struct cells *c, const struct disks *d)
     return suit;
 }
 
-/* The squares of distances must be within the range of floats, too. */
+/* The limits of the sides keep squares of distances within floats. */
 bool cells_suit(const struct disks *d)
 {
     struct cells c;
@@ -856,8 +860,9 @@ void cells_free(struct cells *c)
     *c = (struct cells){0};
 }
 
-/* Returns false if memory runs out. The first day of the calendar is a
-   guess that need not be good: that a disk crosses its skin in n days. */
+/* Allocates the lists and the calendar for n disks. Returns false if memory
+   runs out. The first guess for a day, the time in which a disk crosses its
+   skin divided by n, need not be good. */
 static bool make_lists(struct cells *c, size_t n)
 {
     double vv = 0;
@@ -876,7 +881,8 @@ static bool make_lists(struct cells *c, size_t n)
            calendar_create(&c->calendar, n, c->d->now, day);
 }
 
-/* The disks come in one by one, and each finds those that are there. */
+/* The disks are inserted one by one, and each finds its neighbours among
+   those inserted before it. */
 bool cells_create(struct cells *c, struct disks *d)
 {
     const uint32_t n = (uint32_t)d->count;
@@ -894,7 +900,7 @@ bool cells_create(struct cells *c, struct disks *d)
     return memory;
 }
 
-/* While the anchors are fresh, two disks that overlap are neighbours. */
+/* Before the first run two disks that overlap are neighbours. */
 bool cells_fit(const struct cells *c, size_t *a, size_t *b)
 {
     const size_t n = c->d->count;
@@ -912,9 +918,9 @@ bool cells_fit(const struct cells *c, size_t *a, size_t *b)
     return !clash;
 }
 
-/* Two kinds of event are no collision: the end of a skin, and a plan whose
-   partner has met another since. Returns whether e is one of these, after
-   making a new plan; sets *memory to whether there was enough. */
+/* Handles the events that are no collision: the end of a skin, and a stale
+   plan, whose partner has collided since. Returns whether e is one of
+   these, after making a new plan; sets *memory to false if it runs out. */
 static bool replan(struct cells *c, struct disks_event e, bool *memory)
 {
     struct disks *d = c->d;
@@ -933,9 +939,8 @@ static bool replan(struct cells *c, struct disks_event e, bool *memory)
     return true;
 }
 
-/* Runs as disks_run does, and collides by disks_collide as well, but
-   takes the next event from the calendar and plans events with neighbours
-   only. */
+/* Works as disks_run, also through disks_collide, but takes the next event
+   from the calendar and plans events with neighbours only. */
 enum disks_stop cells_run(struct cells *c, double until,
                           uint64_t collisions)
 {

@@ -9,61 +9,61 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Where the anchor of a disk is: the place that it had when its list of
-   neighbours was made. */
+/* The anchor of a disk: the place that the disk had when its neighbour list
+   was made, stored in the cell that contains it. */
 struct cells_anchor {
     uint32_t cell;
-    uint16_t spot;       /* which of the anchors in it */
-    uint16_t neighbours; /* how many the disk has */
+    uint16_t spot;       /* index of the anchor in its cell */
+    uint16_t neighbours; /* their number */
 };
 
-/* An engine for the disks of *d. Around each anchor lies a skin; a list
-   holds all disks that a disk can meet while both are within theirs (7.14,
-   eq:neighbours). To be read: skin and the counts; lanes may be made 4 or 1
-   between runs. */
+/* An engine for the disks of *d. Around each anchor lies a skin; the list
+   of a disk has all disks that it can meet while both stay within their
+   skins (7.14, eq:neighbours). May be read: skin and the counts; lanes may
+   be reduced to 4 or 1 between runs. */
 struct cells {
     struct disks *d;
     struct calendar calendar; /* one event for each disk */
     double skin;              /* how far from its anchor a disk may go, m */
-    double inverse[DISKS_AXES]; /* 1/box if that is periodic, or 0, 1/m */
+    double inverse[DISKS_AXES]; /* 1/box in 1/m where periodic, or 0 */
     size_t lanes;               /* neighbours examined at once: 8, 4 or 1 */
-    /* The lists: as many seats for each disk, so that none needs a pointer.
-       In the free ones it sits itself, which is harmless to ask, since no
-       disk meets itself. */
+    /* The neighbour lists: `seats` entries for each disk, so that no disk
+       needs a pointer. Unused entries are the disk itself, which is
+       harmless, since no disk meets itself. */
     uint32_t *neighbour;
     size_t seats;
     struct cells_anchor *anchor;
     size_t grid[DISKS_AXES], cells, room;
-    double widest, slack; /* largest radius; for rounded anchors, m */
-    float *place;   /* of each cell: room times x, room times y, and z, m */
-    uint32_t *who;  /* of each cell: room times whose anchor it is */
-    uint16_t *full; /* of each cell: how many anchors are in it */
-    uint64_t stale; /* events whose partner had met another disk */
+    double widest, slack; /* largest radius; allowance for floats, m */
+    float *place;     /* for each cell `room` x, `room` y and `room` z, m */
+    uint32_t *who;    /* for each cell the disks of its `room` anchors */
+    uint16_t *full;   /* for each cell the number of its anchors */
+    uint64_t stale;   /* events dropped as the partner had collided */
     uint64_t renewed; /* lists made anew at the end of a skin */
 };
 
-/* Says whether the box suits cells: at least three along each axis, if it
-   is periodic, and the longest side between 1e-12 and 1e15 m. */
+/* Says whether the box suits cells: a periodic axis must be wide enough for
+   three of them, and the longest side be between 1e-12 and 1e15 m. */
 bool cells_suit(const struct disks *d);
 
-/* Plans from the present state of d, which has to outlive c; it may be
-   read between runs, but not changed. Returns false, with nothing to
-   free, when there is no memory. Requires cells_suit. */
+/* Plans the first event of every disk of *d, which must outlive *c, and may
+   be read between runs but not changed. Returns false, with nothing to
+   free, if memory runs out. Requires cells_suit. */
 bool cells_create(struct cells *c, struct disks *d);
 void cells_free(struct cells *c);
 
-/* As disks_fit, but looks at neighbours only. Before the first run. */
+/* Answers as disks_fit does, but examines neighbours only. To be called
+   before the first run. */
 bool cells_fit(const struct cells *c, size_t *a, size_t *b);
 
-/* Runs as disks_run does, to the same bits, with a number of operations
-   for a collision that does not grow with that of the disks. Returns
-   DISKS_COLLISIONS before there were so many if there is no memory for
-   longer lists. */
+/* Runs as disks_run does, with results equal to the last bit, in a time per
+   collision that does not grow with the number of disks. Returns
+   DISKS_COLLISIONS with fewer collisions than requested without memory. */
 enum disks_stop cells_run(struct cells *c, double until,
                           uint64_t collisions);
 
-/* Returns how many neighbours this processor examines in one instruction:
-   8, 4 or 1. */
+/* Returns how many neighbours this processor examines at once: 8, 4 or
+   1. */
 size_t cells_lanes(void);
 
 #endif

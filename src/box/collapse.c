@@ -1,4 +1,4 @@
-/* Whether a run of disks can go on: inelastic collapse, and cold. */
+/* Whether a run of disks can go on: inelastic collapse, and too cold. */
 #include "box/image.h"
 
 #include <math.h>
@@ -31,8 +31,9 @@ bool disks_cold(const struct disks *d)
     return moves && !(d->gravity > 0);
 }
 
-/* As disks_cold, asked after each collision of disk i: nearly always in no
-   time, since the disk is fast itself. Only what loses energy gets cold. */
+/* Says, after a collision of disk i, whether all disks are too cold. It is
+   nearly always fast, since disk i is too fast itself. Only a gas that
+   loses energy gets cold. */
 static bool may_be_cold(const struct disks *d, size_t i)
 {
     return d->restitution < 1 && square_of_speed(&d->disk[i]) < 1e-100 &&

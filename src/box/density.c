@@ -35,18 +35,18 @@ void sampling_free(struct sampling *s)
     s->blocked = NULL;
 }
 
-/* A straight line for the centre of disk i: place = from + t along, with t
-   from low to high. */
+/* A straight line for the centre of disk i: the points from + t along, with
+   t, m, from low to high. */
 struct line {
     const struct sampling *s;
-    size_t i, except; /* the disk that slides; one that does not block */
+    size_t i, except; /* disk that slides; disk that is ignored */
     double from[DISKS_AXES], along[DISKS_AXES];
     double low, high;
-    size_t count; /* of blocked stretches, in s->blocked */
+    size_t count; /* number of blocked intervals, in s->blocked */
 };
 
-/* Blocks what a disk takes away whose centre is here, seen from the line's
-   beginning, in the order of the beginnings. */
+/* Marks as blocked the part of the line within `reach` of a centre, given
+   relative to the line's first point; keeps the intervals sorted. */
 static void block(struct line *l, const double centre[], double reach)
 {
     double(*blocked)[2] = l->s->blocked;
@@ -84,15 +84,15 @@ static void block_by(struct line *l, size_t j)
     }
 }
 
-/* Returns the integral of t^power from 0 to t: 1 for a line from wall to
-   wall, t or t^2 for the shells around another disk. */
+/* Returns the integral of t^power from 0 to t. The power is 0 for a line
+   from wall to wall, 1 or 2 for circles or spheres around another disk. */
 static double moment(double t, int power)
 {
     return (power == 0 ? t : power == 1 ? t * t : t * t * t) / (power + 1);
 }
 
-/* Returns the integral of t^power over the free part of the line; sets *low
-   and *high to whether its ends are free. */
+/* Returns the integral of t^power over the unblocked part of the line; sets
+ *low and *high to whether its ends are unblocked. */
 static double free_part(struct line *l, int power, bool *low, bool *high)
 {
     const struct sampling *s = l->s;
@@ -126,8 +126,8 @@ double sampling_wall_density(const struct sampling *s, size_t i, size_t k)
     return length > 0 ? (low + high) / (2 * length) : 0;
 }
 
-/* Returns how far disk i can be moved along the line, m: to a wall, or to
-   where another image becomes the nearest. */
+/* Returns how far disk i can be moved along the line, m: to a wall, or in a
+   periodic box to where another image becomes the nearest. */
 static double end_of_ray(const struct line *l)
 {
     const struct disks *d = &l->s->disks;
@@ -143,7 +143,7 @@ static double end_of_ray(const struct line *l)
     return end;
 }
 
-/* The line begins where the two touch and leads to where i is. */
+/* The line begins where disks i and j touch and leads to the place of i. */
 double sampling_pair_density(const struct sampling *s, size_t i, size_t j)
 {
     const struct disks *d = &s->disks;

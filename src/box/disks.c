@@ -1,6 +1,6 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 886018293 of the lines below */
-/* Event-driven motion: every pair looked at, or a plan remembered. */
+/* checksum 2508177315 of the lines below */
+/* Event-driven disks: all pairs examined, or one stored plan per disk. */
 #include "box/disks.h"
 
 #include "box/falling.h"
@@ -38,8 +38,8 @@ static struct disks_event event_of(size_t i, size_t j, double time)
     return (struct disks_event){time, (uint32_t)i, (uint32_t)j};
 }
 
-/* The first of what disk i does without another: it meets a wall, or has
-   flown as far as its plan holds. */
+/* Returns the first event of disk i without another disk: it meets a wall,
+   or has flown so far that it needs a new plan. */
 static struct disks_event alone(const struct disks *d, size_t i,
                                 double replan)
 {
@@ -127,8 +127,8 @@ void disks_collide(struct disks *d, struct disks_event e)
         meet_disk(d, low(e), high(e));
 }
 
-/* The smallest of n times, and whose it is: *first, n if all are
-   INFINITY. */
+/* Returns the smallest of n times and sets *first to its index, or to n if
+   all times are INFINITY. */
 static double soonest(const double time[], size_t n, size_t *first)
 {
     double least = INFINITY;
@@ -140,7 +140,7 @@ static double soonest(const double time[], size_t n, size_t *first)
     return least;
 }
 
-/* Plans what disk i does next as seen at d->now. */
+/* Plans the next event of disk i, as seen at the time d->now. */
 static void plan_disk(struct disks *d, size_t i)
 {
     struct disks_plan *p = d->plan;

@@ -1,4 +1,4 @@
-/* What gravity changes for disks, which falls along the second axis. */
+/* Gravity for disks in a box: it acts along the second axis, downwards. */
 #include "box/falling.h"
 
 #include "line/fall.h"
@@ -18,8 +18,8 @@ double falling_wall(const struct disks *d, const struct disk *a)
                                              a->velocity[1], d->gravity));
 }
 
-/* As on the line, the speed is taken from the energy and not from the
-   clock, so that no energy is lost to rounding. */
+/* The speed follows from the energy and not from the time, as for bodies on
+   the line, so that rounding loses no energy. */
 void falling_land(const struct disks *d, struct disk *a)
 {
     const bool roof = to_roof(d, a) < INFINITY;
@@ -33,8 +33,8 @@ void falling_land(const struct disks *d, struct disk *a)
     a->since = d->now;
 }
 
-/* The energy of a disk is the same all along its flight, so the heights at
-   the last collisions go with the velocities there. */
+/* Takes the heights at the last collisions, to go with the velocities
+   there: the total energy of a disk is constant along its flight. */
 double falling_energy(const struct disks *d)
 {
     double energy = 0;

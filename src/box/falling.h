@@ -1,4 +1,4 @@
-/* What gravity changes for disks; called only where there is some. */
+/* Gravity for disks in a box; called only where gravity is not 0. */
 #ifndef FALLING_H
 #define FALLING_H
 
@@ -6,8 +6,8 @@
 
 #include <math.h>
 
-/* Adds to a place and to a velocity, or NULL, that were moved as if there
-   were no gravity, what it changes in a while (5.12, eq:fall). */
+/* Adds to a place, m, and to a velocity, m/s (or NULL), both moved straight
+   on for the time wait, s, the change by gravity (5.12, eq:fall). */
 static inline void falling_move(const struct disks *d, double wait,
                                 double place[], double velocity[])
 {
@@ -16,9 +16,9 @@ static inline void falling_move(const struct disks *d, double wait,
         velocity[1] -= d->gravity * wait;
 }
 
-/* Adds what gravity changes in the separation x from disk a to disk b, and
-   in its rate of change v, up to the later of their times. Both fall alike,
-   so it is the time by which one is remembered earlier that counts. */
+/* Adds the change by gravity to the separation x from disk a to disk b, m,
+   and to its rate of change v, m/s, at the later of their `since`. Both
+   fall alike, so only the difference between these times matters. */
 static inline void falling_between(const struct disks *d,
                                    const struct disk *a,
                                    const struct disk *b, double x[],
@@ -30,11 +30,11 @@ static inline void falling_between(const struct disks *d,
     x[1] += lag / 2 * wait;
 }
 
-/* Returns how long disk a flies from its last collision until it is at the
-   floor or at the roof, s. */
+/* Returns how long disk a flies from its last collision to floor or roof,
+   s. */
 double falling_wall(const struct disks *d, const struct disk *a);
 
-/* Moves disk a to the floor or the roof, where it is now. */
+/* Moves disk a to the floor or the roof, which it meets now. */
 void falling_land(const struct disks *d, struct disk *a);
 
 /* Returns the potential energy, J: 0 with all disks on the floor. */

@@ -1,6 +1,6 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 684848177 of the lines below */
-/* Scalar products and nearest images, for all that looks at pairs. */
+/* checksum 144480966 of the lines below */
+/* Scalar products and nearest images, for code that examines pairs. */
 #ifndef IMAGE_H
 #define IMAGE_H
 
@@ -11,7 +11,7 @@ static inline double dot(const double a[], const double b[])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* The whole number nearest to x, for |x| < 2^51. */
+/* Returns the whole number nearest to x, for |x| < 2^51. */
 static inline double nearest_whole(double x)
 {
     const double shift = 6755399441055744; /* 1.5 * 2^52 */
@@ -26,7 +26,7 @@ static inline bool wraps(const struct disks *d, size_t k)
             (d->boundary == DISKS_FLOOR && k != 1));
 }
 
-/* 1/box[k] if it is, otherwise 0, 1/m. */
+/* Returns 1/box[k], 1/m, if the box is periodic along axis k, or 0. */
 static inline double inverse(const struct disks *d, size_t k)
 {
     return wraps(d, k) ? 1 / d->box[k] : 0;

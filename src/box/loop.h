@@ -4,29 +4,29 @@
 
 #include "box/disks.h"
 
-/* The loop of the article that chapter 5 reviews, and a right one. All
-   disks are at the time t. At an event the article moves them by two ticks
-   too little: by the time to the event and `offset` ticks, -1, where +1
-   would be right. */
+/* A loop over ticks, as in the article that chapter 5 reviews, or
+   corrected. All disks are at the time t. At an event the article moves
+   them by the time to the event plus `offset` ticks: by -1 instead of
+   +1. */
 struct loop {
     struct disks d;
     struct disks_event next;
-    double t;      /* s */
+    double t;      /* present time, s */
     double offset; /* ticks */
 };
 
-/* Lets the next event happen. */
+/* Carries out the next event and finds the one after it. */
 void loop_event(struct loop *l);
 
-/* One turn of the article's loop, which makes one record: a tick later,
-   s, or at the next event. */
+/* Takes one turn of the article's loop, which makes one record: one tick of
+   `every` s later, or at the next event if that comes first. */
 void loop_turn(struct loop *l, double every);
 
-/* All events up to the tick, s, and then the tick. */
+/* Carries out all events before the tick, s, and moves all disks to it. */
 void loop_go_to(struct loop *l, double tick);
 
-/* Returns how deep disks overlap each other or the walls, m, in a box with
-   walls on all sides: what gives the article away. */
+/* Returns the deepest overlap of disks with each other or with the walls,
+   m, in a box with walls on all sides. It shows the article's error. */
 double loop_overlap(const struct loop *l);
 
 #endif

@@ -23,7 +23,7 @@ void means_add(struct means *m, size_t quantity, double value)
     m->sum[m->blocks * m->quantities + quantity] += value;
 }
 
-/* Makes one block of every two, and empties the second half. */
+/* Joins the blocks in pairs, which empties the second half of them. */
 static void join_blocks(struct means *m)
 {
     const size_t n = m->quantities;
@@ -45,7 +45,7 @@ void means_next(struct means *m)
         join_blocks(m);
 }
 
-/* The mean takes all samples, those of the unfinished block too. */
+/* The mean includes the samples of the unfinished block. */
 double means_mean(const struct means *m, size_t quantity)
 {
     const double samples = (double)(m->blocks * m->length + m->filled);
@@ -55,8 +55,7 @@ double means_mean(const struct means *m, size_t quantity)
     return samples > 0 ? sum / samples : NAN;
 }
 
-/* The error is that of a mean of as many independent values as there are
-   full blocks. */
+/* The full blocks count as independent values. */
 double means_error(const struct means *m, size_t quantity)
 {
     double mean = 0, squares = 0;

@@ -6,24 +6,24 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { MEANS_BLOCKS = 128 }; /* even; a long run fills at least half */
+enum { MEANS_BLOCKS = 128 }; /* even; a long run uses at least half */
 
 /* Sums of quantities over blocks of samples. When all blocks are full,
    neighbours are joined, and from then on a block is twice as long: an
    error comes from 64 to 127 blocks however long the run, and is itself
-   uncertain by 6 to 9 %. (box/blocks.h takes whole samples; here a sample
+   uncertain by 6 to 9 %. (box/blocks.h adds whole samples; here a sample
    changes a few of hundreds of bins.) */
 struct means {
-    size_t quantities, blocks; /* full ones */
-    uint64_t length, filled;   /* samples in a full block, in the next */
+    size_t quantities, blocks; /* blocks: full ones */
+    uint64_t length, filled;   /* samples in a full block, in the last */
     double *sum; /* of block b, quantity q: at b quantities + q */
 };
 
-/* Makes m empty. Returns false if memory runs out. */
+/* Makes *m empty. Returns false if memory runs out. */
 bool means_create(struct means *m, size_t quantities);
 void means_free(struct means *m);
 
-/* Adds to a quantity of the sample that is being taken; ends the sample. */
+/* Adds a value to a quantity of the present sample; ends this sample. */
 void means_add(struct means *m, size_t quantity, double value);
 void means_next(struct means *m);
 

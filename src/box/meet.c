@@ -1,6 +1,6 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 864186272 of the lines below */
-/* When two disks meet, in a periodic box as well. */
+/* checksum 2345170769 of the lines below */
+/* Times at which two disks meet, also in a periodic box. */
 #include "box/falling.h"
 #include "box/image.h"
 

@@ -1,11 +1,11 @@
-/* When a disk meets each of the others, for disks_run. */
+/* The times at which a disk meets each of the others, for disks_run. */
 #ifndef MEETINGS_H
 #define MEETINGS_H
 
 #include "box/disks.h"
 
 /* Fills time[j] with when disk i meets disk j as seen at d->now, s, for all
-   j but i: disks_meeting, to the same bits. */
+   j but i: equal to disks_meeting(d, i, j, d->now) to the last bit. */
 void meetings_of(const struct disks *d, size_t i, double time[]);
 
 #endif

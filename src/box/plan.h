@@ -1,16 +1,15 @@
-/* What disks_run remembers of each disk. */
+/* The plans of disks_run: the next event of each disk. */
 #ifndef PLAN_H
 #define PLAN_H
 
 #include "box/disks.h"
 
-/* The plans of a run: each disk's next event, as found when it was planned
-   last. */
+/* The next event of each disk, as found when it was planned last. */
 struct disks_plan {
-    double replan;             /* how far a plan holds, m */
-    struct disks_event *event; /* of each disk */
-    uint32_t *hits;            /* of the partner, when it was planned */
-    double *time;              /* for answers */
+    double replan;             /* flight before a new plan, m */
+    struct disks_event *event; /* next event of each disk */
+    uint32_t *hits;            /* of the partner at planning */
+    double *time;              /* scratch: times of meeting, s */
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* From chapters/06-room.nw: edit there, then run make tangle. */
-/* checksum 1971705580 of the lines below */
-/* Direct sampling, moves of a Markov chain, event chains. */
+/* checksum 1249231120 of the lines below */
+/* Monte Carlo: direct sampling, a Markov chain, event chains. */
 #include "box/sampling.h"
 
 #include "box/image.h"
@@ -10,12 +10,12 @@
 #include <string.h>
 
 enum {
-    LEAST_SEEN = 10, /* throws that make a fraction worth believing */
-    TRIES = 100000   /* to place a small disk */
+    LEAST_SEEN = 10, /* fewer successful throws make no reliable fraction */
+    TRIES = 100000   /* attempts to place a small disk */
 };
 
-/* The square of the distance of two places, in a periodic box that of the
-   nearest images. */
+/* Returns the square of the distance of two places, m^2; in a periodic box
+   that of the nearest images. */
 static double squared(const struct sampling *s, const double a[],
                       const double b[])
 {
@@ -28,8 +28,8 @@ static double squared(const struct sampling *s, const double a[],
     return sum;
 }
 
-/* Says whether disk i could be at this place without overlapping one of
-   the first `among` that it sees. */
+/* Says whether disk i could be at this place without overlapping one of the
+   first `among` disks that it interacts with. */
 static bool fits(const struct sampling *s, size_t i, const double place[],
                  size_t among)
 {
@@ -84,7 +84,7 @@ double sampling_log_acceptance(struct sampling *s, uint64_t throws,
     return sum;
 }
 
-/* Picks one that is to move: a large or a small one with equal odds. */
+/* Returns a random disk to move: a large or a small one with equal odds. */
 static size_t pick(const struct sampling *s, struct random *r)
 {
     const size_t small = s->disks.count - s->large;
@@ -120,7 +120,8 @@ bool sampling_try(struct sampling *s, double step, struct random *r)
     return true;
 }
 
-/* Places the large ones in the middles of cells; says whether they fit. */
+/* Places the large disks at the centres of a square or cubic grid; says
+   whether they fit. */
 static bool place_on_grid(struct sampling *s)
 {
     const struct disks *d = &s->disks;
@@ -156,8 +157,9 @@ bool sampling_start(struct sampling *s, struct random *r)
     return true;
 }
 
-/* How far disk i can go up along the axis until it touches disk j, and how
-   far it will then be behind. Rounding may have it there already. */
+/* Returns how far disk i can move up along the axis until it touches disk
+   j, m, and sets *behind to the distance between them along the axis at
+   contact, m. Rounding may make the first slightly negative. */
 static double way_to(const struct sampling *s, size_t i, size_t j,
                      size_t axis, double *behind)
 {
@@ -179,9 +181,9 @@ static double way_to(const struct sampling *s, size_t i, size_t j,
     return fmax(ahead - *behind, 0);
 }
 
-/* The disk that disk i will touch first when it goes up along the axis by
-   at most *way, which becomes that way, and how far i is then behind it;
-   i: none. */
+/* Returns the disk that disk i will touch first when it moves up along the
+   axis by at most *way, m; i if there is none. Sets *way to the distance to
+   the contact and *behind to the distance along the axis at contact, m. */
 static size_t find_next(const struct sampling *s, size_t i, size_t axis,
                         double *way, double *behind)
 {

@@ -1,6 +1,6 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 1487818331 of the lines below */
-/* Both laws averaged over bins, with the same bits on every machine. */
+/* checksum 105157519 of the lines below */
+/* Both laws averaged over bins, with equal bits on every machine. */
 #include "box/speeds.h"
 
 #include <math.h>
@@ -20,7 +20,7 @@ struct speeds_law speeds_maxwell(size_t dimensions, bool component)
 {
     return (struct speeds_law){component ? 0 : dimensions - 1, 0, 0};
 }
-/* x to the power halves / 2. */
+/* Returns x to the power halves / 2. */
 static double half_power(double x, size_t halves)
 {
     double root = sqrt(x), power = 1;
@@ -30,7 +30,7 @@ static double half_power(double x, size_t halves)
     return power;
 }
 
-/* exp(-x) for 0 <= x < 100, within 1e-11 of itself. */
+/* Returns exp(-x) for 0 <= x < 100, with a relative error of 1e-11. */
 static double decay(double x)
 {
     double term = 1, sum = 1;

@@ -1,4 +1,4 @@
-/* Starts of disks: memory, lattices, random places, and what overlaps. */
+/* Starts of disks: memory, lattices, random places, tests for overlaps. */
 #include "box/image.h"
 #include "box/plan.h"
 
@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A disk fills a line of the cache if it begins where one begins. */
+/* The disks are aligned so that each one fills a cache line of its own. */
 bool disks_create(struct disks *d, size_t dimensions, size_t count)
 {
     const size_t bytes = count * sizeof *d->disk;
@@ -51,7 +51,7 @@ static bool within_walls(const struct disks *d, const double place[],
     return true;
 }
 
-/* With a NaN in a place every comparison is false, and the disk clashes. */
+/* A NaN in a place makes every comparison false, and the disk clashes. */
 bool disks_clash(const struct disks *d, size_t a, size_t b)
 {
     double here[DISKS_AXES], there[DISKS_AXES], separation[DISKS_AXES];
@@ -78,23 +78,23 @@ bool disks_fit(const struct disks *d, size_t *a, size_t *b)
     return true;
 }
 
-/* A lattice of disks packed closest, stretched over the box: `cells` cells
-   of the width `step` along each axis, from the place `from` on, with
-   `basis` sites in each. In the plane these are triangles, rows of which
-   every other one is shifted by half a step, so that a rectangle has two
-   sites, a corner and the middle; in space the face-centred cube. */
+/* A close-packed lattice, stretched over the box: `cells` cells of width
+   `step`, m, along each axis, from the place `from`, m, with `basis` sites
+   in each. In the plane it is triangular, with every other row shifted by
+   half a step, so that a rectangular cell has two sites, a corner and the
+   centre; in space it is face-centred cubic. */
 struct lattice {
     size_t cells[DISKS_AXES], basis;
     double from[DISKS_AXES], step[DISKS_AXES];
-    double nearest; /* distance of two sites, m */
+    double nearest; /* smallest distance of two sites, m */
 };
 
-/* The sites of a cell, in widths of it. */
+/* The sites of a cell, as fractions of its width. */
 static const double sites[4][DISKS_AXES] = {
     {0, 0, 0}, {.5, .5, 0}, {.5, 0, .5}, {0, .5, .5}};
 
-/* Returns the smallest distance of two sites, m, which are in one cell or
-   one cell apart. */
+/* Returns the smallest distance of two sites, m, which lie in one cell or
+   in adjacent ones. */
 static double nearest_site(const struct lattice *l, size_t dimensions)
 {
     double least = INFINITY;
@@ -112,8 +112,8 @@ static double nearest_site(const struct lattice *l, size_t dimensions)
     return sqrt(least);
 }
 
-/* Stretches the lattice over the box, for disks of radius r. Between walls
-   the outermost sites stand a radius from them, and half a step of the
+/* Stretches the lattice over the box, for disks of radius r, m. Between
+   walls the outermost sites are a radius away from them, and half of the
    last cell is not used. */
 static void stretch(const struct disks *d, double r, struct lattice *l)
 {
@@ -127,8 +127,8 @@ static void stretch(const struct disks *d, double r, struct lattice *l)
     l->nearest = nearest_site(l, d->dimensions);
 }
 
-/* Tries all lattices of l.cells[2] layers that have `need` cells, and keeps
-   in *best the one with the widest spacing. */
+/* Tries all lattices of l.cells[2] layers with at least `need` cells, and
+   keeps in *best the one whose sites are farthest apart. */
 static void try_layers(const struct disks *d, double r, size_t need,
                        struct lattice l, struct lattice *best)
 {
@@ -144,9 +144,9 @@ static void try_layers(const struct disks *d, double r, size_t need,
     }
 }
 
-/* Returns the lattice with at least so many places that has the widest
-   spacing. Disks in the plane have one layer; for spheres there is no use
-   in more than twice as many layers as a cubic lattice would have. */
+/* Returns the lattice with at least this number of places whose sites are
+   farthest apart. Disks in the plane have one layer; for spheres more than
+   twice as many layers as in a cubic lattice are never best. */
 static struct lattice best_lattice(const struct disks *d, double r,
                                    size_t places)
 {
@@ -164,7 +164,8 @@ static struct lattice best_lattice(const struct disks *d, double r,
     return best;
 }
 
-/* Sites are numbered within a cell, and then cell by cell. */
+/* Fills place with the position of a site, m. Sites are numbered within a
+   cell, and then cell by cell. */
 static void place_of_site(const struct disks *d, const struct lattice *l,
                           size_t site, double place[])
 {
@@ -178,9 +179,9 @@ static void place_of_site(const struct disks *d, const struct lattice *l,
 }
 
 /* Returns the number of the widest disk if no other is as wide, otherwise
-   count, and in *r the widest radius of the others. A single big disk, a
-   Brownian particle, goes into the middle: a lattice made for it would
-   waste nearly all the room. */
+   count; sets *r to the largest radius of the others, m. A single large
+   disk, a Brownian particle, is placed in the middle, as a lattice made for
+   it would waste nearly all the space. */
 static size_t odd_one_out(const struct disks *d, double *r)
 {
     size_t big = 0;
@@ -194,8 +195,8 @@ static size_t odd_one_out(const struct disks *d, double *r)
     return d->disk[big].radius > *r ? big : d->count;
 }
 
-/* Says whether the big disk in the middle covers a place of the others,
-   whose radius is r. */
+/* Says whether the large disk in the middle overlaps a disk of radius r, m,
+   at this place. */
 static bool covered(const struct disks *d, size_t big, double r,
                     const double place[])
 {
@@ -210,7 +211,7 @@ static bool covered(const struct disks *d, size_t big, double r,
     return square < reach * reach;
 }
 
-/* Returns how many sites are not covered. */
+/* Returns how many sites the large disk does not cover. */
 static size_t count_free(const struct disks *d, const struct lattice *l,
                          size_t big, double r)
 {
@@ -224,8 +225,8 @@ static size_t count_free(const struct disks *d, const struct lattice *l,
     return free;
 }
 
-/* Puts the disks, but for the big one, on the free sites, and spreads the
-   vacancies evenly. */
+/* Places all disks but the large one on the uncovered sites, and spreads
+   the vacancies evenly. */
 static void fill_lattice(struct disks *d, const struct lattice *l,
                          size_t big, double r, size_t free)
 {
@@ -245,8 +246,8 @@ static void fill_lattice(struct disks *d, const struct lattice *l,
     }
 }
 
-/* As long as too few sites are free, the lattice gets as many more as were
-   missing. */
+/* If too few sites are uncovered, it adds the missing number to the places
+   and tries again. */
 bool disks_place_lattice(struct disks *d)
 {
     double r;
@@ -270,7 +271,7 @@ bool disks_place_lattice(struct disks *d)
     return big == d->count || !disks_clash(d, big, d->count);
 }
 
-/* Says whether disk i overlaps one with a smaller number. */
+/* Says whether disk i overlaps a disk with a smaller number. */
 static bool overlaps(const struct disks *d, size_t i)
 {
     const struct disk *a = &d->disk[i];
@@ -284,8 +285,8 @@ static bool overlaps(const struct disks *d, size_t i)
     return false;
 }
 
-/* Puts disk a anywhere in the box, a radius away from walls. Returns false
-   if the box is too narrow for it. */
+/* Moves disk a to a random place in the box, a radius away from walls.
+   Returns false if the box is too narrow for it. */
 static bool throw_disk(const struct disks *d, struct disk *a,
                        struct random *r)
 {
@@ -298,11 +299,10 @@ static bool throw_disk(const struct disks *d, struct disk *a,
     return true;
 }
 
-/* After 10 000 tries there is probably no room for a disk, and those before
-   it are not moved aside. Not all allowed states are equally likely so, as
-   the first disks have more choice: it is a start, which a run forgets, and
-   no sample (chapter 6 has samples). It works up to a packing of about a
-   half in the plane. */
+/* Gives up after 10 000 tries for one disk, since those before it are not
+   moved aside. Not all allowed states are equally likely, as the first
+   disks have more choice: a start, which a run forgets, not a sample (see
+   chapter 6). It works up to a packing of about a half in the plane. */
 bool disks_place_random(struct disks *d, struct random *r)
 {
     enum { TRIES = 10000 };
@@ -316,8 +316,8 @@ bool disks_place_random(struct disks *d, struct random *r)
     return true;
 }
 
-/* Moves every disk to the present, which becomes the time 0, and sets all
-   counters to zero, since they belong to the run that has ended. */
+/* Folds all places back into the box and resets all counters, since these
+   belong to the run that has ended. */
 void disks_settle(struct disks *d)
 {
     for (size_t i = 0; i < d->count; ++i) {

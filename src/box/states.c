@@ -38,10 +38,10 @@ void states_begin(struct table *out, const struct disks *d)
     table_column(out, "t0", "s", "time of its last collision");
 }
 
-/* The place now is folded back into a periodic box. That of the last
-   collision is not, since a run that goes on must know how often a disk
-   has gone round: from a rounded place it would be another run after some
-   two dozen collisions of each disk. */
+/* Writes the present place folded back into a periodic box. The place of
+   the last collision is not folded, since a run that is continued must know
+   how often a disk has crossed the box: from a rounded place it would
+   differ after some two dozen collisions of each disk. */
 void states_write(struct table *out, const struct disks *d)
 {
     const size_t D = d->dimensions;
@@ -61,7 +61,7 @@ void states_write(struct table *out, const struct disks *d)
         table_row(out, 5 + 3 * D, row);
     }
 }
-/* What has been read of a file. */
+/* The contents of a file of states, as read so far. */
 struct file {
     const char *path;
     char *message;
@@ -71,8 +71,8 @@ struct file {
     enum disks_boundary boundary;
 };
 
-/* Writes what is wrong behind the name of the file and, if there is one,
-   the line. Returns false. */
+/* Writes an error into the message, after the file's name and, if it is not
+   0, the line. Returns false. */
 static bool is_wrong(const struct file *f, const char *format, ...)
 {
     int at = snprintf(f->message, STATES_MESSAGE, "%s:", f->path);
@@ -88,8 +88,7 @@ static bool is_wrong(const struct file *f, const char *format, ...)
     return false;
 }
 
-/* Reads `# box SIDE SIDE [SIDE] BOUNDARY`. Sides that make no box count as
-   none. */
+/* Reads `# box SIDE SIDE [SIDE] BOUNDARY`. Wrong sides count as missing. */
 static void read_box(struct file *f, const char *text)
 {
     char word[16] = "";
@@ -110,7 +109,7 @@ static void read_box(struct file *f, const char *text)
 }
 
 /* Reads a row: 8 numbers for disks and 10 for spheres, or 11 and 14 with
-   the place and the time of the last collision. */
+   place and time of the last collision. Returns false if it is wrong. */
 static bool read_row(struct file *f, const char *text)
 {
     double *row = f->row[f->rows];
@@ -145,7 +144,8 @@ static bool make_room(struct file *f)
     return true;
 }
 
-/* A blank line ends a block, and the next row begins another over it. */
+/* Reads all lines; returns false at the first that is wrong. A blank line
+   ends a block, and the next row starts to overwrite it with another. */
 static bool read_lines(struct file *f, FILE *file)
 {
     char *line = NULL;
@@ -167,9 +167,9 @@ static bool read_lines(struct file *f, FILE *file)
     return good;
 }
 
-/* Puts each disk where its last collision left it, if the file says where,
-   otherwise where it is. Refuses a row with another time than the first
-   one, or from before its last collision. */
+/* Places each disk where it last collided, if the file says so, otherwise
+   where it is now. Returns false for a row whose time differs from the
+   first row's, or lies before its last collision. */
 static bool take_rows(struct disks *d, const struct file *f)
 {
     const size_t D = d->dimensions;
@@ -196,7 +196,8 @@ static bool take_rows(struct disks *d, const struct file *f)
     return true;
 }
 
-/* What is wrong with the file as a whole has no line. */
+/* Makes the disks from the rows; returns false if the file as a whole is
+   wrong, and then names no line. */
 static bool make_disks(struct disks *d, struct file *f)
 {
     const size_t D = f->columns == 8 || f->columns == 11 ? 2 : 3;

@@ -7,10 +7,10 @@
 
 enum { STATES_MESSAGE = 256 };
 
-/* The names of the boundaries in a head line, and NULL. */
+/* The boundaries' names in the head line of a file of states, then NULL. */
 extern const char *const states_boundaries[DISKS_BOUNDARIES + 1];
 
-/* Writes the head of a file of states, and a block of it. */
+/* Write the head of a file of states, and one block of it. */
 void states_begin(struct table *out, const struct disks *d);
 void states_write(struct table *out, const struct disks *d);
 

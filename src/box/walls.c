@@ -1,4 +1,4 @@
-/* How a box ends: periodic sides, and walls with the times to them. */
+/* The boundaries of a box, periodic or walls, and times to the walls. */
 #include "box/falling.h"
 #include "box/image.h"
 
@@ -25,12 +25,12 @@ void disks_fold(const struct disks *d, double place[])
         }
 }
 
-/* Returns how long disk a has flown when it meets its next wall, between
-   walls on all sides and without gravity. More than half of what happens
-   to four disks happens at a wall; to which side a disk flies and which of
-   two walls comes first is as good as the toss of a coin, and a processor
-   would guess wrong every other time. So both sides are looked up, to the
-   same bits as disks_wall_time: a tenth more events a second. */
+/* Returns how long disk a has flown when it meets its next wall, s, between
+   walls on all sides and without gravity. More than half of the events of
+   four disks are at a wall; the side to which a disk flies and the wall
+   that comes first are random, so a processor would mispredict every other
+   branch. So both sides are computed, with bits equal to those of
+   disks_wall_time: a tenth more events a second. */
 static double wall_of_either(const struct disks *d, const struct disk *a,
                              size_t *axis)
 {

@@ -1,4 +1,4 @@
-/* Around a run on the line: memory, start, from it back, energy, rest. */
+/* Runs on the line: memory, start, restart, state, energy, rest. */
 #include "line/engine.h"
 #include "line/gap.h"
 #include "line/slab.h"
@@ -11,11 +11,11 @@
 const char *const bonkers_engine_names[BONKERS_ENGINES + 1] = {
     "auto", "naive", "scan", "heap", "slab", NULL};
 
-/* Prepares a run, as bonkers_create does; points need no shift. The
-   counters of repeats are for runs that lose energy, the fractions for the
-   scan and the slabs; the heap has room for all gaps, or for those of one
-   island. A run that is only half made is freed like any other, since it
-   has zeros where nothing was allocated. */
+/* Prepares a run, as bonkers_create does; points need no shift. Counters of
+   repeats are needed for runs that lose energy, fractions for the scan and
+   the slabs; the heap has room for all gaps, or for those of one island.
+   bonkers_free also frees a run that is only partly made, since its other
+   pointers are NULL. */
 static bool create(struct bonkers *b, size_t movers, double restitution,
                    enum bonkers_engine engine, bool points)
 {
@@ -66,8 +66,8 @@ bool bonkers_create(struct bonkers *b, size_t movers, double restitution,
     return create(b, movers, restitution, engine, false);
 }
 
-/* Subtracts the s_i of (2.2, eq:rods) from the positions. The radii may
-   stand where the s_i will. */
+/* Subtracts the s_i of (2.2, eq:rods) from the positions. radius and
+   b->shift may be one array. */
 static void take_out_radii(struct bonkers *b, const double radius[])
 {
     double sum = 0;
@@ -79,9 +79,9 @@ static void take_out_radii(struct bonkers *b, const double radius[])
     }
 }
 
-/* Bodies that were meant to touch may overlap by a rounding when the radii
-   have been taken out. That is forgiven; more is a mistake of the caller,
-   and so is a place that is NaN. Points need no shift. */
+/* Bodies that should touch may overlap by a rounding error after the
+   subtraction of the radii; this is corrected. A larger overlap or a NaN is
+   an error of the caller. Points need no shift. */
 size_t bonkers_start(struct bonkers *b, const double radius[])
 {
     b->extent = 0;
@@ -99,7 +99,7 @@ size_t bonkers_start(struct bonkers *b, const double radius[])
         if (!(right->x - left->x >= -engine_rounding(b, i + 1)))
             return i;
         if (right->x < left->x)
-            right->x = left->x; /* they touch, but for rounding */
+            right->x = left->x; /* they touch, up to rounding */
         b->due[i] = time_due(b, i);
         if (b->fraction)
             b->fraction[i] = fraction(b, i);
@@ -109,10 +109,9 @@ size_t bonkers_start(struct bonkers *b, const double radius[])
     return b->gaps;
 }
 
-/* Mover i of a start is body i + 1 of the line, between two walls of
-   infinite mass. A million points should not pay for radii that they do not
-   have; others need a shift each, whose place will do for the radius until
-   then. */
+/* Mover i of a start becomes body i + 1 of the line, between two walls of
+   infinite mass. Points get no array of shifts, which a million of them
+   would have to read; for other bodies it first takes the radii. */
 bool bonkers_begin(struct bonkers *b, const struct start *s,
                    double restitution, enum bonkers_engine engine,
                    size_t *wrong)
@@ -150,9 +149,9 @@ void bonkers_settle(struct bonkers *b)
     schedule_clear(&b->schedule);
 }
 
-/* Returns whether no gap will ever close: nowhere does the left body gain
-   on the right one at a finite distance. Without gravity no time is
-   computed, so the clocks of the bodies (since) may differ. */
+/* Returns whether no gap will ever close: at no finite gap is the left body
+   faster than the right one. Without gravity no time is computed, so the
+   times `since` of the bodies may differ. */
 bool bonkers_is_still(const struct bonkers *b)
 {
     for (size_t i = 0; i < b->gaps; ++i)
@@ -171,8 +170,8 @@ bool bonkers_is_cold(const struct bonkers *b)
     return true;
 }
 
-/* The sum goes from the left in every engine, for another order would have
-   other roundings. A wall has no energy that it could give away. */
+/* Every engine sums from the left, since another order would have other
+   rounding errors. A wall of infinite mass does not count. */
 double bonkers_energy(const struct bonkers *b)
 {
     const double low = b->body[0].x, floor = low > -INFINITY ? low : 0;

@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 2345380460 of the lines below */
+/* checksum 4110619607 of the lines below */
 /* Engines that find the next collision on a line and carry it out. */
 #include "line/bonkers.h"
 
@@ -17,7 +17,8 @@ static void move_all(struct bonkers *b, double wait)
         b->body[i].x += b->body[i].v * wait;
 }
 
-/* Nothing happens before `until`: goes there, if it is a time. */
+/* Ends a run in which nothing happens before `until`: moves all bodies to
+   that time, unless it is infinite. */
 static enum bonkers_stop idle_all(struct bonkers *b, double until)
 {
     if (until == INFINITY)
@@ -27,8 +28,8 @@ static enum bonkers_stop idle_all(struct bonkers *b, double until)
     return BONKERS_TIME;
 }
 
-/* Moves everybody to the next collision, which is in gap i. Returns true
-   when the clock has stood still for too long. */
+/* Moves all bodies to the next collision, which is in gap i. Returns true
+   if the clock has stood still for too many collisions. */
 static bool move_and_collide(struct bonkers *b, size_t i, double wait)
 {
     struct bonkers_body *left = &b->body[i], *right = left + 1;
@@ -41,7 +42,7 @@ static bool move_and_collide(struct bonkers *b, size_t i, double wait)
     return count_repeat(b, i, stands, approach);
 }
 
-/* At every event look at every gap and move everybody. */
+/* Computes the time of every gap at every event and moves all bodies. */
 static enum bonkers_stop run_naive(struct bonkers *b, double until,
                                    uint64_t limit)
 {
@@ -77,7 +78,7 @@ enum bonkers_stop engine_idle(struct bonkers *b, double until)
     return BONKERS_STILL;
 }
 
-/* Look at every remembered time; move two bodies. */
+/* Compares the stored times of all gaps at every event; moves 2 bodies. */
 static enum bonkers_stop run_scan(struct bonkers *b, double until,
                                   uint64_t limit)
 {
@@ -103,7 +104,7 @@ void engine_reschedule(struct bonkers *b, size_t i)
         schedule_drop(&b->schedule, i);
 }
 
-/* The earliest gap is on top; move two bodies. */
+/* Takes the earliest gap from the top of the heap; moves two bodies. */
 enum bonkers_stop engine_run_heap(struct bonkers *b, double until,
                                   uint64_t limit)
 {

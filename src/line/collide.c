@@ -1,23 +1,24 @@
 /* From chapters/01-collide.nw: edit there, then run make tangle. */
-/* checksum 3522540433 of the lines below */
+/* checksum 3134124968 of the lines below */
 /* Collisions on a line and along a normal, in five forms of one formula. */
 #include "line/collide.h"
 
 #include <float.h>
 #include <math.h>
 
-/* Returns whether the collision has an answer. Two walls have none. */
+/* Returns whether the result of the collision is defined: not for two
+   walls, nor for negative inverse masses or an infinite sum. */
 static bool can_collide(double im1, double im2)
 {
     const double sum = im1 + im2;
     return im1 >= 0 && im2 >= 0 && sum > 0 && sum <= DBL_MAX;
 }
 
-/* Splits change, the change of the relative velocity, into what body 1
-   loses, part[0], and what body 2 gains, part[1] (1.12, eq:smaller). */
+/* Splits change, the change of the relative velocity, into the decrease of
+   v1, part[0], and the increase of v2, part[1] (1.12, eq:smaller). */
 static void split(double change, double im1, double im2, double part[2])
 {
-    const bool heavier = im1 >= im2; /* the place of the heavier body */
+    const bool heavier = im1 >= im2; /* index of the heavier body */
     const double smaller = (im1 < im2 ? im1 : im2) / (im1 + im2);
     part[heavier] = change * smaller;
     part[!heavier] = change - part[heavier];
@@ -35,9 +36,9 @@ bool collide(double *v1, double *v2, double im1, double im2,
     return true;
 }
 
-/* Copies the normal to n, scaled where its square would overflow or lose
-   digits, and sets *nn to n.n. Returns false when the number of dimensions
-   is not 1 to COLLIDE_DIMENSIONS, or the normal is zero or not finite. */
+/* Copies the normal to n, scaled if its square would overflow or lose
+   digits, and sets *nn to n.n. Returns false if the number of dimensions is
+   not 1 to COLLIDE_DIMENSIONS, or the normal is zero or not finite. */
 static bool safe_normal(size_t dimensions, const double normal[],
                         double n[], double *nn)
 {

@@ -1,10 +1,10 @@
-/* A series with its errors, the scatter of its counts, two series. */
+/* Describes a series with errors; the scatter of counts; two series. */
 #include "line/statistics.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-/* Copies x to u in a unit of its size, which it returns. */
+/* Fills u with x divided by statistics_unit, which it returns. */
 static double in_unit(size_t n, const double x[], double u[])
 {
     const double unit = statistics_unit(n, x), inverse = 1 / unit;
@@ -15,8 +15,8 @@ static double in_unit(size_t n, const double x[], double u[])
 
 enum number { MEAN, VARIANCE, KURTOSIS };
 
-/* Fills y with a series whose mean has the same error as a number of x: the
-   variance, or the kurtosis by (3.12, eq:delta). */
+/* Fills y with a series whose mean has the error of the variance of x, or
+   that of its kurtosis, by (3.12, eq:delta). */
 static void series_of(size_t n, const double x[], double y[],
                       const struct statistics_moments *m, enum number of)
 {
@@ -32,8 +32,8 @@ static void series_of(size_t n, const double x[], double y[],
 }
 
 /* Sets *error to the standard error of the mean of y, estimated from blocks
-   if y is a series in time. The description keeps the worst numbers of all
-   calls. Returns false if memory runs out. */
+   if y is a series in time, and updates the largest inefficiency, block and
+   so on in *d. Returns false if memory runs out. */
 static bool error_of(size_t n, const double y[], bool serial,
                      struct statistics_description *d, double *error)
 {
@@ -52,12 +52,12 @@ static bool error_of(size_t n, const double y[], bool serial,
     return true;
 }
 
-/* A column that never changes, such as the position of a wall, has no
-   kurtosis, and its errors are zero. */
+/* A constant column, such as the position of a wall, has no kurtosis, and
+   its errors are zero. */
 bool statistics_describe(size_t n, const double x[], bool serial,
                          struct statistics_description *d)
 {
-    double *u = calloc(n, sizeof u[0]); /* x in a unit of its size */
+    double *u = calloc(n, sizeof u[0]); /* x in units of statistics_unit */
     double *y = calloc(n, sizeof y[0]);
     bool done = u && y;
     if (done) {
@@ -93,7 +93,7 @@ bool statistics_describe(size_t n, const double x[], bool serial,
     return done;
 }
 
-/* Returns the covariance of two cells' counts over the blocks. */
+/* Returns the covariance of the counts of two cells over the blocks. */
 static double covariance(size_t blocks, size_t cells, const double a[],
                          const double b[])
 {
@@ -107,10 +107,11 @@ static double covariance(size_t blocks, size_t cells, const double a[],
     return sum / (double)(blocks - 1);
 }
 
-/* The two sums over g of (3.15, eq:scatter) are traces: of the covariance
-   matrix of the counts of blocks, and of its square. The square of a
-   measured matrix is on average larger than that of the true one; for
-   normal counts of m blocks by a part that is known, and taken out. */
+/* The two sums over g of (3.15, eq:scatter) are the traces of the
+   covariance matrix of the counts of blocks, and of its square. The square
+   of a measured covariance matrix is on average larger than that of the
+   true one; the excess, which is known for normally distributed counts of m
+   blocks, is subtracted. */
 struct statistics_scatter statistics_scatter(size_t blocks, size_t cells,
                                              const double count[],
                                              double expected)
@@ -124,14 +125,14 @@ struct statistics_scatter statistics_scatter(size_t blocks, size_t cells,
             sum += k == l ? v : 0;
             square += v * v;
         }
-    if (!(sum > 0)) /* all blocks are alike */
+    if (!(sum > 0)) /* all blocks are equal */
         return (struct statistics_scatter){1, (double)(cells - 1)};
     square = (m - 1) * (m - 1) / ((m - 2) * (m + 1)) *
              (square - sum * sum / (m - 1));
     square = fmax(square, sum * sum / (double)(cells - 1));
     return (struct statistics_scatter){square / sum, sum * sum / square};
 }
-/* A value that is sorted without losing its place. */
+/* A value of a series and its index there, to be sorted by value. */
 struct placed {
     double value;
     size_t place;
@@ -143,8 +144,8 @@ static int by_value(const void *a, const void *b)
     return (p->value > q->value) - (p->value < q->value);
 }
 
-/* Sorts a copy of x and numbers the samples by the cell of their rank;
-   returns the numbers, for free, or NULL. */
+/* Divides the samples by rank into cells of equal size. Returns the cell of
+   each sample, to be freed by the caller, or NULL if memory runs out. */
 static size_t *cells_of(size_t n, const double x[], size_t cells)
 {
     struct placed *sorted = malloc(n * sizeof sorted[0]);
@@ -162,8 +163,9 @@ static size_t *cells_of(size_t n, const double x[], size_t cells)
     return sorted ? cell : NULL;
 }
 
-/* Sets chi-square of the table in which every cell expects the same number
-   of samples if the two series are independent. */
+/* Sets chi-square of a table of cells x cells, each of which would contain
+   equally many samples if the two series were independent. Returns false if
+   memory runs out. */
 static bool count_table(size_t n, const double x[], const double y[],
                         size_t cells, struct statistics_dependence *d)
 {
@@ -183,8 +185,8 @@ static bool count_table(size_t n, const double x[], const double y[],
     return done;
 }
 
-/* The coefficient is the mean of a product, and gets its error like any
-   other mean. */
+/* The correlation coefficient is the mean of a product and gets its error
+   like any other mean. */
 bool statistics_dependence(size_t n, const double x[], const double y[],
                            size_t cells, bool serial,
                            struct statistics_dependence *d)

@@ -1,17 +1,17 @@
-/* What the engines of the line need of each other, and nobody else. */
+/* Functions that the engines of the line share; private to them. */
 #ifndef ENGINE_H
 #define ENGINE_H
 
 #include "line/bonkers.h"
 
-/* Returns by how much rounding may misplace bodies i - 1 and i, m. */
+/* Returns by how much rounding may displace bodies i - 1 and i, m. */
 double engine_rounding(const struct bonkers *b, size_t i);
 
-/* Nothing more happens before `until`: lets the clock run on, or stops it
-   at the last collision if there is no end. */
+/* Ends a run in which nothing happens before `until`: advances the clock to
+   that time, or, if it is infinite, leaves it at the last collision. */
 enum bonkers_stop engine_idle(struct bonkers *b, double until);
 
-/* Puts gap i into the schedule, if it will close, or takes it out. */
+/* Puts gap i into the schedule if it will close; otherwise removes it. */
 void engine_reschedule(struct bonkers *b, size_t i);
 
 /* Runs the engine with a heap, as bonkers_run does. */

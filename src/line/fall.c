@@ -3,9 +3,8 @@
 
 #include <math.h>
 
-/* Both roots are written without a difference of nearly equal numbers: for
-   v < 0 the usual v + speed would cancel, and the other form of (5.13,
-   eq:fall-floor) does not. */
+/* For v < 0 the usual form v + speed would be a difference of nearly equal
+   numbers; the other form of (5.13, eq:fall-floor) avoids it. */
 double fall_to_floor(double x, double v, double g)
 {
     if (x == INFINITY)

@@ -1,20 +1,20 @@
-/* When a body that falls reaches a floor or a roof. */
+/* Times and speeds at which a falling body reaches a floor or a roof. */
 #ifndef FALL_H
 #define FALL_H
 
-/* The time, s, until a body reaches the floor x (m) below it with velocity
-   v upwards (m/s) and the acceleration g > 0 downwards (m/s2). A body that
-   is not above the floor is on it: at once if v < 0. INFINITY for x
-   infinite. Source: (5.13, eq:fall-floor). */
+/* Returns the time, s, until a body at height x (m) above a floor reaches
+   it, with the velocity v upwards (m/s) and the acceleration g > 0
+   downwards (m/s2) (5.13, eq:fall-floor). For x <= 0 the body is on the
+   floor, and the time is 0 if v < 0. INFINITY if x is infinite. */
 double fall_to_floor(double x, double v, double g);
 
-/* The time, s, until the body reaches a roof at a distance x above it;
-   INFINITY if it does not get there or only just touches it.
-   Source: (5.14, eq:fall-roof). */
+/* Returns the time, s, until the body reaches a roof at a distance x, m,
+   above it (5.14, eq:fall-roof); INFINITY if it at most touches the
+   roof. */
 double fall_to_roof(double x, double v, double g);
 
-/* The speed, m/s, at which it is then at the floor; with -x at the roof.
-   0 where rounding would have it imaginary. */
+/* Returns the speed, m/s, of the body on reaching the floor, or with -x for
+   x the roof; 0 if rounding makes its square negative. */
 double fall_speed(double x, double v, double g);
 
 #endif

@@ -1,13 +1,12 @@
-/* A Gaussian through the bins of a histogram, by maximum likelihood. */
+/* Fits a Gaussian to the bins of a histogram by maximum likelihood. */
 #include "line/statistics.h"
 
 #include <float.h>
 #include <math.h>
 
-/* The probability of a bin is a difference of two values of the error
-   function. Far out on the right both are almost 1 and their difference is
-   noise; there the mirror image is taken, whose values are small and exact.
- */
+/* The probability of an interval is a difference of two values of the error
+   function. Far to the right both are almost 1 and their difference is lost
+   in rounding; there erfc is used, whose values are small and accurate. */
 double statistics_gaussian_between(double mean, double sd, double a,
                                    double b)
 {
@@ -18,11 +17,11 @@ double statistics_gaussian_between(double mean, double sd, double a,
     return 0.5 * (erfc(-to) - erfc(-from));
 }
 
-/* Returns (z^power) phi(z) / sd with z = (x - mean) / sd, from which come
-   the derivatives of a bin's probability p: those with respect to mean and
-   sd are the differences of phi / sd and z phi / sd between its two ends.
-   At infinity z phi is zero, where the machine would say infinity times 0.
- */
+/* Returns (z^power) phi(z) / sd with z = (x - mean) / sd and phi the normal
+   density. The derivatives of a bin's probability p with respect to mean
+   and sd are the differences of phi / sd and z phi / sd between its two
+   ends. At infinity z phi is zero, which is not what floating point
+   gives. */
 static double bell(double x, double mean, double sd, int power)
 {
     const double z = (x - mean) / sd;
@@ -31,14 +30,13 @@ static double bell(double x, double mean, double sd, int power)
     return exp(-z * z / 2) / (sd * sqrt(8 * atan(1))) * (power ? z : 1);
 }
 
-/* The sums of (3.20, eq:score) and (3.21, eq:fisher), which one pass over
-   the bins gives. */
+/* The sums over the bins of (3.20, eq:score) and (3.21, eq:fisher). */
 struct newton {
     double score[2], information[3]; /* I: mean-mean, mean-sd, sd-sd */
 };
 
-/* Adds a bin, which may be infinite. A probability that has underflowed is
-   lifted to the least positive number, since it is divided by. */
+/* Adds a bin, which may be infinitely wide, to the sums. An underflowed
+   probability, being a divisor, becomes the smallest normal number. */
 static void add_bin(struct newton *s, double mean, double sd, double a,
                     double b, double count, double total)
 {
@@ -53,16 +51,16 @@ static void add_bin(struct newton *s, double mean, double sd, double a,
     s->information[2] += total * slope[1] * slope[1] / p;
 }
 
-/* Returns an edge in this unit. Without it the information, which goes with
-   the inverse fourth power of the standard deviation, would be zero beyond
-   1e77. */
+/* Returns the lower edge of bin i in this unit. In other units the
+   information, which is proportional to the inverse fourth power of the
+   standard deviation, would underflow beyond 1e77. */
 static double edge_in(double unit, const struct statistics_histogram *h,
                       size_t i)
 {
     return statistics_histogram_edge(h, i) / unit;
 }
 
-/* Sums over all bins and the two infinite ones. */
+/* Returns the sums over all bins and the two infinite ones outside. */
 static struct newton newton_sums(const struct statistics_histogram *h,
                                  double unit, double mean, double sd)
 {
@@ -76,10 +74,10 @@ static struct newton newton_sums(const struct statistics_histogram *h,
     return s;
 }
 
-/* Finds where Newton's method may start: the moments, as if every sample
-   were at the centre of its bin. They are taken from the lower end of the
-   range on, so that a range far from zero costs no digits. Returns false
-   where there is no spread. */
+/* Sets the start of Newton's method: mean and standard deviation as if
+   every sample were at the centre of its bin. They are computed relative to
+   the lower end of the range, so that a range far from zero costs no
+   digits. Returns false if the samples have no spread. */
 static bool moments_of_bins(const struct statistics_histogram *h,
                             double unit, double *mean, double *sd)
 {
@@ -94,13 +92,14 @@ static bool moments_of_bins(const struct statistics_histogram *h,
     }
     *mean = h->low / unit + sum / inside;
     *sd = sqrt(square / inside - sum / inside * (sum / inside));
-    return *sd > 0; /* NaN where nothing is inside */
+    return *sd > 0; /* false also for NaN, with all samples outside */
 }
 
-/* Compares the counts with the fit: chi-square of groups of neighbouring
-   bins. A group is closed when it expects at least five and leaves as many
-   for the rest. Three are taken off the number of groups: one for the
-   total, two for the numbers fitted. */
+/* Compares the counts with the fit: sets chi-square of groups of
+   neighbouring bins, and its degrees of freedom. A group is complete when
+   its expected count is at least five and so is that of the remaining bins.
+   The degrees of freedom are the number of groups minus three: one for the
+   total, two for the fitted parameters. */
 static void compare_with(const struct statistics_histogram *h, double unit,
                          double g, struct statistics_gaussian *fit)
 {
@@ -128,10 +127,10 @@ static void compare_with(const struct statistics_histogram *h, double unit,
     fit->degrees = groups > 3 ? groups - 3 : 0;
 }
 
-/* A step that is too bold is cut, since the standard deviation must stay
-   positive. A hundred steps are many more than it ever takes. The step is
-   the inverse of I times S by Cramer's rule, and the diagonal of that
-   inverse holds the variances of the two numbers. */
+/* A step that is too large is shortened, since the standard deviation must
+   stay positive. A hundred steps are far more than are ever needed. The
+   step is the inverse of I times S by Cramer's rule; the diagonal of that
+   inverse gives the variances of the two parameters. */
 bool statistics_fit_gaussian(const struct statistics_histogram *h, double g,
                              struct statistics_gaussian *fit)
 {

@@ -1,6 +1,6 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 3102276247 of the lines below */
-/* A gap between two bodies: when it closes, and what happens then. */
+/* checksum 2178538619 of the lines below */
+/* A gap between two bodies: when it closes, and the collision then. */
 #ifndef GAP_H
 #define GAP_H
 
@@ -15,7 +15,7 @@ static inline double position(const struct bonkers_body *a, double t)
     return a->x + a->v * (t - a->since);
 }
 
-/* When the gap to the right of this body closes (2.3, eq:gap-time). */
+/* Returns when the gap to the right of a body closes (2.3, eq:gap-time). */
 static inline double time_of_gap(const struct bonkers_body *left)
 {
     const struct bonkers_body *right = left + 1;
@@ -33,7 +33,7 @@ static inline double time_due(const struct bonkers *b, size_t i)
                           : time_of_gap(&b->body[i]);
 }
 
-/* Returns body i as it is at the time t, if it meets nobody until then. */
+/* Returns body i as it is at the time t if it has no collision before. */
 static inline struct bonkers_body body_at(const struct bonkers *b, size_t i,
                                           double t)
 {
@@ -45,21 +45,22 @@ static inline struct bonkers_body body_at(const struct bonkers *b, size_t i,
     return a;
 }
 
-/* Returns whether two times differ by no more than a few last bits. */
+/* Returns whether two times are equal up to a few last bits. */
 static inline bool same_time(double before, double t)
 {
     return t - before <= 4 * DBL_EPSILON * t;
 }
 
-/* Returns how many collisions of a gap at one time are a collapse. */
+/* Returns how many collisions of a gap at one time count as a collapse. */
 static inline uint32_t most_repeats(const struct bonkers *b)
 {
     return BONKERS_REPEATS + (b->gaps < 200 ? (uint32_t)b->gaps : 200);
 }
 
-/* Counts the collisions of gap i while the clock stands still, and begins
-   again when it has moved on. Returns true when there are too many, or when
-   the clock moves but the speed of approach is below BONKERS_SLOWEST. */
+/* Counts the collisions of gap i while the clock stands still; resets the
+   count when the clock advances. Returns true if there are too many, or if
+   the clock advances but the bodies approach slower than
+   BONKERS_SLOWEST. */
 static inline bool count_repeat(struct bonkers *b, size_t i, bool stands,
                                 double approach)
 {
@@ -70,8 +71,8 @@ static inline bool count_repeat(struct bonkers *b, size_t i, bool stands,
            (!stands && approach < BONKERS_SLOWEST);
 }
 
-/* Returns the fraction f of (1.12, eq:smaller); NaN where neither body can
-   move. */
+/* Returns the fraction f of (1.12, eq:smaller); NaN for two bodies of
+   infinite mass. */
 static inline double fraction(const struct bonkers *b, size_t i)
 {
     const double left = b->body[i].im, right = b->body[i + 1].im;
@@ -79,7 +80,7 @@ static inline double fraction(const struct bonkers *b, size_t i)
     return sum <= DBL_MAX ? (left < right ? left : right) / sum : NAN;
 }
 
-/* Does to the velocities what collide does. */
+/* Changes the velocities of the bodies of gap i as collide does. */
 static inline void exchange(struct bonkers *b, size_t i)
 {
     struct bonkers_body *left = &b->body[i], *right = left + 1;
@@ -95,8 +96,8 @@ static inline void exchange(struct bonkers *b, size_t i)
     right->v += part[1];
 }
 
-/* Collides the bodies of gap i at the time it is due. Returns true when the
-   clock has stood still for too long. */
+/* Collides the bodies of gap i when the gap is due. Returns true if the
+   clock has stood still for too many collisions. */
 static inline bool collide_gap(struct bonkers *b, size_t i)
 {
     if (b->gravity > 0)
@@ -113,8 +114,8 @@ static inline bool collide_gap(struct bonkers *b, size_t i)
     return count_repeat(b, i, stands, approach);
 }
 
-/* Sets *low and *high to the first and the last gap of which a collision in
-   gap i changes the time. */
+/* Sets *low and *high to the first and the last gap whose time changes by a
+   collision in gap i. */
 static inline void find_changed(const struct bonkers *b, size_t i,
                                 size_t *low, size_t *high)
 {

@@ -11,8 +11,8 @@
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_randist.h>
 
-/* The words in which an error says what each law expects, and how many
-   numbers at least and at most. */
+/* For each law its name, the form of its text as error messages show it,
+   and the fewest and the most parameters that the text may give. */
 static const struct {
     const char *name, *form;
     size_t fewest, most;
@@ -47,10 +47,10 @@ static bool makes_sense(const struct law *law)
     return false;
 }
 
-/* Reads a colon, and numbers separated by commas. What may be missing must
-   be missing as a whole: a low end without a high end is a mistake.
-   Maxwell's numbers, each of which makes sense without the next, are the
-   exception. */
+/* Reads a colon and numbers separated by commas. Optional numbers must all
+   be given or all be missing: a low end without a high end is an error.
+   Only Maxwell's, each of which makes sense without the next, may end
+   anywhere. Returns false if the text is wrong. */
 static bool read_numbers(const char *text, struct law *law)
 {
     for (law->given = 0; *text; ++law->given) {
@@ -99,14 +99,13 @@ size_t laws_complete(struct law *law, double mean, double sd)
     return law->kind == LAW_MICROCANONICAL && given == 1 ? 1 : 0;
 }
 
-/* A Beta(a,b) variate stretched from [0,1] to [low,high]. */
+/* The law of low + (high - low) X, with X a Beta(a,b) variate. */
 struct stretched {
     double a, b, low, high;
 };
 
-/* Returns the parameters of a law as those of a Beta law: in a box both
-   are, that of velocities with two equal parameters (3.5, eq:velocity-cdf).
- */
+/* Returns a microcanonical or Beta law as a stretched Beta law; that of
+   velocities has two equal parameters (3.5, eq:velocity-cdf). */
 static struct stretched beta_of(const struct law *law)
 {
     const double *p = law->parameter;
@@ -119,7 +118,7 @@ static struct stretched beta_of(const struct law *law)
 static double stretched_density(struct stretched s, double x)
 {
     const double place = (x - s.low) / (s.high - s.low);
-    /* Outside of [0,1] gsl_ran_beta_pdf returns 0. */
+    /* gsl_ran_beta_pdf returns 0 outside [0,1]. */
     return gsl_ran_beta_pdf(place, s.a, s.b) / (s.high - s.low);
 }
 
@@ -131,8 +130,8 @@ static double stretched_below(struct stretched s, double x)
                         : gsl_cdf_beta_P(place, s.a, s.b);
 }
 
-/* Maxwell's law for a speed is that of a component times the surface of a
-   sphere in velocity space, x^(d-1). */
+/* Maxwell's law for a speed is that of a component times x^(d-1), from the
+   surface of a sphere in velocity space, normalised. */
 double laws_density(const struct law *law, double x)
 {
     const double *p = law->parameter;
@@ -202,15 +201,15 @@ double laws_chi2(double chi2, double degrees)
     return gsl_cdf_chisq_Q(chi2, degrees);
 }
 
-/* At lambda = 1, the worst place for both forms, the first term that is
-   left out is below 1e-40. */
+/* At lambda = 1, worst for both series, the omitted terms are below
+   1e-40. */
 double laws_kolmogorov(double lambda)
 {
     const double pi = acos(-1);
     double sum = 0;
     if (lambda <= 0)
         return 1;
-    if (lambda < 1) { /* the same function, summed where it is small */
+    if (lambda < 1) { /* another series, which converges here */
         for (int k = 1; k < 8; k += 2)
             sum += exp(-k * k * pi * pi / (8 * lambda * lambda));
         return 1 - sqrt(2 * pi) / lambda * sum;
@@ -226,8 +225,9 @@ static int by_size(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Returns the largest distance of the staircase of the samples, in order,
-   from the law: at the foot or at the top of a step. */
+/* Returns the largest difference between the samples' empirical
+   distribution function, a step function, and the law. below[]: the law's
+   cumulative probabilities at the samples, sorted. */
 static double largest_distance(size_t n, const double below[])
 {
     double distance = 0;
@@ -239,16 +239,15 @@ static double largest_distance(size_t n, const double below[])
     return distance;
 }
 
-/* Returns the bin of a cumulative probability. If the law holds, these are
-   uniform from 0 to 1, so that bins of equal width are equally probable. */
+/* Returns the bin of a cumulative probability. If the law is right, these
+   probabilities are uniform from 0 to 1, and the bins equally probable. */
 static size_t bin_of(double below)
 {
     return below < 1 ? (size_t)(below * LAW_CELLS) : LAW_CELLS - 1;
 }
 
-/* Measures by how much correlations change the distribution of chi-square,
-   from the counts of blocks in the same bins. Returns false if memory runs
-   out. */
+/* Measures from the counts of blocks how much correlations change the
+   distribution of chi-square. Returns false if memory runs out. */
 static bool find_scatter(size_t n, const double below[], size_t block,
                          struct statistics_scatter *s)
 {
@@ -264,8 +263,8 @@ static bool find_scatter(size_t n, const double below[], size_t block,
     return true;
 }
 
-/* A law that was fitted to the samples lies closer to them than (3.16,
-   eq:kolmogorov) expects; then the distance has no probability to tell. */
+/* A law that was fitted to the samples is closer to them than (3.16,
+   eq:kolmogorov) expects, so its distance has no probability, NaN. */
 bool laws_test(const struct law *law, size_t n, const double x[], double g,
                size_t block, size_t fitted, struct law_test *t)
 {

@@ -1,30 +1,29 @@
-/* The laws of equilibrium: densities, probabilities and tests of them. */
+/* Laws of equilibrium statistics: densities, probabilities and tests. */
 #ifndef LAWS_H
 #define LAWS_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-/* The laws of equilibrium. */
 enum law_kind { LAW_NORMAL, LAW_MICROCANONICAL, LAW_BETA, LAW_MAXWELL };
 
 enum { LAW_PARAMETERS = 4 };
 
-/* A law with its parameters, in the order of laws_read. */
+/* A law with its parameters, in the order in which laws_read takes them. */
 struct law {
     enum law_kind kind;
-    size_t given; /* how many of the parameters are known */
+    size_t given; /* how many of the parameters are set */
     double parameter[LAW_PARAMETERS];
 };
 
-enum { LAW_CELLS = 20 }; /* equally probable bins of the chi-square test */
+enum { LAW_CELLS = 20 }; /* equally probable bins of chi-square */
 
-/* How well samples obey a law. A probability is that of a result at
-   least as bad if they do. */
+/* How well samples agree with a law. Each probability is that of a result
+   at least as bad for samples that obey the law. */
 struct law_test {
-    double distance;               /* between the two distributions */
+    double distance;               /* Kolmogorov's */
     double distance_probability;   /* NaN if the law was fitted */
-    double chi2, chi2_probability; /* of LAW_CELLS equal bins */
+    double chi2, chi2_probability; /* of LAW_CELLS bins */
     double degrees;                /* of freedom of chi2 */
 };
 
@@ -39,9 +38,9 @@ struct law_test {
    Returns NULL, or what is wrong with the text. */
 const char *laws_read(const char *text, struct law *law);
 
-/* Fills in what was not given: low = 0 and high = 1, m = 1, otherwise from
-   a column's mean and standard deviation. Returns how many numbers were
-   taken from the column. */
+/* Sets the parameters that were not given: low = 0 and high = 1, m = 1, all
+   others from a column's mean and standard deviation. Returns how many were
+   computed from the column. */
 size_t laws_complete(struct law *law, double mean, double sd);
 
 /* Return the density of a complete law at x, in the inverse of x's unit,
@@ -55,20 +54,18 @@ double laws_mean(const struct law *law);
 double laws_sd(const struct law *law);
 
 /* Tests n samples, of which every g-th is independent, against a complete
-   law of which `fitted` numbers were taken from the same samples. The
-   scatter of chi-square is that of independent samples if `block` is 0 or
-   1, or if there are not 3 blocks of so many; else it is measured from the
-   blocks, which are taken for independent; with fitted numbers it is then
-   too careful.
-   Returns false if memory runs out. Requires n >= 2, g > 0,
-   fitted < LAW_CELLS - 1.
-   Sources: Kolmogorov's limit with Stephens' correction,
+   law with `fitted` parameters computed from these samples. If there are at
+   least 3 blocks of `block` > 1 samples, the scatter of chi-square is
+   measured from the blocks, which are assumed to be independent, and is
+   overestimated for a fitted law; otherwise it is that of independent
+   samples. Returns false if memory runs out. Requires n >= 2, g > 0, fitted
+   < LAW_CELLS - 1. Sources: Kolmogorov's limit with Stephens' correction,
    J. R. Statist. Soc. B 32, 115 (1970); Pearson's chi-square. */
 bool laws_test(const struct law *law, size_t n, const double x[], double g,
                size_t block, size_t fitted, struct law_test *t);
 
-/* Returns the probability that Kolmogorov's distance times the root of the
-   number of samples, many, is more than lambda. */
+/* Returns the probability that Kolmogorov's distance times the square root
+   of the number of samples, if large, exceeds lambda. */
 double laws_kolmogorov(double lambda);
 
 /* Returns the probability that chi-square with this number of degrees of

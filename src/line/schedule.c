@@ -1,6 +1,6 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 4202076529 of the lines below */
-/* Finds the earliest event by comparing all, or with a heap. */
+/* checksum 2915905627 of the lines below */
+/* Finds the earliest event by comparing all times, or with a heap. */
 #include "line/schedule.h"
 
 #include <stdlib.h>
@@ -17,7 +17,7 @@ size_t schedule_scan(const double time[], size_t n)
     return first;
 }
 
-/* Events at equal times have the order of their numbers. */
+/* Says whether a comes before b; at equal times the smaller number does. */
 static bool earlier(struct schedule_entry a, struct schedule_entry b)
 {
     return (a.time < b.time) | ((a.time == b.time) & (a.event < b.event));

@@ -1,4 +1,4 @@
-/* Which of many events comes first. */
+/* A schedule: finds the earliest of many events. */
 #ifndef SCHEDULE_H
 #define SCHEDULE_H
 
@@ -7,7 +7,7 @@
 #include <stdint.h>
 
 /* Returns the index of the smallest of n times, the first of equal ones.
-   Requires n > 0. Reads all of them. */
+   Requires n > 0. The cost is proportional to n. */
 size_t schedule_scan(const double time[], size_t n);
 
 struct schedule_entry {
@@ -15,30 +15,30 @@ struct schedule_entry {
     uint32_t event;
 };
 
-/* Some of the events 0 to size-1, the earliest on top. To be read:
-   heap[0] when count > 0. */
+/* Some of the events 0 to size-1 in a heap, the earliest on top: heap[0],
+   which may be read if count > 0. */
 struct schedule {
-    struct schedule_entry *heap; /* ordered as (2.5, eq:heap) demands */
-    uint32_t *place;             /* of each event in the heap */
+    struct schedule_entry *heap; /* ordered by (2.5, eq:heap) */
+    uint32_t *place;             /* index of each event in heap */
     size_t size, count;
 };
 
-/* Prepares an empty schedule for events 0 to size-1, `room` of them at a
-   time. Returns false, with nothing to free, when there is no memory. */
+/* Prepares an empty schedule for events 0 to size-1, at most `room` of them
+   at a time. Returns false, with nothing to free, if memory runs out. */
 bool schedule_create(struct schedule *s, size_t size, size_t room);
 void schedule_free(struct schedule *s);
 
-/* Gives the event this time, whether it was in the schedule or not. Cost:
-   at most of the order log2(count). */
+/* Sets the time of an event, and adds the event if it was not in the
+   schedule. The cost is at most of the order log2(count). */
 void schedule_put(struct schedule *s, size_t event, double time);
 
-/* Takes the event out, if it was in. */
+/* Removes an event; does nothing if it is not in the schedule. */
 void schedule_drop(struct schedule *s, size_t event);
 
-/* Takes out the earliest event and returns it. Requires count > 0. */
+/* Removes the earliest event and returns it. Requires count > 0. */
 size_t schedule_take(struct schedule *s);
 
-/* Takes out all events. Cost: of the order of count. */
+/* Removes all events. The cost is of the order of count. */
 void schedule_clear(struct schedule *s);
 
 #endif

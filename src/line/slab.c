@@ -1,11 +1,11 @@
 /* The engine that runs distant bodies independently for a short time. */
 
-/* A slab is a stretch of time. In it the collisions stand in islands,
-   groups of neighbouring gaps, and the line is gone through once, island by
-   island. Chapter 2 (section Small islands of time) proves that this gives
-   the bits of the scan as long as two gaps or more that no collision has
-   changed lie between islands (2.6, eq:islands). Islands that have come
-   nearer are undone from a log and run again as one. */
+/* A slab is an interval of time. Its collisions form islands, groups of
+   neighbouring gaps, and one pass along the line runs island by island.
+   Chapter 2 (section Small islands of time) proves that the result equals
+   the scan's to the last bit as long as at least two gaps without
+   collisions lie between islands (2.6, eq:islands). Islands that come
+   closer are undone from a log and run again as one. */
 #include "line/slab.h"
 
 #include "line/engine.h"
@@ -16,62 +16,59 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What a collision overwrites, as the log keeps it: three numbers of each
-   of its two bodies, and one counter. The times of the gaps need no place
-   here, for renew computes them from the bodies, the same bits a second
-   time. */
+/* The numbers that a collision overwrites: position, velocity and time of
+   its two bodies, and one counter. The times of the gaps are not stored, as
+   they are computed again from the bodies, with equal bits. */
 struct log_entry {
     double x[2], v[2], since[2];
     uint32_t gap, repeats;
 };
 
-/* Gaps first to last. Their entries in the log reach from start to the
-   start of the next island. */
+/* An island: the gaps first to last. Its entries in the log are those from
+   start to the start of the next island. */
 struct island {
     uint32_t first, last;
     size_t start;
 };
 
-/* A slab on its way from left to right. A line of a million bodies does not
-   fit into a cache, and to fetch it from memory for every slab would take
-   as long as the collisions. So up to SLABS of them follow each other, each
-   BLOCK gaps behind the one before, and what the first has fetched is still
-   at hand for the last. */
+/* A slab, advancing from left to right. A line of a million bodies does not
+   fit into a cache, and loading it from memory for every slab would take as
+   long as the collisions. So up to SLABS slabs follow each other, each
+   BLOCK gaps behind the one before, and share what the first has loaded. */
 struct slab {
-    double end;  /* s */
-    size_t next; /* the first gap that is not done with */
+    double end;  /* of the interval of time, s */
+    size_t next; /* the first gap that is not finished */
     struct log_entry *log;
     size_t logged, log_size;
     struct island *island;
     size_t islands, island_size;
-    uint64_t collisions; /* whose entries have been dropped */
+    uint64_t collisions; /* those whose log entries have been dropped */
 };
 
 enum {
-    SLABS = 16,     /* under way at once, at most */
-    BLOCK = 256,    /* gaps from one slab to the next */
-    MOST_ALONE = 63 /* slabs that go alone after failures, at most */
+    SLABS = 16,     /* most slabs in progress at once */
+    BLOCK = 256,    /* gaps between one slab and the next */
+    MOST_ALONE = 63 /* most slabs run alone after failures */
 };
 
-/* What collisions change in a body; its mass stays. */
+/* The numbers of a body that collisions change: m, m/s, s. */
 struct motion {
     double x, v, since;
 };
 
-/* slab[0] collides nothing: it goes in front and saves the bodies as they
-   were. slab[1] to slab[count] run, and slab[count + 1] only shows how far
-   the last of them is done. */
+/* The state of the engine. slab[0] runs no collisions: it advances first
+   and saves the bodies. slab[1] to slab[count] run theirs; slab[count + 1]
+   only marks how far slab[count] has finished. */
 struct bonkers_slab {
     double width;         /* of the next slabs, s; 0: not known */
-    size_t slabs, count;  /* to be under way next, and now */
+    size_t slabs, count;  /* in progress next time, and now */
     size_t alone;         /* number of slabs still to be run alone */
-    size_t after_failure; /* number of slabs run alone after the last
-                             failure */
+    size_t after_failure; /* slabs run alone after the last failure */
     struct slab slab[SLABS + 2];
     struct motion *saved;
-    uint32_t *repeats; /* saved, too */
-    uint64_t redone;   /* in these slabs */
-    bool collapse;     /* a clock stands still, or it is too cold */
+    uint32_t *repeats; /* the saved counters of b->repeats */
+    uint64_t redone;   /* collisions undone in these slabs */
+    bool collapse;     /* the clock stands still, or it is too cold */
     bool failed;       /* all slabs must be undone */
     bool crowded;      /* an island has more than SLAB_WAITING gaps due */
 };
@@ -104,7 +101,7 @@ struct bonkers_slab *slab_create(const struct bonkers *b)
     return NULL;
 }
 
-/* Returns what a collision in gap i will overwrite. */
+/* Returns a log entry: the numbers that a collision in gap i overwrites. */
 static struct log_entry entry_of(const struct bonkers *b, size_t i)
 {
     const struct bonkers_body *l = &b->body[i], *r = l + 1;
@@ -115,7 +112,7 @@ static struct log_entry entry_of(const struct bonkers *b, size_t i)
                               b->repeats ? b->repeats[i] : 0};
 }
 
-/* Takes one collision back. */
+/* Undoes one collision. */
 static void undo(struct bonkers *b, const struct log_entry *r)
 {
     struct bonkers_body *pair = &b->body[r->gap];
@@ -129,9 +126,9 @@ static void undo(struct bonkers *b, const struct log_entry *r)
     renew(b, r->gap);
 }
 
-/* Undoes all but the first `start` entries: the last first, since only then
-   each finds its two bodies as it left them. Counts them, too, for a slab
-   that undoes much is too long. */
+/* Undoes all but the first `start` entries of the log, in reverse order, so
+   that each finds its two bodies as it left them. Adds their number to
+   redone, since a slab that undoes many collisions is too long. */
 static void undo_to(struct bonkers *b, struct slab *s, size_t start)
 {
     b->slab->redone += s->logged - start;
@@ -140,8 +137,7 @@ static void undo_to(struct bonkers *b, struct slab *s, size_t start)
 }
 
 /* Makes room in an array for one more item of `size` bytes. Returns false
-   when there is no memory; then the slab has failed, and no harm is done.
- */
+   if memory runs out; the slabs then fail and are undone. */
 static bool make_room(void **array, size_t count, size_t *room, size_t size)
 {
     if (count < *room)
@@ -155,9 +151,9 @@ static bool make_room(void **array, size_t count, size_t *room, size_t size)
     return true;
 }
 
-/* Returns the last gap of an island that has reached gap `last`: gaps due
-   before `end` belong to it, with never more than one that is not due in
-   between. */
+/* Returns the last gap of an island that has reached gap `last`: the island
+   continues to each next gap that is due by `end`, with at most one gap
+   that is not due in between. */
 static size_t end_of_chain(const struct bonkers *b, size_t last, double end)
 {
     for (;;)
@@ -169,8 +165,8 @@ static size_t end_of_chain(const struct bonkers *b, size_t last, double end)
             return last;
 }
 
-/* Schedules the gaps first to last that are due; takes out the earliest and
-   returns it. */
+/* Schedules the gaps from first to last that are due by `end`; removes the
+   earliest from the schedule and returns it. */
 static size_t schedule_due(struct bonkers *b, size_t first, size_t last,
                            double end)
 {
@@ -181,8 +177,9 @@ static size_t schedule_due(struct bonkers *b, size_t first, size_t last,
     return schedule_take(&b->schedule);
 }
 
-/* Renews the times around gap i, and schedules what has become due. In most
-   islands nothing has: then the schedule stays empty and costs nothing. */
+/* Computes the times around gap i anew, and schedules the gaps that are now
+   due. In most islands there are none: then the schedule stays empty and
+   costs nothing. */
 static void renew_due(struct bonkers *b, size_t i, double end)
 {
     size_t low, high;
@@ -196,12 +193,12 @@ static void renew_due(struct bonkers *b, size_t i, double end)
     }
 }
 
-/* Returns whether an island of gaps first to last would reach beyond what
-   slab s has to itself. It reads bodies up to last + 2, which the slab
-   before must have left for good; it changes the time of gap first - 1,
-   which the slab behind must not have seen. So each island finds what it
-   would find if the slabs came one after the other, and the proof of the
-   chapter holds for each of them. */
+/* Returns whether an island of gaps first to last would leave the range
+   that slab s has to itself. The island reads bodies up to last + 2, which
+   the slab before must have finished, and changes the time of gap first -
+   1, which the slab behind must not have read. Within this range every
+   island runs as if the slabs ran one after another, and the proof of
+   chapter 2 applies to each slab. */
 static bool leaves_its_slab(const struct slab *s, size_t first, size_t last)
 {
     const struct slab *before = s - 1, *behind = s + 1;
@@ -209,21 +206,20 @@ static bool leaves_its_slab(const struct slab *s, size_t first, size_t last)
            (behind->next > 0 && first <= behind->next);
 }
 
-/* Returns whether the slab holds, or has had to undo, many times as many
-   collisions as there are gaps: say a light ball is trapped between two
-   heavy ones and bounces a million times. Then its log would be enormous.
-   It is undone and tried at a quarter of the width. */
+/* Returns whether the slab has logged or undone many times more collisions
+   than there are gaps, as when a light ball between two heavy ones bounces
+   a million times. The log would become enormous, so the slab is undone and
+   tried at a quarter of the width. */
 static bool too_long(const struct bonkers *b, const struct slab *s)
 {
     const size_t most = 8 * b->gaps + 65536;
     return s->logged > most || b->slab->redone > most;
 }
 
-/* Returns false, with a larger *first to *last, if a collision in gap i
-   would bring the island too near to another (2.6, eq:islands): to the left
-   one that is finished, to the right a gap that is due. Gap i + 1 cannot be
-   due by itself: it was two gaps from the one before, and would have been
-   noticed there. */
+/* Returns false, after extending *first to *last, if a collision in gap i
+   would bring the island too close to another (2.6, eq:islands): to a
+   finished one on the left or a gap that is due on the right. Gap i + 1
+   cannot be due by itself: it would have joined the island before. */
 static bool keep_apart(const struct bonkers *b, const struct slab *s,
                        size_t i, size_t *first, size_t *last)
 {
@@ -242,13 +238,12 @@ static bool keep_apart(const struct bonkers *b, const struct slab *s,
     return true;
 }
 
-/* Runs the gaps *first to *last, and those they set going, up to the end of
-   the slab. Returns false with a larger *first to *last when the island has
-   to be begun again, because it has met another or the slabs have failed.
-   Before each collision there must be room in the log to take it back, and
-   in the schedule for the three gaps whose times will be new. An island
-   that collapses ends there: what it would still do comes later than the
-   moment at which the run is going to stop. */
+/* Runs the gaps *first to *last, and all that become due, up to the end of
+   the slab. Returns false, perhaps after extending *first to *last, if the
+   island must start again, because it has met another, or if the slabs have
+   failed. Each collision first needs room in the log, and in the schedule
+   for the three gaps whose times change. An island that collapses stops
+   there: its further collisions come after the end of the run. */
 static bool run_island(struct bonkers *b, struct slab *s, size_t *first,
                        size_t *last)
 {
@@ -282,11 +277,10 @@ static bool run_island(struct bonkers *b, struct slab *s, size_t *first,
 }
 
 /* Runs the island that begins at gap first. Returns the first gap after it
-   that may begin another, or 0 if the slabs have failed. When it has met
-   islands on the left, what they and it did is undone, and one larger
-   island begins where they began. It may meet a third at once; islands
-   stand in the log in the order of the line, so the one to undo is always
-   the last. */
+   that may begin another, or 0 if the slabs have failed. If it meets
+   islands on its left, their collisions and its own are undone, and one
+   larger island starts in their place. It may then meet a third; as islands
+   are logged from left to right, the one to undo is always the last. */
 static size_t add_island(struct bonkers *b, struct slab *s, size_t first)
 {
     size_t start = s->logged, last = end_of_chain(b, first, s->end);
@@ -314,10 +308,9 @@ static size_t add_island(struct bonkers *b, struct slab *s, size_t first)
     return last + 3;
 }
 
-/* Remembers gaps from to to-1 and the bodies to their left. This is also
-   what brings them from memory, and it asks for the next block: without
-   that word, which gcc and clang have, large lines are slower and otherwise
-   the same. */
+/* Saves gaps from to to-1 and the bodies to their left. This also loads
+   them from memory, and prefetches the next block; a compiler without
+   __builtin_prefetch makes large lines slower. */
 static void save(struct bonkers *b, size_t from, size_t to)
 {
     const size_t count = to - from + (to == b->gaps);
@@ -336,7 +329,7 @@ static void save(struct bonkers *b, size_t from, size_t to)
 #endif
 }
 
-/* Takes all bodies back to where they have been saved. */
+/* Restores all bodies that have been saved. */
 static void undo_all(struct bonkers *b)
 {
     const struct bonkers_slab *s = b->slab;
@@ -353,9 +346,9 @@ static void undo_all(struct bonkers *b)
         b->due[i] = time_due(b, i);
 }
 
-/* Drops the log of islands that the slab behind has seen: they cannot
-   be undone one by one any more. Not at every block, or moving the others
-   would cost more than they. */
+/* Drops the log entries of islands that the slab behind has passed: they
+   can no longer be undone one by one. It waits for MANY entries, since
+   moving the others costs time. */
 static void drop_safe_entries(struct slab *s)
 {
     enum { MANY = 256 };
@@ -380,10 +373,10 @@ static void drop_safe_entries(struct slab *s)
 }
 
 /* Runs the islands of slab s that begin in gaps from to to-1. Returns false
-   when that is more than a slab can do; then all must be undone. The gaps
-   that are due are listed without a jump: each number is written down, and
-   the place for the next moves on only if the gap is due. A processor that
-   had to guess would guess wrong at every island. */
+   if the slabs have failed; then all must be undone. The list of due gaps
+   is made without a branch: each number is written, but the index advances
+   only if the gap is due. Branches would be mispredicted at every
+   island. */
 static bool run_block(struct bonkers *b, struct slab *s, size_t from,
                       size_t to)
 {
@@ -403,7 +396,7 @@ static bool run_block(struct bonkers *b, struct slab *s, size_t from,
     return true;
 }
 
-/* Takes one slab through a block. */
+/* Advances one slab by a block; returns false if the slabs have failed. */
 static bool advance(struct bonkers *b, size_t slab, size_t block)
 {
     struct slab *s = &b->slab->slab[slab];
@@ -420,8 +413,8 @@ static bool advance(struct bonkers *b, size_t slab, size_t block)
     return true;
 }
 
-/* Runs every island of all slabs. Returns false when they have failed. A
-   slab that is alone may have islands of any length. */
+/* Runs every island of all slabs. Returns false if they have failed. A slab
+   that runs alone may have islands of any length. */
 static bool run_islands(struct bonkers *b)
 {
     const size_t blocks = (b->gaps + BLOCK - 1) / BLOCK;
@@ -435,23 +428,22 @@ static bool run_islands(struct bonkers *b)
     return true;
 }
 
-/* Returns how many collisions a slab should have. A short slab goes through
-   the line for few collisions; in a long one islands meet often and much is
-   done twice. Three for every twenty gaps do best, by trial. */
+/* Returns how many collisions a slab should have. A short slab passes along
+   the line for few collisions; in a long one islands meet often and many
+   collisions are repeated. Three for every twenty gaps proved fastest. */
 static double collisions_wanted(const struct bonkers *b)
 {
     return 0.15 * (double)b->gaps + 1;
 }
 
-/* Chooses the width of the next slabs from the last, of this width, which
-   had so many collisions; 0 after some in which nothing happened. It
-   changes by a factor of two at most, and does not touch the result. As
-   long as the width is about right, twice as many slabs go at once each
-   time. A fast ball among many at rest sets going a wave that is longer
-   than what a slab has to itself when others are under way, and will do so
-   again: so after a failure one slab goes alone, after the next three do,
-   then seven, up to MOST_ALONE; and half as many when all SLABS have
-   succeeded. */
+/* Chooses width and number of the next slabs from the last ones, of this
+   width, and their number of collisions; the width becomes 0, unknown, if
+   there were none. It changes by a factor of two at most, and affects no
+   result. If the width is about right, the number of slabs doubles. A fast
+   ball among many at rest starts a wave that is longer than the range of a
+   slab among others, and will do so again: so after a failure one slab runs
+   alone, after the next three, then seven, up to MOST_ALONE; and half as
+   many after all SLABS have succeeded. */
 static void adapt_width(struct bonkers *b, double width,
                         uint64_t collisions)
 {
@@ -470,10 +462,10 @@ static void adapt_width(struct bonkers *b, double width,
     s->alone -= s->alone > 0;
 }
 
-/* Returns the width where nothing is known: twice as far as the next
-   collision, or INFINITY if there is none. The slab after it will mend what
-   is wrong with that. Late in a run that may be less than a last bit of the
-   clock, hence the smallest width. */
+/* Returns a first guess of the width, s: twice the time to the next
+   collision, or INFINITY if there is none; adapt_width corrects it. Late in
+   a run that may be below the clock's last bit, hence the smallest
+   width. */
 static double first_width(const struct bonkers *b)
 {
     const double wait = b->due[schedule_scan(b->due, b->gaps)] - b->now;
@@ -481,9 +473,8 @@ static double first_width(const struct bonkers *b)
                             : fmin(fmax(2 * wait, 1e-12 * b->now), DBL_MAX);
 }
 
-/* Runs slabs of this width from now on, but not beyond `until`; undoes them
-   and returns false when they fail. They leave either all their collisions
-   behind or none. */
+/* Runs slabs of this width, s, but not beyond `until`. Returns false if
+   they fail, after undoing all of their collisions. */
 static bool try_slabs(struct bonkers *b, double begin, double width,
                       double until)
 {
@@ -503,7 +494,7 @@ static bool try_slabs(struct bonkers *b, double begin, double width,
     return done;
 }
 
-/* Returns how many collisions these slabs have had. */
+/* Returns the number of collisions in these slabs. */
 static uint64_t collisions_of(const struct bonkers *b)
 {
     uint64_t sum = 0;
@@ -512,19 +503,18 @@ static uint64_t collisions_of(const struct bonkers *b)
     return sum;
 }
 
-/* Returns whether the run may have to stop within these slabs, which do not
-   know the order of their collisions. */
+/* Returns whether the run may have to stop within these slabs, whose
+   collisions are not in the order of time. */
 static bool holds_the_end(const struct bonkers *b, uint64_t collisions,
                           uint64_t limit)
 {
     return b->slab->collapse || collisions >= limit - b->collisions;
 }
 
-/* Runs up to `end` by the heap, which counts collisions in the order of
-   time and which nothing can surprise, say a thousand touching balls that
-   are struck, when everything happens at one moment. Its heap needs room
-   for every gap: it lies where the bodies were saved, which are back in
-   their places. */
+/* Runs up to `end` by the heap engine, which counts collisions in the order
+   of time and copes with any number at one moment, as when a thousand
+   touching balls are struck. Its heap needs room for every gap: it uses the
+   memory of the saved bodies, which have been restored. */
 static enum bonkers_stop run_slab_by_heap(struct bonkers *b, double end,
                                           uint64_t limit)
 {
@@ -535,12 +525,12 @@ static enum bonkers_stop run_slab_by_heap(struct bonkers *b, double end,
     const enum bonkers_stop stop = engine_run_heap(b, end, limit);
     schedule_clear(&b->schedule);
     b->schedule = islands;
-    b->slab->width = 0; /* begin afresh */
+    b->slab->width = 0; /* the width is unknown again */
     return stop;
 }
 
-/* Returns how many slabs go next: one where the width is a guess or the end
-   is near. */
+/* Returns how many slabs to run next: one for a guessed width or near the
+   end. */
 static size_t slabs_to_go(const struct bonkers *b, double width,
                           double until, uint64_t limit)
 {
@@ -552,12 +542,11 @@ static size_t slabs_to_go(const struct bonkers *b, double width,
     return b->slab->width > 0 && most > 1 ? (size_t)most : 1;
 }
 
-/* Slabs that fail are tried alone, then at a quarter of the width: a big
-   step back, but each attempt costs as much as a slab, and four must be
-   enough. A crowd that meets at one time is not thinned out by a shorter
-   slab, and one attempt will do. After that, and in the slab that holds the
-   last collision asked for, the heap takes over; that costs what one slab
-   costs, once in a run. */
+/* Slabs that fail are tried alone, then at a quarter of the width, up to
+   four times, as each attempt costs as much as a slab. If too many gaps are
+   due at one time, a shorter slab would not help, and one attempt is made.
+   After that, and in the slab with the last requested collision, the heap
+   takes over; that costs as much as one slab, once in a run. */
 enum bonkers_stop slab_run(struct bonkers *b, double until, uint64_t limit)
 {
     struct bonkers_slab *s = b->slab;

@@ -1,14 +1,14 @@
-/* The engine with slabs. For bonkers.c only. */
+/* The engine with slabs; for use by bonkers.c only. */
 #ifndef SLAB_H
 #define SLAB_H
 
 #include "line/bonkers.h"
 
-/* How many gaps of one island may wait in the schedule; more are left to
-   the heap engine. */
+/* How many due gaps of one island the schedule can contain; longer islands
+   are left to the heap engine. */
 enum { SLAB_WAITING = 4096 };
 
-/* Returns what the engine keeps, or NULL when there is no memory. */
+/* Returns the state of the engine, or NULL if memory runs out. */
 struct bonkers_slab *slab_create(const struct bonkers *b);
 
 /* Frees the engine's memory; does nothing if s is NULL. */

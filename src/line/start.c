@@ -1,4 +1,4 @@
-/* The presets of a line: fixed numbers, points thrown and gases warmed. */
+/* The presets of a line: fixed numbers, random points and thermal gases. */
 #include "line/start.h"
 
 #include "toolbox/random.h"
@@ -11,8 +11,7 @@ const char *const start_names[START_KINDS + 1] = {
     "four",      "mixed", "cradle", "thermal",  "piston",
     "adiabatic", "two",   "random", "galperin", NULL};
 
-/* One piece of memory serves all four arrays: one thing to fail and one to
-   free. */
+/* One block of memory serves all four arrays. */
 bool start_create(struct start *s, size_t movers)
 {
     *s = (struct start){.movers = movers};
@@ -33,10 +32,10 @@ void start_free(struct start *s)
     *s = (struct start){0};
 }
 
-/* Throws n points at random between a and b, in order, without sorting: the
-   gaps between them are n + 1 exponential variates divided by their sum.
-   (Before the division they are independent, which is why the free space of
-   a line behaves like an ideal gas.) */
+/* Fills x with n uniform random points between a and b, in order, without
+   sorting: the gaps between them are n + 1 exponential variates divided by
+   their sum. (Before the division they are independent, which is why the
+   free space of a line behaves like an ideal gas.) */
 static void throw_points(struct random *r, size_t n, double a, double b,
                          double x[])
 {
@@ -50,9 +49,8 @@ static void throw_points(struct random *r, size_t n, double a, double b,
         x[i] = a + (b - a) * (x[i] / sum);
 }
 
-/* Draws velocities for n movers from i on, normal with a variance in
-   proportion to 1/m, and multiplies them by one factor, which makes their
-   kinetic energy exactly this. */
+/* Draws velocities for movers i to i + n - 1, normal with variances
+   proportional to 1/m, and scales them to this kinetic energy, J. */
 static void warm(struct random *r, struct start *s, size_t i, size_t n,
                  double energy)
 {
@@ -65,8 +63,8 @@ static void warm(struct random *r, struct start *s, size_t i, size_t n,
         s->v[k] *= sqrt(energy / sum);
 }
 
-/* The heavy quartet with which MacKay's C++ program began, for any number
-   of movers. */
+/* Fills in MacKay's four heavy bodies (C++), or any number in their
+   manner. */
 static void fill_four(struct start *s)
 {
     s->wall[1] = (double)s->movers + 1;
@@ -78,9 +76,9 @@ static void fill_four(struct start *s)
     }
 }
 
-/* The first run of MacKay's Octave program. The masses are 9 kg and 1 kg
-   but for a tenth here and there: equal ones would only hand their
-   velocities on. */
+/* Fills in the first run of MacKay's Octave program. The masses are 9 kg
+   and 1 kg, some changed by a tenth: equal bodies only exchange
+   velocities. */
 static void fill_mixed(struct start *s)
 {
     static const double v[] = {2, 2.21, 2.621, 2, -0.2, -0.27, -0.37, -0.2};
@@ -95,8 +93,8 @@ static void fill_mixed(struct start *s)
     }
 }
 
-/* His second run: two heavy bodies fly to the left, away from six light
-   ones that lie in a row and wait for what the wall sends back. */
+/* Fills in the second run of MacKay's Octave program: two heavy bodies fly
+   to the left wall, away from a row of six light ones at rest. */
 static void fill_cradle(struct start *s)
 {
     s->wall[1] = 35;
@@ -119,8 +117,8 @@ static void fill_two(struct start *s, double ratio)
     s->v[1] = -0.3;
 }
 
-/* Galperin's count with positions. The right wall is infinitely far away,
-   and the run ends by itself, when the two bodies have parted for good. */
+/* Fills in Galperin's experiment. There is no right wall, and the run ends
+   by itself after the last collision. */
 static void fill_galperin(struct start *s, double ratio)
 {
     s->wall[1] = INFINITY;
@@ -131,8 +129,8 @@ static void fill_galperin(struct start *s, double ratio)
     s->v[1] = -1;
 }
 
-/* A gas of 1/2 J a particle, at one particle a metre; the left half has
-   masses within a tenth of 1 kg, the right half within a tenth of 4 kg. */
+/* Fills in a gas with 1/2 J and 1 m per particle; the left half has masses
+   within a tenth of 1 kg, the right half within a tenth of 4 kg. */
 static void fill_thermal(struct start *s, struct random *r)
 {
     const size_t n = s->movers;
@@ -143,9 +141,9 @@ static void fill_thermal(struct start *s, struct random *r)
     warm(r, s, 0, n, (double)n / 2);
 }
 
-/* The gas of fill_thermal with masses spread evenly from 1 kg to 9 kg, in
-   random order: the inside-out form of the shuffle of Fisher and Yates puts
-   the i-th mass at a random place k <= i, and what was there at place i. */
+/* Fills in the gas of fill_thermal with masses spread evenly from 1 kg to 9
+   kg, in random order: the inside-out shuffle of Fisher and Yates puts the
+   i-th mass at a random place k <= i, and moves the mass from k to i. */
 static void fill_random(struct start *s, struct random *r)
 {
     const size_t n = s->movers;
@@ -159,12 +157,13 @@ static void fill_random(struct start *s, struct random *r)
     warm(r, s, 0, n, (double)n / 2);
 }
 
-/* A piston of 40 kg in the middle of 12 m, and a gas of 40/3 kg, divided
-   among the others. Cold, all fly to the right at 1 m/s: 80/3 J, three
-   quarters of it in the piston. Warmed, each side has 10/3 J and the piston
-   drifts at 0.1 m/s. The masses rise from the left wall to the piston, by a
-   tenth of their mean either way, and fall on its right by a little less:
-   the two gases weigh the same and are not mirror images. */
+/* Fills in a piston of 40 kg in the middle of 12 m, and a gas of 40/3 kg,
+   divided among the others. Not warmed, all fly to the right at 1 m/s: 80/3
+   J, three quarters of it in the piston. Warmed, each gas has 10/3 J and
+   the piston moves at 0.1 m/s. The masses increase from the left wall to
+   the piston, by a tenth of their mean either way, and decrease on its
+   right by a little less: the two gases have equal masses and are not
+   mirror images. */
 static void fill_piston(struct start *s, struct random *r, double ratio,
                         bool warmed)
 {
@@ -189,8 +188,8 @@ static void fill_piston(struct start *s, struct random *r, double ratio,
     }
 }
 
-/* A piston needs an odd number of bodies, to stand in the middle of the
-   others. */
+/* The default, least and greatest number of movers. A piston needs an odd
+   number, to be in the middle. */
 static const struct {
     size_t usual, least, most;
     bool odd;
@@ -213,9 +212,8 @@ bool start_allows(enum start_kind kind, size_t movers)
             (!kinds[kind].odd || movers % 2 == 1));
 }
 
-/* Walls that are requested are set twice: kinds that throw their points
-   must know them before, and kinds with walls of their own would otherwise
-   have the last word. */
+/* Requested walls are set twice: before, for kinds that place random points
+   between them, and after, for kinds that set walls of their own. */
 bool start_fill(struct start *s, const struct start_request *w)
 {
     struct random r;

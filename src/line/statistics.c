@@ -1,5 +1,5 @@
 /* From chapters/03-equilibrium.nw: edit there, then run make tangle. */
-/* checksum 150818756 of the lines below */
+/* checksum 2880159284 of the lines below */
 /* Moments, blocks and correlations of a series, and its histogram. */
 #include "line/statistics.h"
 
@@ -66,7 +66,7 @@ static void choose_level(struct statistics_blocking *b)
     const double naive = b->level[0].error;
     const double n = (double)b->level[0].blocks;
     b->chosen = 0;
-    b->plateau = naive == 0; /* a constant has no error to wait for */
+    b->plateau = naive == 0; /* a constant needs no plateau */
     b->inefficiency = 1;
     for (size_t k = 0; k < b->levels && naive > 0; ++k) {
         const struct statistics_block *l = &b->level[k];
@@ -101,7 +101,7 @@ bool statistics_blocking(size_t n, const double x[],
         b->level[b->levels++] = error_of_blocks(n, block, length);
         n /= 2;
         length *= 2;
-        for (size_t i = 0; i < n; ++i) /* an odd one is left out */
+        for (size_t i = 0; i < n; ++i) /* the last odd block is dropped */
             block[i] = (block[2 * i] + block[2 * i + 1]) / 2;
     }
     free(block);
@@ -114,7 +114,8 @@ bool statistics_blocking(size_t n, const double x[],
     return true;
 }
 
-/* Does what statistics_covariance does, all of it in this unit. */
+/* Returns what statistics_covariance does, with mean and result in this
+   unit and its square. */
 static double covariance_in(double unit, size_t n, const double x[],
                             double mean, size_t lag)
 {

@@ -1,9 +1,9 @@
-/* Bodies on a wire that stands upright, with the left wall as the floor. */
+/* Gravity on the line: a vertical wire, with the left wall as the floor. */
 
-/* Chapter 5 (section Weight) derives what changes: a pair meets when it
-   would have met without weight, and only a floor or a roof asks for a
-   root. Nothing else in the engines changes, and a run without gravity does
-   not come by here. */
+/* Chapter 5 (section Weight) derives the differences: two falling bodies
+   meet when they would without gravity, and only a floor or a roof needs a
+   square root. Nothing else in the engines changes, and a run without
+   gravity does not call these functions. */
 #include "line/weight.h"
 
 #include "line/collide.h"
@@ -14,9 +14,9 @@
 #include <float.h>
 #include <math.h>
 
-/* Returns whether a body does not fall: a wall, or what lies on the floor.
-   With the radii taken out a whole pile lies at the floor, each body of it
-   with velocity 0. */
+/* Returns whether a body does not fall: a wall, or a body lying on the
+   floor. With the radii subtracted all bodies of a pile are at the floor,
+   each with velocity 0. */
 static bool rests(const struct bonkers *b, const struct bonkers_body *a)
 {
     return a->im == 0 || (a->v == 0 && a->x <= b->body[0].x);
@@ -36,8 +36,8 @@ struct bonkers_body weight_body_at(const struct bonkers *b, size_t i,
 }
 
 /* Both bodies are taken at the later of their two times, as in time_of_gap.
-   Of two that fall neither gains on the other by gravity (exercise 05b);
-   one that rests is a floor or a roof for the other. */
+   Gravity does not change the relative velocity of two falling bodies
+   (exercise 05b); a body at rest is a floor or a roof for the other. */
 double weight_time_of_gap(const struct bonkers *b, size_t i)
 {
     const double t = fmax(b->body[i].since, b->body[i + 1].since);
@@ -53,10 +53,10 @@ double weight_time_of_gap(const struct bonkers *b, size_t i)
     return gap > 0 ? t + gap / approach : t;
 }
 
-/* Brings the bodies of gap i together at t, one of which rests. The clock
-   is rounded, and so a body is at the floor a little early or late. Its
-   velocity there is taken from its energy and not from the clock: a bounce
-   then keeps the energy to a rounding, however late it is. */
+/* Collides the bodies of gap i, one of which rests, at the time t, s. The
+   clock is rounded, so a body reaches the floor a little early or late. Its
+   velocity there follows from its energy and not from the time: a bounce
+   then keeps the energy up to rounding, however late it is. */
 static void land(struct bonkers *b, size_t i, double t)
 {
     struct bonkers_body *left = &b->body[i], *right = left + 1;
@@ -71,22 +71,20 @@ static void land(struct bonkers *b, size_t i, double t)
     left->since = right->since = t;
 }
 
-/* A pile may collide so many times more often at one time than other bodies
-   before it is called a collapse. Each bounce of an upper body wakes all
-   below, which have to come to rest first: with restitution 1/2 one ball
-   needs fifty bounces, two need hundreds, three thousands, and many of them
-   fall on one reading of the clock. Nine balls are too many for any number.
- */
+/* Factor by which more collisions at one time count as a collapse in a
+   pile. Each bounce of an upper body wakes all bodies below it, which must
+   come to rest first: with restitution 1/2 one ball needs fifty bounces,
+   two need hundreds, three thousands, and many of them happen at one clock
+   reading. With nine balls no factor would be enough. */
 enum { PILE = 1000 };
 
-/* Returns whether a body is at the floor, but for rounding. */
+/* Returns whether a body is at the floor, up to rounding. */
 static bool is_low(const struct bonkers *b, const struct bonkers_body *a)
 {
     return fabs(a->x - b->body[0].x) <= 4 * DBL_EPSILON * b->extent;
 }
 
-/* Lets a body rest on the floor after a bounce that is too short for the
-   clock. */
+/* Stops a body on the floor if its next bounce is too short in time. */
 static void stop_bouncing(const struct bonkers *b, struct bonkers_body *a)
 {
     const double flight = 2 * fabs(a->v) / b->gravity;
@@ -97,15 +95,14 @@ static void stop_bouncing(const struct bonkers *b, struct bonkers_body *a)
     }
 }
 
-/* Two that both fall meet a little early or late, too, and at their places
-   of that moment they are no longer, or not yet, in touch. To put them at
-   one place, as collide_gap does, costs energy here, for to move a body is
-   to lift it: the mistakes of the clock then add up to a random walk (2e-9
-   of the energy in ten million collisions, 1e-11 if the place is the centre
-   of mass). But from how far they overlap we know how late they are. So
-   each goes where it would be if it had turned at the right moment: that
-   moves the centre of mass by nothing, and makes the places eighty times
-   more accurate as well. */
+/* Two falling bodies also meet a little early or late, and at their places
+   at that moment they overlap or do not touch. Moving them to one place, as
+   collide_gap does, would change the energy, since moving a body lifts it:
+   the errors add up to a random walk (2e-9 of the energy in ten million
+   collisions, 1e-11 if the place is the centre of mass). But the overlap
+   tells how late the collision is, so each body moves to where it would be
+   if it had turned at the right moment: this does not move the centre of
+   mass, and makes the places eighty times more accurate. */
 bool weight_collide_gap(struct bonkers *b, size_t i)
 {
     struct bonkers_body *left = &b->body[i], *right = left + 1;
@@ -126,7 +123,7 @@ bool weight_collide_gap(struct bonkers *b, size_t i)
     stop_bouncing(b, left);
     stop_bouncing(b, right);
     b->now = t;
-    const bool pile = is_low(b, right); /* and so is what is below it */
+    const bool pile = is_low(b, right); /* and the body below it, too */
     return count_repeat(b, i, stands, INFINITY) &&
            (!pile || b->repeats[i] >= PILE * most_repeats(b));
 }

@@ -1,7 +1,6 @@
 /* Hard disks: times of contact against hand-made cases, the plan against
-   every pair looked at, sums against what must balance, and pressures
-   against direct sampling. Reference values computed for this book by a
-   program of its own; direct sampling of four disks: 1.83e8 samples. */
+   every pair looked at, and sums against what must balance. Pressures
+   against direct sampling are in tests/programs/disks_answers.sh. */
 #include "unit.h"
 
 #include "box/disks.h"
@@ -227,70 +226,6 @@ TEST(test_conserved, "energy and momentum are conserved")
     for (size_t k = 0; k < 3; ++k)
         UNIT_NEAR(sum[k], 0, 1e-12);
     UNIT_EQUAL(d.wall_collisions, 0);
-}
-
-enum { BLOCKS = 40 };
-
-/* Mean and error of what BLOCKS pieces of a run measured. */
-static double mean(const double x[], double *error)
-{
-    double sum = 0, square = 0;
-    for (int k = 0; k < BLOCKS; ++k)
-        sum += x[k];
-    for (int k = 0; k < BLOCKS; ++k)
-        square += pow(x[k] - sum / BLOCKS, 2);
-    *error = sqrt(square / (BLOCKS - 1) / BLOCKS);
-    return sum / BLOCKS;
-}
-
-/* Within four standard errors, of the run and of the reference. */
-static void agrees(const double x[], double expected, double uncertain)
-{
-    double error;
-    const double got = mean(x, &error);
-    UNIT_NEAR(got, expected, 4 * hypot(error, uncertain));
-    UNIT_TRUE(error < 0.003 * expected);
-}
-
-/* What a box of `count` disks of radius .15 in a unit square measures. */
-struct pressures {
-    double wall[BLOCKS], virial[BLOCKS], ratio[BLOCKS];
-};
-
-static void measure(size_t count, double each, struct pressures *p)
-{
-    FREED(disks) d;
-    begin(&d, 2, count, 0.15, 1, DISKS_WALLS, 1);
-    disks_run(&d, INFINITY, 100 * count);
-    for (int k = 0; k < BLOCKS; ++k) {
-        disks_settle(&d);
-        UNIT_TRUE(disks_plan(&d));
-        disks_run(&d, each, UINT64_MAX);
-        const double nkt = disks_energy(&d);
-        p->wall[k] = (d.impulse[0] + d.impulse[1]) / (4 * nkt * d.now);
-        p->virial[k] = 1 + d.virial / (2 * nkt * d.now);
-        p->ratio[k] = (double)d.collisions / (double)d.wall_collisions;
-    }
-}
-
-/* Direct sampling: p(r) = 2.69889(31), f(2r) = 3.95237(59), thus the ratio
-   of the rates .776638(150) and the virial 1 + 1.5 * .15 * f(2r). */
-TEST(test_four, "four disks: direct sampling")
-{
-    struct pressures p;
-    measure(4, 5000, &p);
-    agrees(p.wall, 2.69889, 0.00031);
-    agrees(p.virial, 1.88928, 0.00013);
-    agrees(p.ratio, 0.776638, 0.00015);
-}
-
-/* Two disks: exact, Z = (wall acceptance / acceptance) / (1 - 2r). */
-TEST(test_two, "two disks: exact pressure")
-{
-    struct pressures p;
-    measure(2, 10000, &p);
-    agrees(p.wall, 1.771667475064, 0);
-    agrees(p.virial, 0.7 * 1.771667475064, 0);
 }
 
 /* One disk alone: Z = L / (L - 2r) on each axis, exactly after whole round

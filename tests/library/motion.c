@@ -251,43 +251,6 @@ TEST(test_held, "what is held stays")
     UNIT_NEAR(motion_time(&m), 10, 1e-12);
 }
 
-/* Leapfrog is exact for a fall: z = -g t^2/2, up to the rounding of 1000
-   sums of numbers below 100. */
-TEST(test_fall, "a fall is exact")
-{
-    FREED(scene) s;
-    ENDED(motion) m;
-    UNIT_MUST(scene_create(&s, 1));
-    s.gravity[2] = -2;
-    s.dt = 0.01;
-    s.velocity[0] = 3;
-    begin(&m, &s, "leapfrog");
-    motion_run(&m, 1000);
-    UNIT_NEAR(s.position[2], -100, 1e-11);
-    UNIT_NEAR(s.position[0], 30, 1e-11);
-    UNIT_NEAR(motion_kinetic(&m), 4.5 + 200, 1e-10);
-    UNIT_NEAR(motion_potential(&m), -200, 1e-10);
-    UNIT_EQUAL(motion_energy(&m).gravity, 0);
-}
-
-/* Leapfrog turns an oscillator by 2 asin(h/2) in a step (8.x): here of the
-   frequency 1, two masses 2 on a spring with D = 1. */
-TEST(test_oscillator, "an oscillator turns by leapfrog's angle")
-{
-    FREED(scene) s;
-    ENDED(motion) m;
-    UNIT_MUST(scene_create(&s, 2));
-    UNIT_MUST(scene_add_kind(&s, 1, 0));
-    PUT(s.position, -0.6, 0.6);
-    s.mass[0] = s.mass[1] = 2;
-    UNIT_MUST(scene_add_spring(&s, 0, 1, 0, 1));
-    s.dt = 0.1;
-    begin(&m, &s, "leapfrog");
-    motion_run(&m, 500);
-    /* 500 steps of rounding */
-    UNIT_NEAR(s.position[1], 0.5 + 0.1 * cos(500 * 2 * asin(0.05)), 1e-13);
-}
-
 /* Whether the two have the same places and velocities to the last bit. */
 static bool is_same(const struct scene *a, const struct scene *b)
 {

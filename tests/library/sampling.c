@@ -1,7 +1,7 @@
-/* Samplers of hard disks against closed forms, against each other and
-   against reference runs. Reference values computed for this book by
-   programs of its own; statistical tests allow four standard errors, of
-   the run and of the reference, with fixed seeds. */
+/* Samplers of hard disks against closed forms and against each other;
+   statistical tests allow four standard errors, with fixed seeds. Two and
+   four disks against reference runs are in
+   tests/programs/sample_answers.sh. */
 #include "unit.h"
 
 #include "box/means.h"
@@ -14,7 +14,6 @@ enum quantity { WALL_X, WALL_Y, WALL_Z, PAIR, QUANTITIES };
 /* What a run says of contacts. */
 struct told {
     double mean[QUANTITIES], error[QUANTITIES];
-    double acceptance, acceptance_error;
 };
 
 /* Samples configurations, direct (step 0) or by a chain. */
@@ -23,16 +22,13 @@ static struct told run(struct sampling *s, double step, size_t samples)
     struct told told = {0};
     struct means m;
     SEEDED(r, 1);
-    size_t tries = 0, accepted = 0;
     UNIT_TRUE(means_create(&m, QUANTITIES));
     UNIT_TRUE(step == 0 || sampling_start(s, &r));
     for (size_t n = 0; n < samples; ++n) {
-        if (step == 0)
-            for (++accepted;
-                 ++tries, sampling_throw(s, &r) < s->disks.count;)
-                ;
-        for (size_t k = 0; step > 0 && k < s->disks.count; ++k, ++tries)
-            accepted += sampling_try(s, step, &r);
+        while (step == 0 && sampling_throw(s, &r) < s->disks.count)
+            ;
+        for (size_t k = 0; step > 0 && k < s->disks.count; ++k)
+            sampling_try(s, step, &r);
         const size_t i = n % s->large;
         for (size_t k = 0; k < s->disks.dimensions; ++k)
             if (s->disks.boundary == DISKS_WALLS)
@@ -48,9 +44,6 @@ static struct told run(struct sampling *s, double step, size_t samples)
         told.mean[q] = means_mean(&m, q);
         told.error[q] = means_error(&m, q);
     }
-    told.acceptance = (double)accepted / (double)tries;
-    told.acceptance_error =
-        told.acceptance * sqrt((1 - told.acceptance) / (double)accepted);
     means_free(&m);
     return told;
 }
@@ -64,40 +57,6 @@ static void box(struct sampling *s, size_t dimensions,
 }
 
 static const double unit[] = {1, 1, 1};
-
-/* (6.2, eq:two-disks) for r = 0.15, and what follows from it at the wall
-   and at contact. */
-TEST(test_two_disks, "two disks are where the closed forms say")
-{
-    for (double step = 0; step < 0.5; step += 0.4) {
-        FREED(sampling) s;
-        box(&s, 2, DISKS_WALLS, unit, 2, 0.15);
-        const struct told t = run(&s, step, 300000);
-        if (step == 0)
-            UNIT_NEAR(t.acceptance, 0.616017342677, 4 * t.acceptance_error);
-        UNIT_NEAR(t.mean[WALL_X], 1.771667475064, 4 * t.error[WALL_X]);
-        UNIT_NEAR(t.mean[WALL_Y], 1.771667475064, 4 * t.error[WALL_Y]);
-        UNIT_NEAR(t.mean[PAIR], 3.202196, 4 * t.error[PAIR]);
-        UNIT_TRUE(t.error[WALL_X] < 0.006 && t.error[PAIR] < 0.03);
-    }
-}
-
-/* 5e9 throws: acceptance 0.0365551596 +- 2.5e-6, density at the wall
-   2.698893 +- 0.00031, of distances at contact 3.952373 +- 0.00059. */
-TEST(test_four_disks, "four disks are where a long run says")
-{
-    for (double step = 0; step < 0.3; step += 0.2) {
-        FREED(sampling) s;
-        box(&s, 2, DISKS_WALLS, unit, 4, 0.15);
-        const struct told t = run(&s, step, 300000);
-        if (step == 0)
-            UNIT_NEAR(t.acceptance, 0.0365551596, 4 * t.acceptance_error);
-        UNIT_NEAR(t.mean[WALL_X], 2.698893, 4 * t.error[WALL_X] + 1e-3);
-        UNIT_NEAR(t.mean[WALL_Y], 2.698893, 4 * t.error[WALL_Y] + 1e-3);
-        UNIT_NEAR(t.mean[PAIR], 3.952373, 4 * t.error[PAIR] + 2e-3);
-        UNIT_TRUE(t.error[WALL_X] < 0.03 && t.error[PAIR] < 0.03);
-    }
-}
 
 /* (6.5, eq:two-sides) in boxes of unequal sides, in the plane and in space,
    for both samplers. */
@@ -120,101 +79,6 @@ TEST(test_virial, "walls and pairs agree on the pressure")
                       4 * (error + factor * t.error[PAIR]));
             UNIT_TRUE(error < 0.02 * walls);
         }
-}
-
-/* The free part of a line by looking at many points of it: a midpoint
-   rule, whose error is less than a few steps of the line. */
-static double scanned(const struct sampling *s, size_t i, size_t except,
-                      const double from[], const double along[], double low,
-                      double high, int power, bool *first)
-{
-    enum { POINTS = 100000 };
-    double sum = 0;
-    for (size_t n = 0; n < POINTS; ++n) {
-        const double t = low + (high - low) * ((double)n + 0.5) / POINTS;
-        double place[DISKS_AXES];
-        bool is_free = true;
-        for (size_t k = 0; k < DISKS_AXES; ++k)
-            place[k] = from[k] + t * along[k];
-        for (size_t j = 0; j < s->disks.count; ++j) {
-            const double reach =
-                s->disks.disk[i].radius + s->disks.disk[j].radius;
-            double apart[DISKS_AXES];
-            disks_separation(&s->disks, place, s->disks.disk[j].position,
-                             apart);
-            if (j != i && j != except &&
-                apart[0] * apart[0] + apart[1] * apart[1] +
-                        apart[2] * apart[2] <
-                    reach * reach)
-                is_free = false;
-        }
-        sum += is_free ? pow(t, power) : 0;
-        if (n == 0)
-            *first = is_free;
-    }
-    return sum * (high - low) / POINTS;
-}
-
-/* In a periodic box the images block as well. */
-TEST(test_pair_line, "a line past images has the right free part")
-{
-    for (size_t dimensions = 2; dimensions <= 3; ++dimensions) {
-        FREED(sampling) s;
-        SEEDED(r, 3);
-        size_t seen = 0;
-        box(&s, dimensions, DISKS_PERIODIC, unit, 6, 0.15);
-        UNIT_TRUE(sampling_start(&s, &r));
-        for (int n = 0; n < 20; ++n) {
-            double along[DISKS_AXES], high = INFINITY, length;
-            bool first;
-            for (int k = 0; k < 100; ++k)
-                sampling_try(&s, 0.2, &r);
-            disks_separation(&s.disks, s.disks.disk[1].position,
-                             s.disks.disk[0].position, along);
-            length = sqrt(along[0] * along[0] + along[1] * along[1] +
-                          along[2] * along[2]);
-            for (size_t k = 0; k < DISKS_AXES; ++k) {
-                along[k] /= length;
-                if (k < dimensions)
-                    high = fmin(high, 0.5 / fabs(along[k]));
-            }
-            const double part =
-                scanned(&s, 0, 1, s.disks.disk[1].position, along, 0.3,
-                        high, (int)dimensions - 1, &first);
-            const double expected =
-                first ? pow(0.3, (double)dimensions - 1) / part : 0;
-            UNIT_NEAR(sampling_pair_density(&s, 0, 1), expected,
-                      1e-3 * expected);
-            seen += first;
-        }
-        UNIT_TRUE(seen > 3 && seen < 20);
-    }
-}
-
-/* Between walls, with small ones in the way. */
-TEST(test_wall_line, "a line between walls has it, too")
-{
-    FREED(sampling) s;
-    SEEDED(r, 4);
-    size_t both = 0, one = 0;
-    UNIT_TRUE(sampling_create(&s, 2, DISKS_WALLS, unit, 2, 0.15, 5, 0.05));
-    UNIT_TRUE(sampling_start(&s, &r));
-    for (int n = 0; n < 40; ++n) {
-        const double along[] = {1, 0, 0}, back[] = {-1, 0, 0};
-        bool low, high;
-        for (int k = 0; k < 100; ++k)
-            sampling_try(&s, 0.2, &r);
-        double from[DISKS_AXES] = {0, s.disks.disk[0].position[1], 0};
-        const double part =
-            scanned(&s, 0, 0, from, along, 0.15, 0.85, 0, &low);
-        from[0] = 1;
-        scanned(&s, 0, 0, from, back, 0.15, 0.85, 0, &high);
-        UNIT_NEAR(sampling_wall_density(&s, 0, 0),
-                  (low + high) / (2 * part), 1e-3 / part);
-        both += low && high;
-        one += low != high;
-    }
-    UNIT_TRUE(both > 2 && one > 2);
 }
 
 /* R = 1, d = 0.2: computed with 12 digits and by 2e7 random points. */
@@ -366,35 +230,6 @@ TEST(test_guess, "hopeless throws are known beforehand")
     box(&s, 2, DISKS_WALLS, sides, 30, 0.15);
     const double guess = sampling_log_acceptance(&s, 100000, &r);
     UNIT_TRUE(guess < -25 && guess > -60);
-}
-
-/* Mean and error of independent numbers; joined blocks; an unfinished one
-   counts in the mean. */
-TEST(test_means, "means and their errors")
-{
-    FREED(means) m;
-    SEEDED(r, 9);
-    double sum = 0;
-    UNIT_TRUE(means_create(&m, 2));
-    UNIT_TRUE(isnan(means_mean(&m, 0)));
-    for (int n = 1; n <= 100003; ++n) {
-        const double x = random_uniform(&r);
-        means_add(&m, 0, x);
-        means_add(&m, 1, n);
-        means_next(&m);
-        sum += x;
-        if (n == 1)
-            UNIT_TRUE(isnan(means_error(&m, 0)));
-        if (n == 2)
-            UNIT_NEAR(means_error(&m, 1), 0.5, 1e-15);
-    }
-    UNIT_NEAR(means_mean(&m, 0), sum / 100003, 1e-12);
-    UNIT_NEAR(means_mean(&m, 1), 50002, 1e-6);
-    UNIT_TRUE(m.blocks >= MEANS_BLOCKS / 2 && m.blocks < MEANS_BLOCKS);
-    UNIT_EQUAL(m.blocks * m.length + m.filled, 100003);
-    /* 1/sqrt(12 n), uncertain by 8 per cent. */
-    UNIT_NEAR(means_error(&m, 0), 1 / sqrt(12 * 100003.0),
-              0.32 / sqrt(12 * 100003.0));
 }
 
 /* Chains of two disks in a periodic box of side 1: Z - 1, its error, and

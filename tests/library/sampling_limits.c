@@ -109,23 +109,28 @@ TEST(test_wall_density, "a disk that slides from wall to wall")
     static const struct {
         size_t count;
         double x[4], y[4], expected;
+        double small; /* the radius of the second, unless it is 0.1 m */
     } lines[] = {
-        {1, {.5}, {.5}, 2 / (2 * .8)},
-        {2, {.2, .5}, {.5, .5}, 2 / (2 * .4)},
-        {2, {.8, .15}, {.5, .5}, 1 / (2 * .55)},
-        {2, {.2, .85}, {.5, .5}, 1 / (2 * .55)},
+        {1, {.5}, {.5}, 2 / (2 * .8), 0},
+        {2, {.2, .5}, {.5, .5}, 2 / (2 * .4), 0},
+        {2, {.8, .15}, {.5, .5}, 1 / (2 * .55), 0},
+        {2, {.2, .85}, {.5, .5}, 1 / (2 * .55), 0},
         /* 0.16 m to the side: 0.12 m on either side */
-        {2, {.2, .5}, {.5, .66}, 2 / (2 * .56)},
-        {2, {.2, .5}, {.5, .2}, 2 / (2 * .8)}, /* beside the line */
+        {2, {.2, .5}, {.5, .66}, 2 / (2 * .56), 0},
+        {2, {.2, .5}, {.5, .2}, 2 / (2 * .8), 0}, /* beside the line */
+        /* a small one, 0.12 m to the side: 0.05 m on either side */
+        {2, {.2, .5}, {.5, .62}, 2 / (2 * .7), .03},
         /* 0.28 to 0.52 and 0.3 to 0.7 */
-        {3, {.2, .4, .5}, {.5, .66, .5}, 2 / (2 * .38)},
-        {3, {.2, .5, .4}, {.5, .5, .34}, 2 / (2 * .38)},
+        {3, {.2, .4, .5}, {.5, .66, .5}, 2 / (2 * .38), 0},
+        {3, {.2, .5, .4}, {.5, .5, .34}, 2 / (2 * .38), 0},
         /* 0.09 to 0.49, 0.4 to 0.8, 0.55 to 0.95 */
-        {4, {.5, .29, .6, .75}, {.5, .5, .5, .5}, 0}};
+        {4, {.5, .29, .6, .75}, {.5, .5, .5, .5}, 0, 0}};
     for (size_t n = 0; n < sizeof lines / sizeof lines[0]; ++n)
         for (size_t axis = 0; axis < 2; ++axis) {
             FREED(sampling) s;
             box(&s, 2, DISKS_WALLS, 1, lines[n].count, 0.1, NULL);
+            if (lines[n].small > 0)
+                s.disks.disk[1].radius = lines[n].small;
             for (size_t i = 0; i < lines[n].count; ++i) {
                 s.disks.disk[i].position[axis] = lines[n].x[i];
                 s.disks.disk[i].position[1 - axis] = lines[n].y[i];
@@ -142,12 +147,15 @@ TEST(test_pair_density, "a disk that slides away from another")
     for (size_t D = 2; D <= 3; ++D)
         for (size_t axis = 0; axis < D; ++axis)
             for (int round = 0; round < 2; ++round)
-                for (int third = 0; third < 4; ++third) {
+                for (int way = 0; way < 8; ++way) {
                     static const double at[] = {0, 0.75, 0.65, 0.59};
+                    const int third = way % 4, small = way / 4;
                     FREED(sampling) s;
                     const double p = (double)D;
                     box(&s, D, round ? DISKS_PERIODIC : DISKS_WALLS, 1,
                         third ? 3 : 2, 0.1, NULL);
+                    if (third && small)
+                        s.disks.disk[2].radius = 0.05;
                     for (size_t i = 0; i < s.disks.count; ++i)
                         for (size_t k = 0; k < D; ++k)
                             s.disks.disk[i].position[k] = k != axis ? 0.5
@@ -158,12 +166,15 @@ TEST(test_pair_density, "a disk that slides away from another")
                     /* from 0.2 on, to 0.7 or to 0.5 */
                     const double end = round ? 0.5 : 0.7;
                     double part = pow(end, p) - pow(0.2, p);
-                    const double from = at[third] - 0.2 - 0.2,
-                                 to = from + 0.4;
+                    const double reach = small ? 0.15 : 0.2;
+                    const double from = at[third] - 0.2 - reach,
+                                 to = from + 2 * reach;
                     if (third)
                         part -= pow(fmin(to, end), p) - pow(from, p);
                     UNIT_NEAR(sampling_pair_density(&s, 0, 1),
-                              third == 3 ? 0 : p * pow(0.2, p - 1) / part,
+                              third == 3 && !small
+                                  ? 0
+                                  : p * pow(0.2, p - 1) / part,
                               1e-12);
                 }
 }
@@ -256,8 +267,10 @@ TEST(test_joined, "means and blocks of known numbers")
         UNIT_EQUAL(m.filled, n % length);
         UNIT_NEAR(means_mean(&m, 0), (n + 1) / 2.0, 1e-12 * n);
         UNIT_NEAR(means_mean(&m, 1), n < 3 ? 0 : 5.0 / n, 1e-15);
-        if (n < 2)
+        if (n < 2) {
+            UNIT_TRUE(isnan(means_error(&m, 0)));
             continue;
+        }
         /* Blocks of equal steps: b (b^2 - 1) / 12 squares. */
         const double b = n / length;
         UNIT_NEAR(means_error(&m, 0), length * sqrt((b + 1) / 12),

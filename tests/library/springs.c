@@ -1,13 +1,11 @@
 /* Springs: the force of one by hand, sums that must balance, the two ways
-   to sum and any number of threads against each other bit for bit, the
-   damped oscillator against its closed form, and the stiff double pendulum
-   against a computation in quadruple precision (of a program of our own;
-   the numbers are those of double_pendulum.dat and
-   double_pendulum_damped.dat). */
+   to sum and any number of threads against each other bit for bit, and the
+   damped oscillator against its closed form. The stiff double pendulum is
+   in tests/programs/references.sh. */
 #include "unit.h"
 
+#include "choosing/closed.h"
 #include "forces/elastic.h"
-#include "library/oscillator.h"
 #include "forces/springs.h"
 
 #include <float.h>
@@ -401,25 +399,6 @@ TEST(test_spin, "what dashpots do to rotation")
 /* ---- the oscillator
  * ------------------------------------------------------ */
 
-/* The closed form of the chapter, m = D = 1, from q = 1, v = 0. */
-static double closed(double g, double t)
-{
-    const double square = (1 - g) * (1 + g), y = sqrt(fabs(square)) * t;
-    const double c = square > 0 ? cos(y) : cosh(y);
-    const double s = y == 0 ? 1 : (square > 0 ? sin(y) : sinh(y)) / y;
-    return exp(-g * t) * (c + g * t * s);
-}
-
-TEST(test_closed_form, "the closed form in all regimes")
-{
-    for (int i = 0; i < 6; ++i)
-        for (int k = 0; k < 3; ++k) { /* a few roundings of terms up to 1 */
-            const double *known = oscillator_known[i];
-            UNIT_NEAR(closed(known[0], oscillator_times[k]), known[1 + k],
-                      1e-15 + 4e-15 * fabs(known[1 + k]));
-        }
-}
-
 /* The scene, stepped: second order, so the error is that of the step. */
 TEST(test_regimes, "the stepped oscillator follows it")
 {
@@ -436,63 +415,11 @@ TEST(test_regimes, "the stepped oscillator follows it")
             UNIT_MUST(!gallery_make(&s, o, "damping", 2 * g[i]));
             begin(&p, &t, &s, "leapfrog", h);
             stepping_run(&t, fine ? 300 : 150);
-            error[fine] = fabs(s.position[1] - 4 - closed(g[i], 3));
+            double y = 1, v = 0;
+            closed_oscillate(3, 1, 2 * g[i], &y, &v);
+            error[fine] = fabs(s.position[1] - 4 - y);
         }
         UNIT_TRUE(error[1] < 1e-4);
         UNIT_NEAR(log2(error[0] / error[1]), 2, 0.1); /* order 2 */
     }
-}
-
-/* ---- the double pendulum
- * --------------------------------------------------- */
-
-static void swing(double damping, const char *method, double dt,
-                  const double expected[][5], size_t rows, double tolerance)
-{
-    FREED(scene) s;
-    FREED(springs) p;
-    FREED(stepping) t;
-    UNIT_MUST(!gallery_make(&s,
-                            gallery_find(elastic_scenes, "double-pendulum"),
-                            "damping", damping));
-    begin(&p, &t, &s, method, dt);
-    for (size_t i = 0; i < rows; ++i) {
-        const double *e = expected[i];
-        stepping_run(&t, (uint64_t)(e[0] / dt + 0.5) - t.steps);
-        UNIT_NEAR(s.position[1], e[1], tolerance);
-        UNIT_NEAR(s.position[7], e[2], tolerance);
-        UNIT_NEAR(s.position[2], e[3], tolerance);
-        UNIT_NEAR(s.position[8], e[4], tolerance);
-    }
-}
-
-TEST(test_pendulum, "the double pendulum is where it should be")
-{
-    static const double expected[][5] = {
-        {1, .197244031927094, .0186762558101898, .975990985448774,
-         -1.31939490351796},
-        {2, .0345676922176585, -.000662174641185643, -.171656298813054,
-         -1.60028854808313},
-        {5, -.116543909214427, .00578872310697865, -.706442948838152,
-         -1.41776258066317},
-        {10, -.156264701442401, .0112096197458345, -.921375731195946,
-         -1.25031461636596}};
-    /* rounding: 1e5 evaluations of forces that cancel to 1e-4 of D l */
-    swing(0, "kahan-li8", 0.002, expected, 4, 2e-12);
-    /* the errors against quadruple precision are 2.75e-5 and 2.3e-8 */
-    swing(0, "leapfrog", 0.001, expected, 4, 3e-5);
-    swing(0, "rk4", 0.001, expected, 4, 3e-8);
-}
-
-TEST(test_damped_pendulum, "and with dashpots")
-{
-    static const double expected[][5] = {
-        {1, 2.4160295858323034841e-01, 2.8678298143717773561e-02,
-         9.5332401571640475183e-01, -1.2545769281161205486},
-        {5, -6.1712774673966554399e-02, 1.1132837755741934501e-03,
-         -3.2915675725886318983e-01, -1.3787723725297371349},
-        {9, -4.6995661270264904098e-02, 3.3184889279482390290e-04,
-         -5.9468768399949105756e-02, -1.4064380809984304704}};
-    swing(0.5, "rk4", 0.0005, expected, 3, 1e-8);
-    swing(0.5, "leapfrog", 0.0005, expected, 3, 1e-5);
 }

@@ -14,25 +14,15 @@ equal() {
     if [ "$2" = "$3" ]; then ok "$1"; else not_ok "$1" "'$2', not '$3'"; fi
 }
 
-# Galperin: the digits of pi, and what pi/angle says for other ratios.
+# Galperin: the digits of pi. Other ratios are in tests/library/bonkers.c.
 count() { # RATIO COUNT
     $b --preset galperin --mass-ratio "$1" -o "$work/g" --summary "$work/s"
     equal "mass ratio $1: $2 collisions" "$(value "$work/s" collisions)" "$2"
 }
 count 1 3
-count 1e2 31
-count 1e4 314
-count 1e6 3141
 count 1e8 31415
 count 1e10 314159
 count 1e12 3141592
-count 3 5
-count 2 5
-count 10 10
-count 16 12
-count 256 50
-count 4096 201
-count 65536 804
 
 # Under gravity: a bead let go from 5 m falls for 1 s at 10 m/s2, and after
 # the bounce, another second later, stands there again. Engines that claim the same trajectory have the same bytes.
@@ -155,12 +145,7 @@ $b --preset random --seed 5 --until 1 -o "$work/t"
 $b --preset random --seed 6 --until 1 -o "$work/u"
 holds 'another seed, another run' sh -c "! cmp -s '$work/t' '$work/u'"
 
-# Energy: a random walk of 0.3 eps sqrt(n) and a bias of 5e-4 eps n: 1e-12
-# is ten times either after a million collisions.
 $b --preset mixed --collisions 1000000 -o "$work/t" --summary "$work/s"
-holds 'a million collisions keep the energy to 1e-12' awk '
-    $1 == "energy_error" { e = $2 + 0; seen = 1 }
-    END { exit !(seen && e < 1e-12 && e > -1e-12) }' "$work/s"
 equal 'a million collisions' "$(value "$work/s" collisions)" 1000000
 equal 'no body out of order' "$(value "$work/s" order_violations)" 0
 
@@ -220,4 +205,4 @@ holds 'an ensemble of two is the mean of its two members' \
 holds 'masses come back as they were given' test '# masses: 49 98 0.1' = \
     "$(build/bin/bonkers --masses 49,98,0.1 --positions 1,2,3 \
         --velocities 1,0,0 --walls 0,4 --every 1 --until 1 | sed -n 4p)"
-echo 1..93
+echo 1..82

@@ -137,7 +137,7 @@ END
     printf '}\n'
 } >src/room/long.c
 cat >src/room/unsure.c <<'END'
-/* Nothing here is certain. */
+/* Of g alone the first and last line are certain. */
 #ifdef A
 int f(int a)
 {
@@ -149,6 +149,17 @@ int f(long a)
 int g(void)
 {
     return 2;
+}
+int h(int a)
+{
+#ifdef A
+    if (a) {
+#else
+    if (!a) {
+#endif
+        return 1;
+    }
+    return 0;
 }
 END
 printf '%s\n' '/* From chapters/01-one.nw: edit there, then run make tangle. */' \
@@ -182,6 +193,7 @@ quoted plain.h BEADS_FEW 13 14
 quoted plain.h law 22 22
 quoted plain.h charge 23 23
 quoted long.c longest 33 62
+quoted unsure.c g 10 13
 # refused LINES MESSAGE: those lines of a chapter, which have the mistake in line 3.
 refused() {
     printf '%s\n' 'Text.' '' "$1" >chapters/02-two.nw
@@ -206,8 +218,10 @@ refused "$(q plain.h bead)" "src/room/plain.h has bead twice, in lines 5 and 18;
 \"struct bead\" or \"bead()\" says which if one is a type and one a function"
 refused "$(q plain.c odd)" "src/room/plain.c: where odd begins and ends is not certain: \
 line 48 looks as if something else began there"
-refused "$(q unsure.c g)" "src/room/unsure.c: where g begins and ends is not certain: \
-the #if before line 5 has half of an item"
+refused "$(q unsure.c f)" "src/room/unsure.c: where f begins and ends is not certain: \
+an #if begins or ends within it"
+refused "$(q unsure.c h)" "src/room/unsure.c: where h begins and ends is not certain: \
+line 24 looks as if it ended there"
 refused "See $(q plain.c helper)" \
     '\quotecode{src/room/file.c}{name} stands on a line of its own'
 
@@ -269,4 +283,4 @@ echo '\quotecode{src/room/plain.c}{gone}' >>chapters/02-two.nw
 said=$(chapters/press/weave 2>&1)
 holds 'weave refuses what quote refuses' \
     test $? -eq 1 -a "$said" = 'quote: chapters/02-two.nw:7: src/room/plain.c has no gone'
-echo 1..37
+echo 1..39

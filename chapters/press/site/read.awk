@@ -392,24 +392,6 @@ function cites(option, keys,    n, part, i, out, key) {
     }
     return inline(out) (option == "" ? "" : ", " option) "]"
 }
-function again(s, at,    words, end) {
-    words = argument(s, at)
-    end = after
-    words = tex(words)
-    after = end
-    return words
-}
-function code_words(s,    words, end, keep) {
-    words = argument(s, 1)
-    end = after
-    keep = words
-    if (words ~ /[$]|\\(textbf|emph)/)
-        words = "\\texttt{" tex(keep) "}"
-    else
-        words = inline("<code>" quoted_code(keep) "</code>")
-    after = end
-    return words
-}
 # What is quoted, with links where it names something.
 function quoted_code(s,    out, at, words, label) {
     out = ""
@@ -426,7 +408,60 @@ function quoted_code(s,    out, at, words, label) {
     gsub(/~/, " ", out)
     return out
 }
-function tex(s,    out, name, at, words, label, more, opt, end) {
+# What a macro takes: m is an argument in braces, t one that is typeset, o one in brackets
+# that may be missing, * a star that may be there, _ a blank behind the name.
+function takes(kinds, names,    n, name) {
+    n = split(names, name, " ")
+    while (n > 0)
+        taken_by[name[n--]] = kinds
+}
+BEGIN {
+    takes("m", "ref eqref nameref cfile prog opt texttt nolinkurl termmark label noalign " \
+        "refstepcounter doi arxiv url livefigure transcript solutions input begin end bibitem")
+    takes("t", "mbox centerline symbolpart answer")
+    takes("o", "suppressfloats pagebreak")
+    takes("_", "jewel noindent small allowbreak raggedright centering scriptsize " \
+        "footnotesize arraybackslash begingroup endgroup endhead")
+    takes("om", "cite indexed")
+    takes("mt", "glossary")
+    takes("tm", "texorpdfstring")
+    takes("mm", "setlength rule boxline projectrubric")
+    takes("omt", "plotfigure term")
+    takes("ot", "caption")
+    takes("*om", "chapter section subsection")
+    takes("mom", "newcommand")
+    # The environments that pandoc need not know, and what stands for them.
+    opening["chapterbox"] = "<dl class=\"box\">"
+    opening["terms"] = "<dl class=\"terms\">"
+    closing_of["chapterbox"] = closing_of["terms"] = "</dl>"
+    closing_of["exercise"] = "</section>"
+    closing_of["question"] = closing_of["labsheet"] = closing_of["reading"] = "</div>"
+    closing_of["table"] = "</figure>"
+}
+# Puts the arguments of a macro, which s begins with, into arg[]; returns the rest of s.
+function take(kinds, s, arg,    i, n, kind, words) {
+    split("", arg)
+    for (i = 1; i <= length(kinds); ++i) {
+        kind = substr(kinds, i, 1)
+        if (kind == "*")
+            sub(/^[*]/, "", s)
+        else if (kind == "_")
+            sub(/^ /, "", s)
+        else if (kind == "o") {
+            if (s ~ /^\[/) {
+                words = close_of(s)
+                arg["o"] = substr(s, 2, words - 2)
+                s = substr(s, words + 1)
+            }
+        } else {
+            words = argument(s, 1)
+            s = substr(s, after)
+            arg[++n] = kind == "t" ? tex(words) : words
+        }
+    }
+    return s
+}
+function tex(s,    out, name, at, words, label, arg) {
     out = ""
     while (match(s, /[\\$]/)) {
         out = out substr(s, 1, RSTART - 1)
@@ -437,9 +472,8 @@ function tex(s,    out, name, at, words, label, more, opt, end) {
             at = index(s, "$")
             if (at == 0)
                 fail("a formula that does not end: $" substr(s, 1, 60))
-            words = substr(s, 1, at - 1)
+            out = out "$" math_tex(substr(s, 1, at - 1)) "$"
             s = substr(s, at + 1)
-            out = out "$" math_tex(words) "$"
             continue
         }
         if (substr(s, 1, 2) == "\\[") {
@@ -465,322 +499,170 @@ function tex(s,    out, name, at, words, label, more, opt, end) {
             continue
         }
         name = substr(s, 2, RLENGTH - 1)
-        s = substr(s, RLENGTH + 1)
+        s = take(taken_by[name], substr(s, RLENGTH + 1), arg)
+        label = words = arg[1]
         if (name == "Tt") {
             at = index(s, "\\nwendquote}")
             words = substr(s, 3, at - 3)
             s = substr(s, at + 12)
             out = substr(out, 1, length(out) - 1) \
                 inline("<code>" quoted_code(words) "</code>")
-        } else if (name == "ref") {
-            label = argument(s, 1)
-            s = substr(s, after)
+        } else if (name == "ref")
             out = out inline(link(label, number_of[label] != "" ? number_of[label] : title_of[label]))
-        } else if (name == "eqref") {
-            label = argument(s, 1)
-            s = substr(s, after)
+        else if (name == "eqref")
             out = out inline(link(label, "(" number_of[label] ")"))
-        } else if (name == "nameref") {
-            label = argument(s, 1)
-            s = substr(s, after)
+        else if (name == "nameref")
             out = out inline(link(label, title_of[label]))
-        } else if (name == "cite") {
-            opt = ""
-            if (substr(s, 1, 1) == "[") {
-                opt = tex(substr(s, 2, index(s, "]") - 2))
-                s = substr(s, index(s, "]") + 1)
-            }
-            words = argument(s, 1)
+        else if (name == "cite")
+            out = out cites(tex(arg["o"]), words)
+        else if (name == "result" || name == "datum") {
+            out = out "$" value(name, s) "$"
             s = substr(s, after)
-            out = out cites(opt, words)
-        } else if (name == "result" || name == "datum") {
-            words = value(name, s)
-            s = substr(s, after)
-            out = out "$" words "$"
-        } else if (name ~ /^(cfile|prog|opt|texttt|nolinkurl)$/) {
-            words = code_words(s)
-            s = substr(s, after)
-            out = out words
-        } else if (name == "termmark") {
-            words = argument(s, 1)
-            s = substr(s, after)
+        } else if (name ~ /^(cfile|prog|opt|texttt|nolinkurl)$/)
+            out = out (words ~ /[$]|\\(textbf|emph)/ ? "\\texttt{" tex(words) "}" : \
+                inline("<code>" quoted_code(words) "</code>"))
+        else if (name == "termmark") {
             if (seen_mark[words]++ == 0)
                 out = out inline("<a id=\"term." words "\"></a>")
-        } else if (name == "glossary") {
-            words = argument(s, 1)
-            label = again(s, after)
-            s = substr(s, after)
+        } else if (name == "glossary")
             out = out inline("<a class=\"term\" href=\"" \
                 (page == "D-glossary" ? "" : "D-glossary.html") "#gloss." \
-                anchor(words) "\">") label inline("</a>")
-            uses_glossary = 1
-        } else if (name == "label") {
-            label = argument(s, 1)
-            s = substr(s, after)
+                anchor(words) "\">") arg[2] inline("</a>")
+        else if (name == "label")
             out = out inline("<a id=\"" anchor(label) "\"></a>")
-        } else if (name == "suppressfloats" || \
-                   name == "pagebreak" || name == "setlength") {
-            if (s ~ /^\[[^]]*\]/)
-                s = substr(s, index(s, "]") + 1)
-            if (s ~ /^[{]/) {
-                argument(s, 1)
-                s = substr(s, after)
-            }
-            if (name == "setlength" && s ~ /^[{]/) {
-                argument(s, 1)
-                s = substr(s, after)
-            }
-        } else if (name == "jewel" || name == "noindent" || name == "small" || \
-                   name == "allowbreak" || name == "raggedright" || \
-                   name == "centering" || name == "scriptsize" || \
-                   name == "footnotesize" || name == "arraybackslash" || \
-                   name == "begingroup" || name == "endgroup" || name == "endhead") {
-            if (name == "allowbreak")
-                out = out inline("<wbr>")
-            sub(/^ /, "", s)
-        } else if (name == "smallskip" || name == "medskip" || name == "par")
+        else if (name == "allowbreak")
+            out = out inline("<wbr>")
+        else if (name == "smallskip" || name == "par")
             out = out "\n\n"
-        else if (name == "mbox" || name == "centerline") {
-            words = again(s, 1)
-            s = substr(s, after)
+        else if (name ~ /^(mbox|centerline|texorpdfstring)$/)
             out = out words
-        } else if (name == "texorpdfstring") {
-            words = again(s, 1)
-            argument(s, after)
-            s = substr(s, after)
-            out = out words
-        } else if (name == "textmu") {
-            sub(/^ /, "", s)
-            out = out "\302\265"
-        } else if (name == "rule") {
-            argument(s, 1)
-            argument(s, after)
-            s = substr(s, after)
-        } else if (name == "hline") {
-            out = out "\\hline"
-        } else if (name == "noalign") {
-            argument(s, 1)
-            s = substr(s, after)
-        } else if (name == "tabularnewline")
+        else if (name == "tabularnewline")
             out = out "\\\\"
-        else if (name == "refstepcounter") {
-            argument(s, 1)
-            s = substr(s, after)
+        else if (name == "refstepcounter")
             ++failures
-        } else if (name == "thefailure")
+        else if (name == "thefailure")
             out = out failures
-        else if (name == "symbolpart") {
-            words = again(s, 1)
-            s = substr(s, after)
+        else if (name == "symbolpart")
             out = out "\\multicolumn{5}{l}{\\textbf{" words "}}\\\\"
-        } else if (name == "doi" || name == "arxiv") {
-            words = argument(s, 1)
-            s = substr(s, after)
-            out = out inline("<a href=\"https://" (name == "doi" ? "doi.org/" : \
-                "arxiv.org/abs/") attribute(unescaped(words)) "\">" (name == "doi" ? \
-                "doi:" : "arXiv:") escaped(unescaped(words)) "</a>")
-        } else if (name == "url") {
-            words = argument(s, 1)
-            s = substr(s, after)
-            out = out inline("<a href=\"" attribute(unescaped(words)) "\">" \
-                escaped(unescaped(words)) "</a>")
-        } else if (name == "plotfigure") {
-            if (s ~ /^\[/)
-                s = substr(s, close_of(s) + 1)
-            label = argument(s, 1)
-            words = again(s, after)
-            s = substr(s, after)
-            out = out figure(label, words)
-        } else if (name == "livefigure") {
-            words = argument(s, 1)
-            s = substr(s, after)
+        else if (name == "doi" || name == "arxiv" || name == "url")
+            out = out inline("<a href=\"" (name == "doi" ? "https://doi.org/" : name == "url" ? \
+                "" : "https://arxiv.org/abs/") attribute(unescaped(words)) "\">" (name == "doi" ? \
+                "doi:" : name == "url" ? "" : "arXiv:") escaped(unescaped(words)) "</a>")
+        else if (name == "plotfigure")
+            out = out figure(label, arg[2])
+        else if (name == "livefigure")
             out = out block("<div class=\"live\" data-live=\"" attribute(words) "\"></div>")
-        } else if (name == "transcript") {
-            words = argument(s, 1)
-            s = substr(s, after)
+        else if (name == "transcript")
             out = out transcript(words)
-        } else if (name == "boxline") {
-            words = again(s, 1)
-            at = after
+        else if (name == "boxline") {
+            words = tex(words)
             out = out block("<div><dt>") words block("</dt><dd>")
-            words = again(s, at)
-            s = substr(s, after)
-            out = out words block("</dd></div>")
-        } else if (name == "term") {
-            if (s ~ /^\[/)
-                s = substr(s, index(s, "]") + 1)
-            label = argument(s, 1)
-            words = again(s, after)
-            s = substr(s, after)
-            out = out glossary_entry(label, words)
-        } else if (name == "indexed") {
-            if (s ~ /^\[/)
-                s = substr(s, index(s, "]") + 1)
-            argument(s, 1)
-            s = substr(s, after)
-        } else if (name == "solutions") {
-            words = argument(s, 1)
-            s = substr(s, after)
+            out = out tex(arg[2]) block("</dd></div>")
+        } else if (name == "term")
+            out = out glossary_entry(label, arg[2])
+        else if (name == "solutions") {
             wants_solutions = words
             out = out "\n\n"
-        } else if (name == "projectrubric") {
-            words = argument(s, 1)
-            more = argument(s, after)
-            s = substr(s, after)
-            out = out project_rubric(words, more)
-        } else if (name == "answer") {
-            words = again(s, 1)
-            s = substr(s, after)
+        } else if (name == "projectrubric")
+            out = out project_rubric(words, arg[2])
+        else if (name == "answer")
             out = out block("<div class=\"question\">") "\\textbf{Question~" \
                 ++answers "} " words block("</div>")
-        } else if (name ~ /^(chapter|section|subsection)$/) {
-            if (s ~ /^\*/)
-                s = substr(s, 2)
-            if (s ~ /^\[/)
-                s = substr(s, close_of(s) + 1)
-            argument(s, 1)
-            s = substr(s, after)
+        else if (name ~ /^(chapter|section|subsection)$/) {
             # Labels that are the heading's own stand in `heads'.
             while (match(s, /^ *\\label[{][^}]*[}]/))
                 s = substr(s, RLENGTH + 1)
             out = out heading_piece(name == "chapter" ? 0 : name == "section" ? 1 : 2)
         } else if (name == "caption") {
-            if (s ~ /^\[/)
-                s = substr(s, close_of(s) + 1)
-            words = again(s, 1)
-            s = substr(s, after)
             label = ""
             if (match(s, /^[ \n]*\\label[{][^}]*[}]/)) {
-                label = substr(s, 1, RLENGTH)
-                s = substr(s, RLENGTH + 1)
-                sub(/.*[{]/, "", label)
-                sub(/[}]/, "", label)
+                label = argument(s, index(s, "{"))
+                s = substr(s, after)
             }
             out = out block("<figure class=\"table\" id=\"" anchor(label) \
                 "\"><figcaption>") "\\textbf{Table~" \
                 (known(label) ? number_of[label] : "") ".} " words block("</figcaption>")
         } else if (name == "input") {
-            words = argument(s, 1)
-            s = substr(s, after)
             sub(/^\\projectroot */, "", words)
-            more = ""
-            while ((getline label < words) > 0)
-                more = more label "\n"
-            if (more == "")
-                fail("cannot read " words)
-            read_too[words] = 1
-            close(words)
-            gsub(/\\newcounter[{][a-z]*[}]/, "", more)
-            out = out tex(more)
+            words = all_of(words)
+            gsub(/\\newcounter[{][a-z]*[}]/, "", words)
+            out = out tex(words)
         } else if (name == "begin") {
-            words = argument(s, 1)
-            s = substr(s, after)
-            if (words ~ /^(equation|gather|align)[*]?$/) {
+            if (words ~ /^(equation|gather|align)[*]?$|^(tabular|longtable)$/) {
                 at = index(s, "\\end{" words "}")
                 if (!at)
-                    fail("an equation does not end")
-                more = substr(s, 1, at - 1)
+                    fail(words " does not end")
+                label = substr(s, 1, at - 1)
                 s = substr(s, at + length("\\end{" words "}"))
-                out = out equation(more, words)
-            } else if (words ~ /^(tabular|longtable)$/) {
-                at = index(s, "\\end{" words "}")
-                if (substr(s, 1, 1) == "[")
-                    s = substr(s, index(s, "]") + 1)
-                more = argument(s, 1)
-                at = after
-                end = index(s, "\\end{" words "}")
-                label = substr(s, at, end - at)
-                s = substr(s, end + length("\\end{" words "}"))
-                out = out table(more, label)
+                if (words ~ /^(tabular|longtable)$/) {
+                    label = take("om", label, arg)
+                    out = out table(arg[1], label)
+                } else
+                    out = out equation(label, words)
             } else if (words == "exercise") {
-                label = argument(s, 1)
-                at = after
-                words = title_html(argument(s, at))
-                at = after
-                more = argument(s, at)
-                opt = argument(s, after)
-                s = substr(s, after)
-                out = out exercise(label, words, more, opt)
+                s = take("mmmm", s, arg)
+                out = out exercise(arg[1], title_html(arg[2]), arg[3], arg[4])
             } else if (words == "labsheet") {
-                if (s ~ /^\[/)
-                    s = substr(s, index(s, "]") + 1)
+                s = take("o", s, arg)
                 out = out block("<div class=\"labsheet\">") heading_piece(1)
                 questions = 0
-            } else if (words == "question") {
+            } else if (words == "question")
                 out = out block("<div class=\"question\">") "\\textbf{Question~" \
                     ++questions "} "
-            } else if (words == "chapterbox")
-                out = out block("<dl class=\"box\">")
-            else if (words == "terms")
-                out = out block("<dl class=\"terms\">")
             else if (words == "reading")
                 out = out block("<div class=\"reading\">") "\\begin{itemize}"
+            else if (words in opening)
+                out = out block(opening[words])
             else if (words == "rubric")
                 out = out "\\emph{Ten points.}\n\n\\begin{description}"
-            else if (words == "center" || words == "picture")
-                out = out "\n\n"
-            else if (words == "table") {
-                if (s ~ /^\[/)
-                    s = substr(s, index(s, "]") + 1)
+            else if (words ~ /^(center|picture|table)$/) {
+                s = take("o", s, arg)
                 out = out "\n\n"
             } else if (words == "thebibliography") {
-                argument(s, 1)
-                s = substr(s, after)
+                s = take("m", s, arg)
                 out = out block("<ol class=\"references\">")
             } else
                 out = out "\\begin{" words "}"
         } else if (name == "end") {
-            words = argument(s, 1)
-            s = substr(s, after)
-            if (words == "exercise")
-                out = out block("</section>")
-            else if (words == "labsheet")
-                out = out block("</div>") lab_answers()
-            else if (words == "question")
-                out = out block("</div>")
-            else if (words == "chapterbox" || words == "terms")
-                out = out block("</dl>")
-            else if (words == "reading")
-                out = out "\\end{itemize}" block("</div>")
+            if (words == "thebibliography")
+                out = out bibitem_end() block("</ol>")
+            else if (words in closing_of)
+                out = out (words == "reading" ? "\\end{itemize}" : "") \
+                    block(closing_of[words]) (words == "labsheet" ? lab_answers() : "")
             else if (words == "rubric")
                 out = out "\\end{description}"
             else if (words == "center")
                 out = out "\n\n"
-            else if (words == "table")
-                out = out block("</figure>")
-            else if (words == "thebibliography")
-                out = out bibitem_end() block("</ol>")
             else
                 out = out "\\end{" words "}"
         } else if (name == "bibitem") {
-            label = "cite." argument(s, 1)
-            s = substr(s, after)
-            out = out bibitem_end() block("<li id=\"" anchor(label) "\">")
+            out = out bibitem_end() block("<li id=\"" anchor("cite." label) "\">")
             in_item = 1
         } else if (name == "newblock")
             out = out " "
-        else if (name == "em")
-            out = out "\\em"
-        else if (name == "newcommand") {
-            argument(s, 1)
-            s = substr(s, after)
-            sub(/^\[[0-9]\]/, "", s)
-            argument(s, 1)
-            s = substr(s, after)
-        } else if (name ~ /^(emph|textbf|textit|textsf|item|multicolumn)$/)
+        else if (name ~ /^(emph|em|textbf|textit|textsf|item|multicolumn|hline)$/)
             out = out "\\" name
-        else if (name ~ /^(quad|qquad|ldots|dots|LaTeX|textbackslash|textasciitilde|slash|o|i|aa|ss)$/) {
+        else if (name ~ /^(quad|qquad|ldots|dots|LaTeX|i)$/) {
             # What follows may be a word that stands for something.
             sub(/^[ \n]+|^[{][}]/, "", s)
             out = out "\\" name "{}"
-        }
-        else {
+        } else if (taken_by[name] == "") {
             # pandoc would drop it and what is in its braces, and say nothing.
             fail("what is \\" name "?")
             out = out name
         }
     }
     return out s
+}
+# All of a file that the page is made of besides.
+function all_of(path,    text, line) {
+    while ((getline line < path) > 0)
+        text = text line "\n"
+    close(path)
+    read_too[path] = 1
+    if (text == "")
+        fail("cannot read " path)
+    return text
 }
 function bibitem_end() {
     if (!in_item)
@@ -929,37 +811,20 @@ function heading_piece(level,    line, part, n, label, i, out, id, tag) {
         (part[3] == "" ? "" : "<span class=\"number\">" part[3] "</span> ") part[4] \
         "</a></" tag ">")
 }
-function lab_answers(    name, line, more) {
+function lab_answers(    name) {
     if (edition != "instructor")
         return ""
     name = page
     sub(/-.*/, "", name)
-    name = "build/book-instructor/lab-" name ".tex"
-    more = ""
-    while ((getline line < name) > 0)
-        more = more line "\n"
-    if (more == "")
-        return ""
-    close(name)
-    read_too[name] = 1
     answers = 0
     return block("<div class=\"labsheet\"><h2 id=\"to-the-lab-sheet\">To the lab sheet</h2>") \
-        tex(more) block("</div>")
+        tex(all_of("build/book-instructor/lab-" name ".tex")) block("</div>")
 }
-function project_rubric(project, title,    name, line, more) {
+function project_rubric(project, title) {
     if (edition != "instructor")
         return ""
-    name = "build/book-instructor/rubric-" project ".tex"
-    more = ""
-    while ((getline line < name) > 0)
-        more = more line "\n"
-    if (more == "") {
-        fail("there is no " name)
-        return ""
-    }
-    close(name)
-    read_too[name] = 1
-    return block("<h3 id=\"rubric-" project "\">" project ". " title "</h3>") tex(more)
+    return block("<h3 id=\"rubric-" project "\">" project ". " title "</h3>") \
+        tex(all_of("build/book-instructor/rubric-" project ".tex"))
 }
 
 # ---- the chapter, line by line

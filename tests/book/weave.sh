@@ -89,11 +89,12 @@ refused 'a chunk without a definition' \
     'weave: chapters/02-two.nw:4: no chunk is named <<Inclusions>>'
 printf '%s\n' "$two" >chapters/02-two.nw
 
-# Uses of a name: not a member; a struct behind that word alone; of what no header
-# declares only in the chapter that defines it.
+# Uses of a name: not a member; a struct behind that word alone; a function, in code,
+# only where it is called; of what no header declares only in the chapter that defines it.
 printf '%s\n' 'struct lamp { int bright; };' 'int shine(int n);' >src/unit/lamp.h
 lamp='\chapter{Lamp}
 <<lamp.c>>=
+/* A lamp is bright. */
 struct lamp {
     int bright;
 };
@@ -109,16 +110,22 @@ static int dim(int n)
 <<again.c>>=
 struct lamp lamp = {.shine = dim(1)};
 lamp.shine = shine(2);
-@'
+@
+<<also.c>>=
+static int shine = 1;
+dim = shine * 2 + lamp;
+@
+Of [[shine]].'
 printf '%s\n' "$lamp" >chapters/04-lamp.nw
 printf '%s\n' "$lamp" | sed '1s/.*/\\chapter{Other}/; /^<<lamp.c/,/^@ %def/d
     s/again.c/other.c/' >chapters/05-other.nw
 chapters/press/weave || echo 'not ok weave: lamps - status 1'
-linked() { # CHAPTER: the names that are links in its last chunk
+linked() { # CHAPTER: the names that are links in its last chunks, a q behind one in prose
     sed -n '/again.c\|other.c/,$p' "build/book/$1.tex" |
-        grep -o 'linkedidentc{[a-z]*}' | sed 's/.*{//; s/}//' | tr '\n' ' '
+        grep -o 'linkedident[cq]{[a-z]*}' | sed 's/.*ident\(.\){\(.*\)}/\2\1/; s/c$//' |
+        tr '\n' ' '
 }
-for pair in '04-lamp=lamp dim shine ' '05-other=lamp shine '; do
+for pair in '04-lamp=lamp dim shine shineq ' '05-other=lamp shine shineq '; do
     got=$(linked "${pair%%=*}")
     [ "$got" = "${pair#*=}" ] && echo "ok weave: the uses in ${pair%%=*}" ||
         echo "not ok weave: the uses in ${pair%%=*} - '$got', not '${pair#*=}'"

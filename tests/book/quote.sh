@@ -34,7 +34,6 @@ holds 'all functions of src/ are found, or refused' test ! -s "$work/missed" -a 
 
 mkdir -p "$work/kit/chapters/press" "$work/kit/src/room"
 cp chapters/press/quote chapters/press/weave chapters/press/keywords \
-    chapters/press/labels \
     chapters/press/lines chapters/press/measure chapters/press/recipes "$work/kit/chapters/press"
 cd "$work/kit" || exit 1
 cat >src/room/plain.h <<'END'

@@ -63,17 +63,6 @@ struct run {
     FILE *explanation; /* of --explain */
 };
 
-static void read_observe(struct run *r)
-{
-    char message[OBSERVABLES_MESSAGE];
-    const char *text = given.observe;
-    if (!text)
-        return;
-    if (!observables_read(&r->asked, text, r->scene.bodies, message))
-        program_refuse("--observe: %s", message);
-    r->request.asked = &r->asked;
-}
-
 /* Sets the rows, which divide the time from the scene's clock to --until
    into equal parts: errors are taken at rows, the last row is the time that
    was asked for, and a shorter last row would need steps of another length.
@@ -189,20 +178,14 @@ static void begin_run(struct run *r)
         read_means(r);
         return;
     }
-    read_observe(r);
+    char message[OBSERVABLES_MESSAGE];
+    if (given.observe) {
+        if (!observables_read(&r->asked, given.observe, r->scene.bodies,
+                              message))
+            program_refuse("--observe: %s", message);
+        r->request.asked = &r->asked;
+    }
     read_model(r);
-}
-
-/* Opens all outputs before the work begins, so that a folder that does not
-   exist is noticed now and not after ten minutes. The explanation goes
-   where the table does not, so that neither gets into the other. */
-static void open_outputs(struct run *r)
-{
-    r->explanation =
-        given.output && strcmp(given.output, "-") ? stdout : stderr;
-    r->out = program_table(PROGRAM, given.output);
-    r->summary = program_table(PROGRAM, given.summary);
-    r->chart = given.chart ? program_table(PROGRAM, given.chart) : NULL;
 }
 
 /* Prints a piece of the explanation, if --explain asks for it. */
@@ -275,45 +258,28 @@ static void explain_candidates(const struct run *r)
     }
 }
 
-/* Explains, part 4: the plan taken, in words, and what it cost. */
-static void explain_taken(const struct run *r)
-{
-    const struct choose_choice *c = &r->choice;
-    char text[CHOOSE_SENTENCE];
-    choose_sentence(c, given.tolerance, text);
-    explain(r, "taken %s\n", text);
-    explain(r,
-            "found: error %.2e, cost %.2e s\n"
-            "besides: deciding %.2e s\n",
-            c->candidate[c->taken].error, c->run.cost,
-            c->spent - c->run.cost);
-}
-
 static void explain_choice(const struct run *r)
 {
     explain_interactions(r);
     explain_request(r);
     explain_candidates(r);
-    if (r->choice.run.value)
-        explain_taken(r);
-}
-
-/* Names the default columns, the state of every body, as step does, so that
-   whatever reads step's tables (a movie, a plot) reads these as well. */
-static void write_state_columns(struct run *r)
-{
-    static const char *const symbol[] = {"x", "y", "z", "vx", "vy", "vz"};
-    char name[32];
-    for (size_t i = 0; i < r->scene.bodies; ++i)
-        for (size_t k = 0; k < 6; ++k) {
-            snprintf(name, sizeof name, "%s:%zu", symbol[k], i);
-            table_column(r->out, name, k < 3 ? "length" : "length/time",
-                         k < 3 ? "place" : "velocity");
-        }
+    if (r->choice.run.value) {
+        const struct choose_choice *c = &r->choice;
+        char text[CHOOSE_SENTENCE];
+        choose_sentence(c, given.tolerance, text);
+        explain(r, "taken %s\n", text);
+        explain(r,
+                "found: error %.2e, cost %.2e s\n"
+                "besides: deciding %.2e s\n",
+                c->candidate[c->taken].error, c->run.cost,
+                c->spent - c->run.cost);
+    }
 }
 
 /* Writes the head. Its command has to make the same bytes again, so the
-   plan that was chosen is added to it, unless it came from --model. */
+   plan that was chosen is added to it, unless it came from --model. The
+   default columns are the state of every body, as in the tables of step, so
+   that a movie or plot made for those reads these as well. */
 static void write_head(struct run *r)
 {
     char plan[MODELS_TEXT], command[8192];
@@ -325,8 +291,17 @@ static void write_head(struct run *r)
     table_column(r->out, "t", "time", "time, in the units of the scene");
     if (r->request.asked)
         observables_head(&r->asked, r->out);
-    else
-        write_state_columns(r);
+    else {
+        static const char *const symbol[] = {"x",  "y",  "z",
+                                             "vx", "vy", "vz"};
+        char name[32];
+        for (size_t i = 0; i < r->scene.bodies; ++i)
+            for (size_t k = 0; k < 6; ++k) {
+                snprintf(name, sizeof name, "%s:%zu", symbol[k], i);
+                table_column(r->out, name, k < 3 ? "length" : "length/time",
+                             k < 3 ? "place" : "velocity");
+            }
+    }
 }
 
 static bool write_rows(struct run *r)
@@ -415,19 +390,6 @@ static char model_help[128 * STEPPING_MOST] =
     "sixteenth of the run) or a tolerance of its own\n"
     "steps, and what to leave out: pefrl:24,no-light";
 
-/* Completes model_help from the table of models, which is the only list of
-   them. */
-static void list_models(void)
-{
-    char *help = model_help + strlen(model_help);
-    for (const struct models_model *m = models_all(); m->name; ++m)
-        help += sprintf(help, "\n%s: %s", m->name, m->about);
-    help += sprintf(help, "\nleaving out:");
-    for (size_t k = 0; k < MODELS_CUTS; ++k)
-        help +=
-            sprintf(help, k % 4 == 3 ? "\n%s" : " %s", models_cut_names[k]);
-}
-
 static const struct options_entry entries[] = {
     {"", 0, "SCENE", "a scene file; - is standard input"},
     {"until", 't', "T", "the time at which to stop"},
@@ -497,38 +459,43 @@ static void check_settings(struct options *o)
                         "their own");
 }
 
-/* A time may be negative, since the scene's clock may stand before zero. */
-static void take_option(struct options *o, int option)
-{
-    switch (option) {
-    case OPTIONS_ARGUMENT:
-        given.scene = options_only(o, given.scene, "scene");
-        break;
-    case 't': given.until = options_real(o, -INFINITY, INFINITY); break;
-    case 'e': given.tolerance = options_positive(o, INFINITY); break;
-    case 'd': given.every = options_positive(o, INFINITY); break;
-    case 'O': given.observe = options_text(o); break;
-    case 'm': given.model = options_text(o); break;
-    case 'r': given.budget = options_positive(o, INFINITY); break;
-    case 'x': given.explain = true; break;
-    case 'c': given.chart = options_text(o); break;
-    case 'o': given.output = options_text(o); break;
-    case 'S': given.summary = options_text(o); break;
-    }
-}
-
+/* Reads the command line, after completing model_help from the table of
+   models, which is the only list of them. A time may be negative, since the
+   scene's clock may stand before zero. */
 static void read_settings(int argc, char *argv[])
 {
     struct options o;
     int option;
-    list_models();
+    char *help = model_help + strlen(model_help);
+    for (const struct models_model *m = models_all(); m->name; ++m)
+        help += sprintf(help, "\n%s: %s", m->name, m->about);
+    help += sprintf(help, "\nleaving out:");
+    for (size_t k = 0; k < MODELS_CUTS; ++k)
+        help +=
+            sprintf(help, k % 4 == 3 ? "\n%s" : " %s", models_cut_names[k]);
     options_begin(&o, PROGRAM,
                   "Carry a scene through time at the least cost that holds "
                   "a tolerance.",
                   entries, argc, argv);
     options_keys(&o, keys);
     while ((option = options_next(&o)) != -1)
-        take_option(&o, option);
+        switch (option) {
+        case OPTIONS_ARGUMENT:
+            given.scene = options_only(&o, given.scene, "scene");
+            break;
+        case 't':
+            given.until = options_real(&o, -INFINITY, INFINITY);
+            break;
+        case 'e': given.tolerance = options_positive(&o, INFINITY); break;
+        case 'd': given.every = options_positive(&o, INFINITY); break;
+        case 'O': given.observe = options_text(&o); break;
+        case 'm': given.model = options_text(&o); break;
+        case 'r': given.budget = options_positive(&o, INFINITY); break;
+        case 'x': given.explain = true; break;
+        case 'c': given.chart = options_text(&o); break;
+        case 'o': given.output = options_text(&o); break;
+        case 'S': given.summary = options_text(&o); break;
+        }
     given.command = options_command(&o);
     check_settings(&o);
 }
@@ -583,21 +550,6 @@ static void warn_of_hidden_pair(const struct run *r)
                 "%zu the scale would be %.3g: --tolerance %.2g",
                 given.scene, e, r->choice.scale, h->a, h->b, h->distance,
                 h->far, h->without, e * h->without / r->choice.scale);
-}
-
-/* Chooses a model and runs the scene with it. Returns NULL, or why there is
-   no run. */
-static const char *choose_run(struct run *r)
-{
-    progress_begin(&r->progress, PROGRAM, (uint64_t)(1e3 * given.budget),
-                   "ms by the price list");
-    if (!choose(&r->choice, &r->request))
-        program_leave(EXIT_FAILURE);
-    progress_end(&r->progress);
-    warn_of_hidden_pair(r);
-    warn_of_scale(r);
-    explain_choice(r);
-    return r->choice.run.value ? NULL : r->choice.refusal;
 }
 
 /* Writes the rows of the run, or says why there are none; a refusal leaves
@@ -687,18 +639,6 @@ static bool write_means(struct run *r)
     return table_close(r->out) && good;
 }
 
-/* Writes the chart of averages, with one point for each average. */
-static void chart_means(const struct run *r, const char *refusal)
-{
-    write_chart_head(r, refusal);
-    for (size_t j = 0; j < r->means; ++j) {
-        const struct averages_found *f = &r->mean[j].found;
-        if (f->way && f->cost > 0)
-            table_print(r->chart, "%.6g %.6g %d %s\n\n\n", f->error,
-                        f->cost, f->sure != AVERAGES_OUT, f->way);
-    }
-}
-
 /* Writes the keys of a run's summary, so that one script reads both: costs
    are added, and of the errors the largest counts. */
 static void summarise_means(const struct run *r, const char *refusal)
@@ -715,8 +655,10 @@ static void summarise_means(const struct run *r, const char *refusal)
                   {"cost", cost}, {"deciding", 0});
 }
 
-/* Finds all averages, or writes none: one that is refused leaves nothing to
-   put in its place in the row. */
+/* Finds all averages, and writes them with a chart of one point for each;
+   writes no row if one of them is refused, since nothing could take its
+   place. Sets *refusal to the reason, and returns false if a file could not
+   be written. */
 static bool answer_means(struct run *r, const char **refusal)
 {
     bool good = true;
@@ -727,15 +669,33 @@ static bool answer_means(struct run *r, const char **refusal)
         table_discard(r->out);
     } else
         good = write_means(r);
-    if (r->chart)
-        chart_means(r, *refusal);
+    if (r->chart) {
+        write_chart_head(r, *refusal);
+        for (size_t j = 0; j < r->means; ++j) {
+            const struct averages_found *f = &r->mean[j].found;
+            if (f->way && f->cost > 0)
+                table_print(r->chart, "%.6g %.6g %d %s\n\n\n", f->error,
+                            f->cost, f->sure != AVERAGES_OUT, f->way);
+        }
+    }
     summarise_means(r, *refusal);
     return good;
 }
 
+/* Chooses a model, runs the scene with it, and writes the results. Sets
+   *refusal if there is no run, and returns false if a file could not be
+   written. */
 static bool answer_run(struct run *r, const char **refusal)
 {
-    *refusal = choose_run(r);
+    progress_begin(&r->progress, PROGRAM, (uint64_t)(1e3 * given.budget),
+                   "ms by the price list");
+    if (!choose(&r->choice, &r->request))
+        program_leave(EXIT_FAILURE);
+    progress_end(&r->progress);
+    warn_of_hidden_pair(r);
+    warn_of_scale(r);
+    explain_choice(r);
+    *refusal = r->choice.run.value ? NULL : r->choice.refusal;
     if (r->chart)
         write_chart(r, *refusal);
     const bool good = write_run(r, *refusal);
@@ -744,13 +704,20 @@ static bool answer_run(struct run *r, const char **refusal)
     return good;
 }
 
+/* All outputs are opened before the work begins, so that a folder that does
+   not exist is noticed now and not after ten minutes. */
 int main(int argc, char *argv[])
 {
     static struct run r;
     const char *refusal = NULL;
     read_settings(argc, argv);
     begin_run(&r);
-    open_outputs(&r);
+    /* The explanation and the table go to different streams. */
+    r.explanation =
+        given.output && strcmp(given.output, "-") ? stdout : stderr;
+    r.out = program_table(PROGRAM, given.output);
+    r.summary = program_table(PROGRAM, given.summary);
+    r.chart = given.chart ? program_table(PROGRAM, given.chart) : NULL;
     table_keys(r.summary, keys);
     bool good =
         r.means > 0 ? answer_means(&r, &refusal) : answer_run(&r, &refusal);

@@ -221,23 +221,11 @@ static void name_body(char text[], size_t size, size_t i, size_t gaps)
         snprintf(text, size, "mover %zu", i);
 }
 
-/* Refuses speeds so low that their squares are subnormal numbers, which
-   have fewer digits. Bodies that fall become faster, and bodies that are
-   all at rest have no collision to wait for. */
-static void check_speeds(const struct bonkers *b)
-{
-    double most = 0;
-    for (size_t i = 0; i <= b->gaps; ++i)
-        most = fmax(most, fabs(b->body[i].v));
-    if (most > 0 && most < BONKERS_SLOWEST && !(b->gravity > 0))
-        program_refuse(
-            "--velocities: the fastest has %g m/s, expected at least %.3g: "
-            "squares of slower ones leave the range of numbers",
-            most, BONKERS_SLOWEST);
-}
-
-/* Begins a run, or ends the program if the start is impossible; nothing has
-   been written yet. Sets *until to the usual end of this start. */
+/* Begins a run, and sets *until to the usual end of this start. Ends the
+   program if the start is impossible; nothing has been written yet. Speeds
+   are refused whose squares are subnormal numbers, which have fewer digits;
+   but bodies that fall become faster, and bodies that are all at rest have
+   no collision to wait for. */
 static void begin_or_exit(struct bonkers *b, uint64_t seed, double *until)
 {
     struct start s;
@@ -257,7 +245,14 @@ static void begin_or_exit(struct bonkers *b, uint64_t seed, double *until)
     }
     *until = s.until;
     start_free(&s);
-    check_speeds(b);
+    double most = 0;
+    for (size_t i = 0; i <= b->gaps; ++i)
+        most = fmax(most, fabs(b->body[i].v));
+    if (most > 0 && most < BONKERS_SLOWEST && !(b->gravity > 0))
+        program_refuse(
+            "--velocities: the fastest has %g m/s, expected at least %.3g: "
+            "squares of slower ones leave the range of numbers",
+            most, BONKERS_SLOWEST);
 }
 
 /* From row to row the engine runs in bites, so short that a signal is
@@ -394,28 +389,23 @@ static void name_columns(struct table *out, const struct bonkers *b,
         }
 }
 
-/* Writes the mass with as few digits as give this inverse again: the
-   inverse of an inverse is off by a bit or two, and --masses 49 would come
-   back as 49.000000000000007. */
-static void write_mass(struct table *out, double im)
-{
-    char text[32];
-    int digits = 15;
-    do {
-        snprintf(text, sizeof text, "%.*g", digits, 1 / im);
-    } while (1 / strtod(text, NULL) != im && ++digits <= 17);
-    table_print(out, " %s", text);
-}
-
 /* Writes the masses into the head, since a velocity without a mass tells no
-   energy; not if there are so many that nobody would read them. */
+   energy, unless they are too many to be read. Each has as few digits as
+   give its inverse again: the inverse of an inverse is off by a bit or two,
+   and --masses 49 would come back as 49.000000000000007. */
 static void name_masses(struct table *out, const struct bonkers *b)
 {
     if (b->gaps > LISTED)
         return;
     table_print(out, "# masses:");
-    for (size_t i = 1; i < b->gaps; ++i)
-        write_mass(out, b->body[i].im);
+    for (size_t i = 1; i < b->gaps; ++i) {
+        char text[32];
+        int digits = 15;
+        do {
+            snprintf(text, sizeof text, "%.*g", digits, 1 / b->body[i].im);
+        } while (1 / strtod(text, NULL) != b->body[i].im && ++digits <= 17);
+        table_print(out, " %s", text);
+    }
     table_print(out, "\n");
 }
 

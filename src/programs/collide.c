@@ -334,9 +334,9 @@ static void draw_pair(struct random *r, struct pair *p)
 
 /* Finds the worst error of all collisions and the root mean square, which
    is what adds up in a random walk. Returns false if it was interrupted. */
-static bool run_tests(struct table *out, struct errors *worst,
-                      struct errors *rms)
+static bool run_tests(struct table *out, struct table *summary)
 {
+    struct errors worst = {0, 0}, rms = {0, 0};
     struct random r;
     struct progress progress;
     uint64_t done = 0;
@@ -351,50 +351,31 @@ static bool run_tests(struct table *out, struct errors *worst,
                         (unsigned long long)(done + 1));
             print_collision(out, &p, given.restitution);
         }
-        worst->energy = fmax(worst->energy, fabs(error.energy));
-        worst->momentum = fmax(worst->momentum, error.momentum);
-        rms->energy += error.energy * error.energy;
-        rms->momentum += error.momentum * error.momentum;
+        worst.energy = fmax(worst.energy, fabs(error.energy));
+        worst.momentum = fmax(worst.momentum, error.momentum);
+        rms.energy += error.energy * error.energy;
+        rms.momentum += error.momentum * error.momentum;
         if (++done % 1024 == 0)
             progress_update(&progress, done, done);
     }
     const bool complete = progress_end(&progress);
     if (done > 0) {
-        rms->energy = sqrt(rms->energy / (double)done);
-        rms->momentum = sqrt(rms->momentum / (double)done);
+        rms.energy = sqrt(rms.energy / (double)done);
+        rms.momentum = sqrt(rms.momentum / (double)done);
     }
     table_print(out,
                 "%llu collisions, form %s; errors in machine epsilons:\n"
                 "             worst      rms\n"
                 "  momentum %7.2f  %7.3f\n  energy   %7.2f  %7.3f\n",
                 (unsigned long long)done, collide_form_names[given.form],
-                worst->momentum, rms->momentum, worst->energy, rms->energy);
-    return complete;
-}
-static void summarise_tests(struct table *summary, struct errors worst,
-                            struct errors rms)
-{
+                worst.momentum, rms.momentum, worst.energy, rms.energy);
     table_text(summary, "form", collide_form_names[given.form]);
     table_count(summary, "dimensions", given.dimensions);
     TABLE_RESULTS(summary, {"energy_error_max", worst.energy},
                   {"energy_error_rms", rms.energy},
                   {"momentum_error_max", worst.momentum},
                   {"momentum_error_rms", rms.momentum});
-}
-
-static void summarise_by_hand(struct table *summary, struct pair *p,
-                              struct errors error)
-{
-    char key[] = "v1_x";
-    for (int body = 0; body < 2; ++body)
-        for (size_t i = 0; i < p->dimensions; ++i) {
-            key[1] = (char)('1' + body);
-            key[3] = "xyz"[i];
-            table_real(summary, key, p->after[body][i]);
-        }
-    table_text(summary, "form", collide_form_names[given.form]);
-    TABLE_RESULTS(summary, {"energy_error", error.energy},
-                  {"momentum_error", error.momentum});
+    return complete;
 }
 
 /* Warns of two things that are no errors, on standard error, so that the
@@ -425,12 +406,20 @@ static void run_by_hand(struct table *out, struct table *summary)
         program_say("warning: energy off by %.3g and momentum by %.3g "
                     "machine epsilons",
                     error.energy, error.momentum);
-    summarise_by_hand(summary, &p, error);
+    char key[] = "v1_x";
+    for (int body = 0; body < 2; ++body)
+        for (size_t i = 0; i < p.dimensions; ++i) {
+            key[1] = (char)('1' + body);
+            key[3] = "xyz"[i];
+            table_real(summary, key, p.after[body][i]);
+        }
+    table_text(summary, "form", collide_form_names[given.form]);
+    TABLE_RESULTS(summary, {"energy_error", error.energy},
+                  {"momentum_error", error.momentum});
 }
 
 int main(int argc, char *argv[])
 {
-    struct errors worst = {0, 0}, rms = {0, 0};
     read_settings(argc, argv);
     struct table *out, *summary;
     program_open(PROGRAM, given.output, given.summary, keys, &out,
@@ -439,8 +428,6 @@ int main(int argc, char *argv[])
     if (given.velocities_given)
         run_by_hand(out, summary);
     else
-        complete = run_tests(out, &worst, &rms);
-    if (!given.velocities_given)
-        summarise_tests(summary, worst, rms);
+        complete = run_tests(out, summary);
     return program_close(out, summary, complete);
 }

@@ -211,17 +211,13 @@ static void set_velocities(struct disks *d, struct random *r)
             d->disk[i].velocity[k] *= factor;
 }
 
-/* Refuses disks that do not fit between two walls. */
-static void check_room(const struct disks *d)
+/* Returns the largest radius, m. */
+static double widest(const struct disks *d)
 {
-    double widest = 0;
+    double most = 0;
     for (size_t i = 0; i < d->count; ++i)
-        widest = fmax(widest, d->disk[i].radius);
-    for (size_t k = 0; k < d->dimensions; ++k)
-        if (disks_walled(d, k) && d->box[k] < 2 * widest)
-            program_refuse("--box: a side of %.10g has no room between its "
-                           "walls for a radius of %.10g",
-                           d->box[k], widest);
+        most = fmax(most, d->disk[i].radius);
+    return most;
 }
 
 /* Draws the places first, then the velocities, both from one seed. */
@@ -233,7 +229,11 @@ static void make_start(struct disks *d)
     d->boundary = given.boundary == NO_BOUNDARY
                       ? DISKS_WALLS
                       : (enum disks_boundary)given.boundary;
-    check_room(d);
+    for (size_t k = 0; k < d->dimensions; ++k)
+        if (disks_walled(d, k) && d->box[k] < 2 * widest(d))
+            program_refuse("--box: a side of %.10g has no room between its "
+                           "walls for a radius of %.10g",
+                           d->box[k], widest(d));
     const bool lattice = strcmp(given.start, "lattice") == 0;
     if (!lattice && d->count > DISKS_RANDOM)
         program_refuse("--start: random places %d disks at most, not %zu",
@@ -349,20 +349,6 @@ static double first_piece(const struct disks *d)
     return shortest(d) / speed / (double)d->count;
 }
 
-/* Appends the sums of one stretch of the run to the blocks: the momentum
-   that the walls received along each axis, and the virial. */
-static void end_piece(struct run *r)
-{
-    double sample[DISKS_AXES + 1];
-    for (size_t k = 0; k < DISKS_AXES; ++k) {
-        sample[k] = r->d.impulse[k] - r->impulse[k];
-        r->impulse[k] = r->d.impulse[k];
-    }
-    sample[DISKS_AXES] = r->d.virial - r->virial;
-    r->virial = r->d.virial;
-    blocks_append(&r->pressure, sample);
-}
-
 /* Returns the time, s, at which the present piece ends; the division into
    pieces does not affect the results. The pressure of disks that lose
    energy is not measured, and the interval between their collisions may
@@ -377,8 +363,10 @@ static double end_of_piece(const struct run *r)
     return r->d.now + (double)(1000 + r->d.count) * first_piece(&r->d);
 }
 
-/* Runs to a time or a number of collisions, piece by piece. Progress is the
-   fraction of the time or of the collisions, whichever is given. */
+/* Runs to a time or a number of collisions, piece by piece. At the end of
+   each piece its sums are appended to the blocks: the momentum that the
+   walls received along each axis, and the virial. Progress is the fraction
+   of the time or of the collisions, whichever is given. */
 static void run_to(struct run *r, double until, uint64_t collisions)
 {
     const double start = bench_seconds();
@@ -387,8 +375,16 @@ static void run_to(struct run *r, double until, uint64_t collisions)
            !progress_signal()) {
         const double end = end_of_piece(r);
         r->stop = advance(r, fmin(end, until), collisions);
-        if (r->stop == DISKS_TIME && end <= until)
-            end_piece(r);
+        if (r->stop == DISKS_TIME && end <= until) {
+            double sample[DISKS_AXES + 1];
+            for (size_t k = 0; k < DISKS_AXES; ++k) {
+                sample[k] = r->d.impulse[k] - r->impulse[k];
+                r->impulse[k] = r->d.impulse[k];
+            }
+            sample[DISKS_AXES] = r->d.virial - r->virial;
+            r->virial = r->d.virial;
+            blocks_append(&r->pressure, sample);
+        }
         if (r->stop == DISKS_TIME && fmin(end, until) == INFINITY)
             r->stop = DISKS_COLLAPSE;
         if (r->until < INFINITY)
@@ -413,14 +409,6 @@ static void watch_drift(struct run *r, const char *of, double drift)
         return;
     r->drift = drift;
     r->drifting = isnan(drift) ? NULL : of;
-}
-
-static double widest(const struct disks *d)
-{
-    double most = 0;
-    for (size_t i = 0; i < d->count; ++i)
-        most = fmax(most, d->disk[i].radius);
-    return most;
 }
 
 /* Returns whether collisions can be expected at all. A disk that crosses
@@ -628,17 +616,6 @@ static void sample_speeds(struct run *r)
 
 enum { FINITE, MAXWELL, SPEED = 0, PART = 2, LAWS = 4 };
 
-/* Makes the laws of this box, for the speed and for a component. */
-static void speed_laws(const struct run *r, struct speeds_law law[])
-{
-    const size_t D = r->d.dimensions, N = r->d.count;
-    const bool resting = r->d.boundary == DISKS_PERIODIC;
-    law[SPEED + FINITE] = speeds_exact(D, N, resting, false);
-    law[SPEED + MAXWELL] = speeds_maxwell(D, false);
-    law[PART + FINITE] = speeds_exact(D, N, resting, true);
-    law[PART + MAXWELL] = speeds_maxwell(D, true);
-}
-
 /* Returns chi-square of the speeds against a law, and in *bins over how
    many bins it is summed: those with a density above 1e-3; in the others
    too few disks are counted for an error that can be trusted. */
@@ -663,7 +640,12 @@ static void end_speeds(struct run *r, struct table *summary)
     static double density[LAWS][SPEEDS];
     struct speeds_law law[LAWS];
     double mean[LAWS];
-    speed_laws(r, law);
+    const size_t D = r->d.dimensions, N = r->d.count;
+    const bool resting = r->d.boundary == DISKS_PERIODIC;
+    law[SPEED + FINITE] = speeds_exact(D, N, resting, false);
+    law[SPEED + MAXWELL] = speeds_maxwell(D, false);
+    law[PART + FINITE] = speeds_exact(D, N, resting, true);
+    law[PART + MAXWELL] = speeds_maxwell(D, true);
     for (size_t k = 0; k < LAWS; ++k)
         mean[k] = speeds_bins(&law[k], edge_of(1), SPEEDS, density[k]);
     for (size_t bin = 0; bin < SPEEDS; ++bin) {
@@ -895,21 +877,15 @@ static void end_brownian(struct run *r, struct table *summary)
     free(x);
 }
 
-static void no_summary(struct run *r, struct table *summary)
-{
-    (void)r;
-    (void)summary;
-}
-
 static const struct {
     void (*begin)(struct run *r);
     void (*sample)(struct run *r);
     void (*end)(struct run *r, struct table *summary);
-} measures[] = {{begin_states, sample_states, no_summary},
+} measures[] = {{begin_states, sample_states, NULL},
                 {begin_positions, sample_positions, end_positions},
                 {begin_speeds, sample_speeds, end_speeds},
-                {begin_pressure, sample_pressure, no_summary},
-                {begin_relaxation, sample_relaxation, no_summary},
+                {begin_pressure, sample_pressure, NULL},
+                {begin_relaxation, sample_relaxation, NULL},
                 {begin_brownian, sample_heavy, end_brownian}};
 
 static const struct options_entry entries[] = {
@@ -1087,30 +1063,10 @@ static void read_settings(int argc, char *argv[])
                            : 100;
 }
 
-/* Writes the compressibility from the walls and from the virial over the
-   whole run; the errors are those of the blocks. */
-static void summarise_pressure(struct run *r, struct table *out)
-{
-    const double time = r->d.now - r->begin;
-    const bool walls = r->d.boundary == DISKS_WALLS;
-    for (size_t k = 0; walls && k < r->d.dimensions; ++k) {
-        const struct blocks_average a = blocks_average(&r->pressure, k);
-        table_keyed(out, Z_wall(r, k, r->d.impulse[k], time), "Z_wall_%s",
-                    axis_names[k]);
-        table_keyed(out, Z_wall(r, k, a.error, r->piece), "Z_wall_%s_error",
-                    axis_names[k]);
-        watch_drift(r, "Z_wall", a.drift);
-    }
-    const struct blocks_average a =
-        blocks_average(&r->pressure, DISKS_AXES);
-    TABLE_RESULTS(out, {"Z_virial", Z_virial(r, r->d.virial, time)},
-                  {"Z_virial_error", Z_virial(r, a.error, r->piece) - 1});
-    watch_drift(r, "Z_virial", a.drift);
-    table_real(out, "drift", r->drift);
-}
-
 /* Writes the results that all kinds of runs have. The energy has another
-   key if it is meant to change, and a gas that cools has no pressure. */
+   key if it is meant to change. Only a gas that keeps its energy has a
+   pressure: the compressibility from the walls and from the virial over the
+   whole run, with the errors of the blocks. */
 static void summarise(struct run *r, struct table *out)
 {
     const double time = r->d.now - r->begin;
@@ -1126,8 +1082,24 @@ static void summarise(struct run *r, struct table *out)
         {given.restitution < 1 ? "energy_change" : "energy_error",
          r->energy > 0 ? disks_energy(&r->d) / r->energy - 1 : 0});
     if (given.restitution == 1 && time > 0 && r->d.gravity == 0 &&
-        r->d.boundary != DISKS_FLOOR && r->kT > 0)
-        summarise_pressure(r, out);
+        r->d.boundary != DISKS_FLOOR && r->kT > 0) {
+        const bool walls = r->d.boundary == DISKS_WALLS;
+        for (size_t k = 0; walls && k < r->d.dimensions; ++k) {
+            const struct blocks_average a = blocks_average(&r->pressure, k);
+            table_keyed(out, Z_wall(r, k, r->d.impulse[k], time),
+                        "Z_wall_%s", axis_names[k]);
+            table_keyed(out, Z_wall(r, k, a.error, r->piece),
+                        "Z_wall_%s_error", axis_names[k]);
+            watch_drift(r, "Z_wall", a.drift);
+        }
+        const struct blocks_average a =
+            blocks_average(&r->pressure, DISKS_AXES);
+        TABLE_RESULTS(
+            out, {"Z_virial", Z_virial(r, r->d.virial, time)},
+            {"Z_virial_error", Z_virial(r, a.error, r->piece) - 1});
+        watch_drift(r, "Z_virial", a.drift);
+        table_real(out, "drift", r->drift);
+    }
     if (time > 0)
         table_real(out, "collision_rate",
                    2 * (double)r->d.collisions / (double)r->d.count / time);
@@ -1136,19 +1108,14 @@ static void summarise(struct run *r, struct table *out)
                r->seconds > 0 ? all / r->seconds : 0);
 }
 
-/* Returns whether averages are asked for, for which a drift matters, and
-   not just states. */
-static bool wants_averages(void)
-{
-    return strcmp(given.summary, "/dev/null") != 0 ||
-           (given.measure != STATES && given.measure != RELAXATION);
-}
-
 /* Warns that an average changed during the run by more than its error
-   explains. */
+   explains, if averages are asked for and not just states. */
 static void report_drift(const struct run *r)
 {
-    if (fabs(r->drift) > BLOCKS_STEADY)
+    const bool averages =
+        strcmp(given.summary, "/dev/null") != 0 ||
+        (given.measure != STATES && given.measure != RELAXATION);
+    if (averages && fabs(r->drift) > BLOCKS_STEADY)
         program_say(
             "note: the last third of the run has a %s %s than the first, "
             "by %.3g errors: not steady, a longer --warmup or run may help",
@@ -1347,12 +1314,13 @@ int main(int argc, char *argv[])
     begin_run(&r);
     measures[given.measure].begin(&r);
     run_and_sample(&r);
-    measures[given.measure].end(&r, summary);
+    if (measures[given.measure].end)
+        measures[given.measure].end(&r, summary);
     summarise(&r, summary);
     const bool whole = progress_end(&r.progress);
     if (r.stop == DISKS_COLLAPSE)
         report_collapse(&r.d);
-    if (whole && wants_averages())
+    if (whole)
         report_drift(&r);
     cells_free(&r.cells);
     disks_free(&r.d);

@@ -114,14 +114,6 @@ static const char *next_field(const char *text)
     return text;
 }
 
-static size_t count_fields(const char *row)
-{
-    size_t fields = 0;
-    for (; *row; row = next_field(row))
-        ++fields;
-    return fields;
-}
-
 /* Returns the number of the column that `name` gives, up to a comma: by its
    number, as in gnuplot, or by its name in the head. A name may begin with
    a digit, so it is a number only if all of it is. */
@@ -170,7 +162,9 @@ static void choose_columns(struct columns *c, const struct head *h,
                            const char *row)
 {
     const char *rest = given.columns;
-    size_t fields = count_fields(row);
+    size_t fields = 0;
+    for (; *row; row = next_field(row))
+        ++fields;
     if (strcmp(rest, "all") == 0)
         for (size_t k = 1; k <= fields; ++k)
             add_column(c, h, k);
@@ -201,13 +195,6 @@ static void grow_columns(struct columns *c)
             bad_input(c, "no memory for %zu rows", c->capacity);
         c->column[i].x = x;
     }
-}
-
-static void free_columns(struct columns *c)
-{
-    for (size_t i = 0; i < c->count; ++i)
-        free(c->column[i].x);
-    free(c->made_by);
 }
 
 /* Reads a finite number, which is all of a field. strtod alone would take
@@ -424,20 +411,6 @@ static void read_settings(int argc, char *argv[])
     program_apart(&o, given.output, given.summary_path, "table");
 }
 
-static void summarise_column(const struct column *column,
-                             const struct statistics_description *d)
-{
-    const double root = sqrt((double)d->n / d->inefficiency);
-    TABLE_RESULTS_OF(
-        given.summary, column->name, {"mean", d->mean},
-        {"mean_error", d->mean_error}, {"mean_naive", d->naive_error},
-        {"sd", d->sd}, {"sd_error", d->sd_error}, {"kurtosis", d->kurtosis},
-        {"kurtosis_error", d->kurtosis_error}, {"least", d->least},
-        {"greatest", d->greatest}, {"inefficiency", d->inefficiency},
-        {"effective", root * root}, {"block", (double)d->block},
-        {"plateau", d->plateau});
-}
-
 struct bins {
     double low, high;
     size_t count;
@@ -460,20 +433,6 @@ static struct bins choose_bins(size_t i,
     if (b.count == 0)
         b.count = statistics_bins(d->n, b.low, b.high, d->sd);
     return b;
-}
-
-/* Refuses a column whose bins are so narrow that its density exceeds the
-   largest double. */
-static void refuse_bins(const struct columns *c, size_t i)
-{
-    const struct column *column = &c->column[i];
-    const struct bins b = choose_bins(i, &column->d);
-    const double width = (b.high - b.low) / (double)b.count;
-    if (!isfinite(1 / width))
-        bad_input(c,
-                  "%s would have %zu bins from %g to %g, so narrow that no "
-                  "number holds a density",
-                  column->name, b.count, b.low, b.high);
 }
 
 /* Refuses a column of which no table can be made. All columns are described
@@ -502,51 +461,34 @@ static void refuse_column(const struct columns *c,
                   column->name);
 }
 
-/* Refuses a column if the law that takes its mean and standard deviation
-   from it has no width, or an infinite one. */
-static void refuse_law(const struct columns *c, const struct column *column,
-                       struct law law)
-{
-    laws_complete(&law, column->d.mean, column->d.sd);
-    const double sd = laws_sd(&law);
-    if (!(sd > 0 && isfinite(sd)))
-        bad_input(c, "%s: no law has its standard deviation, %g",
-                  column->name, column->d.sd);
-}
-
+/* Describes a column, and refuses it if nothing can be written of it; also
+   if the law that takes its mean and standard deviation from the column has
+   no width, or an infinite one. */
 static void describe(struct columns *c, size_t i)
 {
     struct column *column = &c->column[i];
+    const bool own = !(c->against && i + 1 == c->count);
     if (!statistics_describe(c->rows, column->x, given.block, &column->d))
         no_memory(c);
     refuse_column(c, column);
-    if (given.laws > 0 && !(c->against && i + 1 == c->count))
-        refuse_law(c, column, given.law[given.laws > 1 ? i : 0]);
-    if (given.kind == HISTOGRAM && !(c->against && i + 1 == c->count))
-        refuse_bins(c, i);
-}
-
-/* Warns on standard error that errors are only lower bounds: that is no
-   part of the result and must not be missed. */
-static void note_bounds(const struct column *column)
-{
-    if (!column->d.plateau)
-        program_say(
-            "note: %s: %zu samples are too few; errors are lower bounds",
-            column->name, column->d.n);
-}
-
-static void print_description(const struct column *column,
-                              const struct statistics_description *d)
-{
-    table_print(given.out, "# %s [%s]: mean %.4g +- %.2g, sd %.4g +- %.2g",
-                column->name, column->unit, d->mean, d->mean_error, d->sd,
-                d->sd_error);
-    table_print(given.out, "\n#   %zu samples", d->n);
-    if (given.block)
-        table_print(given.out, " worth %.4g",
-                    (double)d->n / d->inefficiency);
-    table_print(given.out, "\n");
+    if (given.laws > 0 && own) {
+        struct law law = given.law[given.laws > 1 ? i : 0];
+        laws_complete(&law, column->d.mean, column->d.sd);
+        if (!(laws_sd(&law) > 0 && isfinite(laws_sd(&law))))
+            bad_input(c, "%s: no law has its standard deviation, %g",
+                      column->name, column->d.sd);
+    }
+    if (given.kind == HISTOGRAM && own) {
+        const struct column *column = &c->column[i];
+        const struct bins b = choose_bins(i, &column->d);
+        const double width = (b.high - b.low) / (double)b.count;
+        if (!isfinite(1 / width))
+            bad_input(
+                c,
+                "%s would have %zu bins from %g to %g, so narrow that no "
+                "number holds a density",
+                column->name, b.count, b.low, b.high);
+    }
 }
 
 /* Writes a row with nine digits. That is plenty for estimates that are
@@ -629,23 +571,6 @@ static void compare(const struct columns *c, size_t i,
                      {"against_probability", probability});
 }
 
-static void name_histogram(const struct columns *c)
-{
-    const char *unit = c->column[0].unit;
-    char inverse[NAME_LENGTH + 4];
-    snprintf(inverse, sizeof inverse, "1/(%.*s)", NAME_LENGTH, unit);
-    TABLE_COLUMNS(given.out, {"x", unit, "the centre of a bin"},
-                  {"count", "", "samples in the bin"},
-                  {"density", inverse, "count / samples / width"},
-                  {"error", inverse, "of the density"});
-    if (given.laws > 0)
-        table_column(given.out, "law", inverse,
-                     "mean of the law in the bin");
-    if (given.fit)
-        table_column(given.out, "fit", inverse,
-                     "mean of the fit in the bin");
-}
-
 /* Fits a law to a column. If that fails the histogram is still good. */
 static bool fit_column(const struct column *column,
                        const struct statistics_histogram *h,
@@ -669,9 +594,11 @@ static bool fit_column(const struct column *column,
     return true;
 }
 
-static struct statistics_histogram *count_column(
-    const struct columns *c, size_t i,
-    const struct statistics_description *d)
+/* Writes a row for each bin. The densities of law and fit are probabilities
+   of the bin divided by its width, not values at its centre: the two differ
+   in a wide bin, and the arcsine law is infinite at its ends. */
+static void write_histogram(const struct columns *c, size_t i,
+                            const struct statistics_description *d)
 {
     const struct bins b = choose_bins(i, d);
     struct statistics_histogram *h =
@@ -683,16 +610,6 @@ static struct statistics_histogram *count_column(
     TABLE_RESULTS_OF(given.summary, c->column[i].name,
                      {"bins", (double)h->bins},
                      {"outside", (double)(h->below + h->above)});
-    return h;
-}
-
-/* Writes a row for each bin. The densities of law and fit are probabilities
-   of the bin divided by its width, not values at its centre: the two differ
-   in a wide bin, and the arcsine law is infinite at its ends. */
-static void write_histogram(const struct columns *c, size_t i,
-                            const struct statistics_description *d)
-{
-    struct statistics_histogram *h = count_column(c, i, d);
     struct statistics_gaussian fit = {0};
     struct law law = given.law[given.laws > 1 ? i : 0];
     bool fitted = given.fit && fit_column(&c->column[i], h, d, &fit);
@@ -717,35 +634,6 @@ static void write_histogram(const struct columns *c, size_t i,
     free(h);
 }
 
-static void name_columns(void)
-{
-    static const char *const names[][2] = {
-        {"column", "number in the file"},
-        {"samples", "how many"},
-        {"mean", "their mean"},
-        {"mean_error", "its error"},
-        {"sd", "standard deviation"},
-        {"sd_error", "its error"},
-        {"kurtosis", "3 for a Gaussian"},
-        {"kurtosis_error", "its error"},
-        {"inefficiency", "samples to one independent one"},
-        {"block", "samples in the longest block"},
-        {"plateau", "0: the errors are lower bounds"}};
-    for (size_t i = 0; i < sizeof names / sizeof names[0]; ++i)
-        table_column(given.out, names[i][0],
-                     i >= 2 && i <= 5 ? "its own" : "", names[i][1]);
-}
-
-static void write_row(const struct columns *c, size_t i,
-                      const struct statistics_description *d)
-{
-    print_row(given.out, 11,
-              (double[]){(double)c->column[i].number, (double)d->n, d->mean,
-                         d->mean_error, d->sd, d->sd_error, d->kurtosis,
-                         d->kurtosis_error, d->inefficiency,
-                         (double)d->block, d->plateau});
-}
-
 /* Returns a copy of column i in units of its size, to be freed. */
 static double *in_unit(const struct columns *c, size_t i)
 {
@@ -767,19 +655,6 @@ static double *squares_of(const struct columns *c, size_t i)
     for (size_t k = 0; k < c->rows; ++k)
         y[k] = (y[k] - mean) * (y[k] - mean);
     return y;
-}
-
-static void name_blocks(const struct columns *c)
-{
-    const char *unit = c->column[0].unit;
-    char square[NAME_LENGTH + 4];
-    snprintf(square, sizeof square, "(%.*s)^2", NAME_LENGTH, unit);
-    TABLE_COLUMNS(given.out, {"length", "", "samples in a block"},
-                  {"blocks", "", "how many"},
-                  {"error", unit, "of the mean of x"},
-                  {"uncertainty", unit, "of that error"},
-                  {"error2", square, "of the variance"},
-                  {"uncertainty2", square, "of that error"});
 }
 
 static void write_blocks(const struct columns *c, size_t i)
@@ -808,15 +683,6 @@ static void write_blocks(const struct columns *c, size_t i)
         {"block_error", b.error}, {"block_error2", b2.error * square},
         {"block_naive", b.level[0].error},
         {"block_naive2", b2.level[0].error * square});
-}
-
-static void name_correlation(void)
-{
-    TABLE_COLUMNS(given.out, {"lag", "", "samples apart"},
-                  {"rho", "", "correlation of x"},
-                  {"g", "", "1 + 2 sum of rho up to here"},
-                  {"rho2", "", "correlation of (x - mean)^2"},
-                  {"g2", "", "1 + 2 sum of rho2 up to here"});
 }
 
 /* Writes lags up to twice the window, which shows what the window cuts
@@ -885,15 +751,6 @@ static double error_by(int way, size_t n, const double y[],
     return b.error;
 }
 
-static void name_cost(void)
-{
-    bench_machine(given.out);
-    TABLE_COLUMNS(given.out, {"way", "", "how the error is found"},
-                  {"error", "its own", "of the variance of x"},
-                  {"uncertainty", "its own", "of that error"},
-                  {"time", "ns", "of the processor, a sample"});
-}
-
 /* Measures the cost of each way to estimate an error. The first round fills
    the caches; its times are overwritten. The ways take turns, so that a
    disturbance of the machine falls on all of them. */
@@ -919,38 +776,113 @@ static void write_cost(const struct columns *c, size_t i,
     free(y);
 }
 
+/* Writes the head: command and seed of the data, and the columns. */
 static void begin_table(const struct columns *c)
 {
-    table_begin(given.out, given.command, c->seed);
+    struct table *const out = given.out;
+    const char *unit = c->column[0].unit;
+    char inverse[NAME_LENGTH + 4], square[NAME_LENGTH + 4];
+    snprintf(inverse, sizeof inverse, "1/(%.*s)", NAME_LENGTH, unit);
+    snprintf(square, sizeof square, "(%.*s)^2", NAME_LENGTH, unit);
+    table_begin(out, given.command, c->seed);
     if (c->made_by)
-        table_print(given.out, "# data: %s", c->made_by);
+        table_print(out, "# data: %s", c->made_by);
     table_count(given.summary, "samples", c->rows);
     table_count(given.summary, "columns", c->count - c->against);
     switch (given.kind) {
-    case HISTOGRAM: name_histogram(c); break;
-    case COLUMNS: name_columns(); break;
-    case BLOCKS: name_blocks(c); break;
-    case CORRELATION: name_correlation(); break;
-    case COST: name_cost(); break;
+    case HISTOGRAM:
+        TABLE_COLUMNS(out, {"x", unit, "the centre of a bin"},
+                      {"count", "", "samples in the bin"},
+                      {"density", inverse, "count / samples / width"},
+                      {"error", inverse, "of the density"});
+        if (given.laws > 0)
+            table_column(out, "law", inverse, "mean of the law in the bin");
+        if (given.fit)
+            table_column(out, "fit", inverse, "mean of the fit in the bin");
+        break;
+    case COLUMNS:
+        TABLE_COLUMNS(
+            out, {"column", "", "number in the file"},
+            {"samples", "", "how many"}, {"mean", "its own", "their mean"},
+            {"mean_error", "its own", "its error"},
+            {"sd", "its own", "standard deviation"},
+            {"sd_error", "its own", "its error"},
+            {"kurtosis", "", "3 for a Gaussian"},
+            {"kurtosis_error", "", "its error"},
+            {"inefficiency", "", "samples to one independent one"},
+            {"block", "", "samples in the longest block"},
+            {"plateau", "", "0: the errors are lower bounds"});
+        break;
+    case BLOCKS:
+        TABLE_COLUMNS(out, {"length", "", "samples in a block"},
+                      {"blocks", "", "how many"},
+                      {"error", unit, "of the mean of x"},
+                      {"uncertainty", unit, "of that error"},
+                      {"error2", square, "of the variance"},
+                      {"uncertainty2", square, "of that error"});
+        break;
+    case CORRELATION:
+        TABLE_COLUMNS(out, {"lag", "", "samples apart"},
+                      {"rho", "", "correlation of x"},
+                      {"g", "", "1 + 2 sum of rho up to here"},
+                      {"rho2", "", "correlation of (x - mean)^2"},
+                      {"g2", "", "1 + 2 sum of rho2 up to here"});
+        break;
+    case COST:
+        bench_machine(out);
+        TABLE_COLUMNS(out, {"way", "", "how the error is found"},
+                      {"error", "its own", "of the variance of x"},
+                      {"uncertainty", "its own", "of that error"},
+                      {"time", "ns", "of the processor, a sample"});
+        break;
     }
 }
+
+/* Writes what is found in a column. That errors are only lower bounds is
+   said on standard error: it is no part of the result, and must not be
+   missed. */
 static void write_column(const struct columns *c, size_t i)
 {
     if (c->against && i + 1 == c->count)
         return;
     const struct statistics_description *d = &c->column[i].d;
-    note_bounds(&c->column[i]);
-    summarise_column(&c->column[i], d);
+    const struct column *column = &c->column[i];
+    if (!d->plateau)
+        program_say(
+            "note: %s: %zu samples are too few; errors are lower bounds",
+            column->name, d->n);
+    const double root = sqrt((double)d->n / d->inefficiency);
+    TABLE_RESULTS_OF(
+        given.summary, column->name, {"mean", d->mean},
+        {"mean_error", d->mean_error}, {"mean_naive", d->naive_error},
+        {"sd", d->sd}, {"sd_error", d->sd_error}, {"kurtosis", d->kurtosis},
+        {"kurtosis_error", d->kurtosis_error}, {"least", d->least},
+        {"greatest", d->greatest}, {"inefficiency", d->inefficiency},
+        {"effective", root * root}, {"block", (double)d->block},
+        {"plateau", d->plateau});
     if (given.kind != COLUMNS)
         table_print(given.out, i > 0 ? "\n\n" : "");
-    print_description(&c->column[i], d);
+    table_print(given.out, "# %s [%s]: mean %.4g +- %.2g, sd %.4g +- %.2g",
+                column->name, column->unit, d->mean, d->mean_error, d->sd,
+                d->sd_error);
+    table_print(given.out, "\n#   %zu samples", d->n);
+    if (given.block)
+        table_print(given.out, " worth %.4g",
+                    (double)d->n / d->inefficiency);
+    table_print(given.out, "\n");
     if (given.laws > 0)
         test_law(c, i, d);
     if (c->against)
         compare(c, i, d);
     switch (given.kind) {
     case HISTOGRAM: write_histogram(c, i, d); break;
-    case COLUMNS: write_row(c, i, d); break;
+    case COLUMNS:
+        print_row(given.out, 11,
+                  (double[]){(double)column->number, (double)d->n, d->mean,
+                             d->mean_error, d->sd, d->sd_error, d->kurtosis,
+                             d->kurtosis_error, d->inefficiency,
+                             (double)d->block, d->plateau});
+        break;
     case BLOCKS: write_blocks(c, i); break;
     case CORRELATION: write_correlation(c, i, d); break;
     case COST: write_cost(c, i, d); break;
@@ -970,6 +902,8 @@ int main(int argc, char *argv[])
     begin_table(&c);
     for (size_t i = 0; i < c.count; ++i)
         write_column(&c, i);
-    free_columns(&c);
+    for (size_t i = 0; i < c.count; ++i)
+        free(c.column[i].x);
+    free(c.made_by);
     return program_close(given.out, given.summary, true);
 }

@@ -393,11 +393,13 @@ static void study_gases(struct study *s)
 
 enum { CROSSINGS = 8 };
 
-/* Finds when the mean piston crosses the middle, by straight lines between
-   rows. Returns how often, at most CROSSINGS. */
-static size_t find_crossings(const struct run_rows *r,
-                             double times[CROSSINGS])
+/* Writes how often the mean piston crosses the middle, at most CROSSINGS
+   times, and the periods, by straight lines between rows. With fewer than
+   four crossings the periods have no scatter, and are not written. */
+static void summarise_crossings(struct table *summary,
+                                const struct run_rows *r)
 {
+    double times[CROSSINGS], sum = 0, square = 0;
     const double middle = own.piston.length / 2;
     size_t n = 0;
     for (size_t i = 0; i + 1 < r->rows && n < CROSSINGS; ++i) {
@@ -406,16 +408,6 @@ static size_t find_crossings(const struct run_rows *r,
             times[n++] =
                 a[0] + (middle - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);
     }
-    return n;
-}
-
-/* Writes the periods. With fewer than four crossings they have no scatter,
-   and nothing is written. */
-static void summarise_crossings(struct table *summary,
-                                const struct run_rows *r)
-{
-    double times[CROSSINGS], sum = 0, square = 0;
-    const size_t n = find_crossings(r, times);
     table_count(summary, "crossings", n);
     for (size_t i = 2; i < n; ++i) {
         sum += times[i] - times[i - 2];
@@ -636,16 +628,7 @@ static void check_settings(struct options *o, const char *study)
 
 /* The defaults are those of the eleven particles. A start that is not a
    number stands for the middle of the box. */
-int main(int argc, char *argv[])
-{
-    const struct study_program program = {
-        .name = PROGRAM,
-        .purpose = "A piston between two adiabatic springs of gas.",
-        .events = "steps",
-        .studies = studies,
-        .usual = "run",
-        .options = entries,
-        .take = take_option,
-        .check = check_settings};
-    return study_main(&program, argc, argv);
-}
+STUDY_MAIN(.name = PROGRAM,
+           .purpose = "A piston between two adiabatic springs of gas.",
+           .events = "steps", .studies = studies, .usual = "run",
+           .options = entries, .take = take_option, .check = check_settings)

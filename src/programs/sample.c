@@ -297,15 +297,6 @@ static bool begin_run(struct run *run)
     return false;
 }
 
-static void end_run(struct run *run)
-{
-    sampling_free(&run->p);
-    means_free(&run->bins);
-    means_free(&run->numbers);
-    free(run->start);
-    free(run->row);
-}
-
 /* Throws until all disks fit. Returns false after a signal, or if they do
    not seem to fit: no rule tells whether so many do, so the throws
    themselves decide. At an acceptance of 2e-7 a hundred million of them,
@@ -566,21 +557,6 @@ static void write_number(struct table *out, const struct run *run,
         {with, factor * means_error(&run->numbers, quantity)});
 }
 
-/* Writes the acceptance and its error. That of direct sampling is one over
-   the mean number of throws per sample: its error is acceptance^2 times
-   that of the mean. */
-static void write_acceptance(struct table *out, const struct run *run)
-{
-    const double acceptance = (double)run->accepted / (double)run->tries;
-    const double error = means_error(&run->numbers, ACCEPTANCE);
-    const double slope =
-        given.method == DIRECT ? acceptance * acceptance : 1;
-    table_count(out, "samples", run->done);
-    table_count(out, "tries", run->tries);
-    TABLE_RESULTS(out, {"acceptance", acceptance},
-                  {"acceptance_error", slope * error});
-}
-
 /* Returns how far the large disks have come since the warm-up, root mean
    square, m: it tells whether a Markov chain moves at all. */
 static double distance_moved(const struct run *run)
@@ -596,7 +572,9 @@ static double distance_moved(const struct run *run)
 }
 
 /* Writes the summary, without the results that mean nothing for one disk
-   or among small ones. By symmetry the mean x of every disk is the middle
+   or among small ones. The acceptance of direct sampling is one over the
+   mean number of throws per sample: its error is acceptance^2 times that of
+   the mean. By symmetry the mean x of every disk is the middle
    of the box; whether disk 1 has been there shows whether a chain has
    forgotten its start. */
 static void write_summary(struct table *out, const struct run *run)
@@ -604,7 +582,14 @@ static void write_summary(struct table *out, const struct run *run)
     static const char *const walls[] = {"Z_wall_x", "Z_wall_y", "Z_wall_z"};
     const double per_contact =
         (double)(given.large - 1) * given.radius / (double)given.dimensions;
-    write_acceptance(out, run);
+    const double acceptance = (double)run->accepted / (double)run->tries;
+    const double error = means_error(&run->numbers, ACCEPTANCE);
+    const double slope =
+        given.method == DIRECT ? acceptance * acceptance : 1;
+    table_count(out, "samples", run->done);
+    table_count(out, "tries", run->tries);
+    TABLE_RESULTS(out, {"acceptance", acceptance},
+                  {"acceptance_error", slope * error});
     if (given.boundary == DISKS_WALLS)
         for (size_t k = 0; k < given.dimensions; ++k)
             write_number(out, run, walls[k], WALL + k, given.box[k], 0);
@@ -663,6 +648,10 @@ int main(int argc, char *argv[])
         program_leave(EXIT_FAILURE);
     take_samples(&run);
     const int status = finish(&run, summary);
-    end_run(&run);
+    sampling_free(&run.p);
+    means_free(&run.bins);
+    means_free(&run.numbers);
+    free(run.start);
+    free(run.row);
     return status;
 }

@@ -52,30 +52,16 @@ static struct {
            .checkpoint = 60,
            .summary = "/dev/null"};
 
-/* The names of --method and their help are read from the table of methods
-   in stepping.c. GSL's adaptive method is asked for by its name like the
-   others, though it is not in that table. */
+/* The names of --method, their help, and the headings of the options that
+   belong to adaptive methods and to the others are made from the table of
+   methods in stepping.c. GSL's adaptive method is asked for by its name
+   like the others, though it is not in that table. */
 static const char *method_names[STEPPING_MOST + 2];
 static const char outside_name[] = "rk8pd";
 static char method_help[128 * STEPPING_MOST] = "how to step:";
 static char adaptive_names[64 * STEPPING_MOST];
 static char adaptive_heading[80 * STEPPING_MOST];
 static char equal_heading[80 * STEPPING_MOST];
-
-/* Makes the headings under which --help lists the options that belong to
-   adaptive methods and to the others. */
-static void list_adaptive(void)
-{
-    char *names = adaptive_names;
-    for (const struct stepping_method *m = stepping_methods; m->name; ++m)
-        if (m->adaptive)
-            names += sprintf(names, "%s%s", *adaptive_names ? ", " : "",
-                             m->name);
-    sprintf(adaptive_heading, "--method %s, %s", adaptive_names,
-            outside_name);
-    sprintf(equal_heading, "no --method %s, %s", adaptive_names,
-            outside_name);
-}
 
 static void list_methods(void)
 {
@@ -89,7 +75,15 @@ static void list_methods(void)
     method_names[n] = outside_name;
     sprintf(help, "\n%s: GSL's, adaptive within each step\n(leapfrog)",
             outside_name);
-    list_adaptive();
+    char *names = adaptive_names;
+    for (const struct stepping_method *m = stepping_methods; m->name; ++m)
+        if (m->adaptive)
+            names += sprintf(names, "%s%s", *adaptive_names ? ", " : "",
+                             m->name);
+    sprintf(adaptive_heading, "--method %s, %s", adaptive_names,
+            outside_name);
+    sprintf(equal_heading, "no --method %s, %s", adaptive_names,
+            outside_name);
 }
 
 enum ending { WHOLE, INTERRUPTED, INFINITE, STUCK, TOO_MUCH, UNWRITTEN };
@@ -103,7 +97,8 @@ struct watch {
     double when;     /* s: its time */
     uint64_t passed; /* pairs that a step took through each other, before
                         this process */
-    double overlap;  /* of bodies at the start, m */
+    double overlap;  /* of bodies with sudden contacts, or of these with
+                        walls, at the start, m; 0: rounding at most */
 };
 
 struct run {
@@ -152,41 +147,6 @@ static bool use_reference(void *with, double dt, double x[], double v[])
     return reference_step(with, dt, x, v);
 }
 
-/* Sets up GSL's method: the motion is begun with leapfrog, which gives it
-   time and forces, and then stepped by the reference. */
-static void choose_outside(struct run *r)
-{
-    struct motion *m = &r->motion;
-    if (strcmp(given.method, outside_name) != 0)
-        return;
-    program_memory(
-        reference_begin(&r->reference, m->stepping.forces, given.tolerance),
-        "for the reference");
-    m->outside = use_reference;
-    m->with = &r->reference;
-}
-
-/* Sets the threads. To wake one takes as long as the attraction of some
-   hundred bodies or some thousand springs, and much longer on a busy
-   machine; so fewer bodies are never divided between threads. The bytes are
-   the same, and the summary has the number used. */
-static void set_threads(struct motion *m, int threads)
-{
-    if (m->attracts && m->gravity.bodies >= GRAVITY_MANY)
-        m->gravity.threads = threads;
-    if (m->bound && m->springs.bodies >= SPRINGS_SHARE &&
-        !springs_threads(&m->springs, threads))
-        program_give_up("no memory for the threads");
-}
-
-/* Returns for how many threads there is work. */
-static int threads_used(const struct motion *m)
-{
-    const int pulling = m->attracts ? m->gravity.threads : 1;
-    const int bound = m->bound ? m->springs.threads : 1;
-    return pulling > bound ? pulling : bound;
-}
-
 /* Opens the device of --kernel opencl before the first step, or refuses. */
 static void open_device(struct run *r)
 {
@@ -207,7 +167,12 @@ static void open_device(struct run *r)
     g->device = r->device;
 }
 
-/* Begins the motion and hands the settings to its parts. */
+/* Begins the motion and hands the settings to its parts. GSL's method takes
+   time and forces from a motion that is begun with leapfrog. To wake a
+   thread takes as long as the attraction of some hundred bodies or some
+   thousand springs, and much longer on a busy machine; so fewer bodies are
+   never divided between threads. The bytes do not depend on the threads,
+   and the summary has the number used. */
 static void set_in_motion(struct run *r)
 {
     struct motion *m = &r->motion;
@@ -219,16 +184,26 @@ static void set_in_motion(struct run *r)
         m->stepping.compensated = given.sums == SUMS_COMPENSATED;
     m->stepping.tolerance = given.tolerance;
     m->gravity.kernel = (enum gravity_kernel)given.kernel;
-    if (m->gravity.kernel == GRAVITY_TREE && m->attracts &&
-        !gravity_use_tree(&m->gravity, given.theta))
-        program_give_up("no memory for the tree");
-    set_threads(m, given.threads);
+    if (m->gravity.kernel == GRAVITY_TREE && m->attracts)
+        program_memory(gravity_use_tree(&m->gravity, given.theta),
+                       "for the tree");
+    if (m->attracts && m->gravity.bodies >= GRAVITY_MANY)
+        m->gravity.threads = given.threads;
+    if (m->bound && m->springs.bodies >= SPRINGS_SHARE)
+        program_memory(springs_threads(&m->springs, given.threads),
+                       "for the threads");
     m->spheres.rule = (enum spheres_rule)given.rule;
     m->spheres.shift = (enum spheres_shift)given.shift;
     m->spheres.order = (enum spheres_order)given.order;
-    choose_outside(r);
-    if (given.contact == LOCATED && m->collides && !motion_locate(m))
-        program_give_up("no memory for the contacts");
+    if (outside) {
+        program_memory(reference_begin(&r->reference, m->stepping.forces,
+                                       given.tolerance),
+                       "for the reference");
+        m->outside = use_reference;
+        m->with = &r->reference;
+    }
+    if (given.contact == LOCATED && m->collides)
+        program_memory(motion_locate(m), "for the contacts");
 }
 
 /* Returns the number of steps of dt in a time; *whole: whether it is one.
@@ -273,13 +248,6 @@ static void set_rows(struct run *r, double start)
                        given.every, dt, nearest);
 }
 
-static void track_all(struct run *r)
-{
-    r->tracks = r->scene.bodies;
-    for (size_t i = 0; i < r->tracks; ++i)
-        r->tracked[i] = i;
-}
-
 /* Reads the bodies of --track, in the order given. */
 static void track(struct run *r, const char *text)
 {
@@ -313,7 +281,8 @@ static void choose_columns(struct run *r)
     if (given.track)
         track(r, given.track);
     else if (!given.observe)
-        track_all(r);
+        for (; r->tracks < r->scene.bodies; ++r->tracks)
+            r->tracked[r->tracks] = r->tracks;
     r->columns = 1 + r->observables.columns + 6 * r->tracks;
     r->row = malloc(r->columns * sizeof *r->row);
     program_memory(r->row, "for a row");
@@ -326,20 +295,6 @@ static void write_head(struct run *r)
     table_column(r->out, "t", "time", "time, in the units of the scene");
     observables_head(&r->observables, r->out);
     observables_head_states(r->out, r->tracks, r->tracked);
-}
-
-/* Writes a row to FILE.rows, or straight into a table that cannot be
-   resumed. */
-static bool write_row(struct run *r)
-{
-    double *next = r->row;
-    *next++ = motion_time(&r->motion);
-    observables_values(&r->observables, &r->motion, next);
-    next += r->observables.columns;
-    observables_states(&r->motion, r->tracks, r->tracked, next);
-    ++r->rows;
-    return r->kept ? checkpoint_row(&r->checkpoint, r->columns, r->row)
-                   : table_row(r->out, r->columns, r->row);
 }
 
 static double below_zero(double energy)
@@ -384,15 +339,6 @@ static double rounding_energy(const struct scene *s)
     return 1e-10 * size * (1e-10 * size) * sum;
 }
 
-/* Returns by how much bodies with sudden contacts overlap, or are beyond
-   walls, m; 0: nowhere by more than rounding. */
-static double find_overlap(const struct run *r)
-{
-    const struct spheres *p = &r->motion.spheres;
-    const double depth = r->motion.collides ? spheres_depth(&r->scene) : 0;
-    return depth > 1e-9 * p->widest ? depth : 0;
-}
-
 /* Finds the energy at the start. If it is not finite no shorter step will
    help, and the scene is refused. */
 static void begin_watch(struct run *r)
@@ -400,7 +346,8 @@ static void begin_watch(struct run *r)
     r->watch.depth = rounding_energy(&r->scene);
     find_energy(r);
     r->watch.start = r->energy;
-    r->watch.overlap = find_overlap(r);
+    const double depth = r->motion.collides ? spheres_depth(&r->scene) : 0;
+    r->watch.overlap = depth > 1e-9 * r->motion.spheres.widest ? depth : 0;
     if (!isfinite(r->energy))
         program_refuse("the energy at the start is %g, expected a number: "
                        "are two bodies in one place, without a line soft?",
@@ -424,15 +371,6 @@ static bool energy_is_in_bounds(struct run *r)
     return true;
 }
 
-/* The energy is also looked up between rows, at steps whose numbers are
-   powers of two: a run that blows up between its first rows would leave
-   nothing to see. There are few of them, and they depend on nothing but the
-   count. Bound and error of the energy go by the rows alone. */
-static bool is_power_of_two(uint64_t n)
-{
-    return n > 0 && (n & (n - 1)) == 0;
-}
-
 /* Returns the number of steps to the next power of two. */
 static uint64_t to_power_of_two(uint64_t steps)
 {
@@ -440,12 +378,6 @@ static uint64_t to_power_of_two(uint64_t steps)
     while (power <= steps)
         power *= 2;
     return power - steps;
-}
-
-/* Remembers the energy between two rows. */
-static void note_energy(struct run *r)
-{
-    add_up(r, motion_energy(&r->motion));
 }
 
 /* Returns whether the energy should stay as it is: without friction,
@@ -681,14 +613,22 @@ static enum ending run_batch(struct run *r, uint64_t *batch)
     return ending_of(end);
 }
 
-/* Writes a row, unless its energy is out of bounds; that of the first row
-   was examined at the start. */
+/* Writes a row to FILE.rows, or straight into a table that cannot be
+   resumed, unless its energy is out of bounds; that of the first row was
+   examined at the start. */
 static enum ending add_row(struct run *r)
 {
     if (r->rows > 0 && !energy_is_in_bounds(r))
         return TOO_MUCH;
-    r->time = motion_time(&r->motion);
-    return write_row(r) ? WHOLE : UNWRITTEN;
+    r->row[0] = r->time = motion_time(&r->motion);
+    observables_values(&r->observables, &r->motion, r->row + 1);
+    observables_states(&r->motion, r->tracks, r->tracked,
+                       r->row + 1 + r->observables.columns);
+    ++r->rows;
+    const bool good =
+        r->kept ? checkpoint_row(&r->checkpoint, r->columns, r->row)
+                : table_row(r->out, r->columns, r->row);
+    return good ? WHOLE : UNWRITTEN;
 }
 
 /* Takes a shorter last step to the end. The checkpoint before it is the
@@ -705,8 +645,11 @@ static enum ending take_last_step(struct run *r)
 }
 
 /* Runs to the end. A checkpoint is never written between the step that
-   makes a row and that row, so that no row is lost between two
-   processes. */
+   makes a row and that row, so that no row is lost between two processes.
+   The energy is also looked up between rows, at steps whose numbers are
+   powers of two: a run that blows up between its first rows would leave
+   nothing to see. These steps are few, and depend on nothing but the count.
+   Bound and error of the energy go by the rows alone. */
 static enum ending run_on(struct run *r)
 {
     const uint64_t *steps = &r->motion.stepping.steps;
@@ -719,8 +662,8 @@ static enum ending run_on(struct run *r)
         end = progress_signal() ? INTERRUPTED : run_batch(r, &batch);
         if (end == WHOLE && *steps % r->every == 0)
             end = add_row(r);
-        else if (end == WHOLE && is_power_of_two(*steps))
-            note_energy(r);
+        else if (end == WHOLE && (*steps & (*steps - 1)) == 0)
+            add_up(r, motion_energy(&r->motion));
         if (end == WHOLE && !keep_if_due(r, &kept))
             end = UNWRITTEN;
         progress_update(&r->progress, *steps, *steps);
@@ -811,22 +754,17 @@ static void refuse_companion(const char *option, const char *file)
                            file);
 }
 
-static void check_files(const struct run *r)
-{
-    if (!r->kept)
-        return;
-    refuse_scene_as_companion(".rows");
-    refuse_scene_as_companion(".checkpoint");
-    refuse_companion("summary", given.summary);
-    refuse_companion("save", given.save);
-}
-
 /* Reads the scene (returns false), or continues from a checkpoint
    (true). */
 static bool read_start(struct run *r, struct checkpoint_numbers *known)
 {
     r->kept = checkpoint_possible(given.output) && !contact_may_wait();
-    check_files(r);
+    if (r->kept) {
+        refuse_scene_as_companion(".rows");
+        refuse_scene_as_companion(".checkpoint");
+        refuse_companion("summary", given.summary);
+        refuse_companion("save", given.save);
+    }
     r->sum = checkpoint_sum(given.scene);
     const bool again =
         given.resume && r->kept && checkpoint_exists(given.output);
@@ -892,14 +830,6 @@ static bool make_table(struct run *r)
     return false;
 }
 
-/* Writes the last state as a scene. */
-static bool save_scene(struct run *r)
-{
-    program_memory(motion_note(&r->motion), "for the scene to be saved");
-    scene_write(&r->scene, r->save);
-    return table_close(r->save);
-}
-
 /* Completes the table and the saved scene; returns whether all was written.
    The checkpoint stays if the run was interrupted or a write failed, so
    that the run can be continued. An interrupted run, and a whole one whose
@@ -914,34 +844,24 @@ static bool close_outputs(struct run *r, enum ending end)
         keep_checkpoint(r);
     if (r->kept)
         checkpoint_end(&r->checkpoint, later);
-    if (good && r->save && (end == WHOLE || end == INTERRUPTED))
-        good = save_scene(r);
-    else
+    if (good && r->save && (end == WHOLE || end == INTERRUPTED)) {
+        program_memory(motion_note(&r->motion),
+                       "for the scene to be saved");
+        scene_write(&r->scene, r->save);
+        good = table_close(r->save);
+    } else
         table_discard(r->save);
     return good && end != UNWRITTEN;
 }
 
-/* Writes the energies into the summary: for a run that blew up, the last
-   energy that was seen, and when. */
-static void summarise_energy(const struct run *r, enum ending end)
-{
-    const bool lost = end == INFINITE || end == STUCK || end == TOO_MUCH;
-    const struct watch *w = &r->watch;
-    const double worst =
-        lost ? fmax(w->worst, fabs(w->seen - w->start)) : w->worst;
-    struct table *t = r->summary;
-    TABLE_RESULTS(
-        t, {"time", lost ? w->when : r->time}, {"energy_start", w->start},
-        {"energy", lost ? w->seen : r->energy},
-        {"energy_error", w->start != 0 ? worst / fabs(w->start) : worst});
-}
-
-/* Writes the summary; timings are here and never in the table. */
+/* Writes the summary. For a run that blew up it has the last energy that
+   was seen, and when. Timings are here and never in the table. */
 static void summarise(const struct run *r, enum ending end)
 {
     static const char *const names[] = {
         "whole", "interrupted", "infinite", "stuck", "energy", "unwritten"};
-    const struct stepping *p = &r->motion.stepping;
+    const struct motion *m = &r->motion;
+    const struct stepping *p = &m->stepping;
     static const char *const notes[] = {"none", "step", "energy", "passed",
                                         "overlap"};
     struct table *t = r->summary;
@@ -952,25 +872,32 @@ static void summarise(const struct run *r, enum ending end)
     table_text(t, "method", given.method);
     table_text(t, "sums",
                p->own || p->compensated ? "compensated" : "plain");
-    TABLE_RESULTS(
-        t, {"dt", r->motion.dt},
-        {"last_step", r->last_taken ? r->last_step : r->motion.dt});
+    TABLE_RESULTS(t, {"dt", m->dt},
+                  {"last_step", r->last_taken ? r->last_step : m->dt});
     table_count(t, "steps", r->last_taken ? r->last + 1 : p->steps);
     table_count(t, "rows", r->rows);
     table_count(t, "evaluations",
                 r->evaluations + p->evaluations + r->reference.evaluations);
-    table_count(t, "collisions", r->motion.collisions);
+    table_count(t, "collisions", m->collisions);
     table_text(t, "contact", contact_names[given.contact]);
-    table_count(t, "simultaneous", r->motion.impact.simultaneous);
-    table_count(t, "grazing", r->motion.impact.grazing);
-    table_count(t, "resting", r->motion.impact.resting);
-    summarise_energy(r, end);
+    table_count(t, "simultaneous", m->impact.simultaneous);
+    table_count(t, "grazing", m->impact.grazing);
+    table_count(t, "resting", m->impact.resting);
+    const bool lost = end == INFINITE || end == STUCK || end == TOO_MUCH;
+    const struct watch *w = &r->watch;
+    const double worst =
+        lost ? fmax(w->worst, fabs(w->seen - w->start)) : w->worst;
+    TABLE_RESULTS(
+        t, {"time", lost ? w->when : r->time}, {"energy_start", w->start},
+        {"energy", lost ? w->seen : r->energy},
+        {"energy_error", w->start != 0 ? worst / fabs(w->start) : worst});
     table_text(t, "kernel",
-               r->motion.attracts ? gravity_summed_by(&r->motion.gravity)
-                                  : "none");
+               m->attracts ? gravity_summed_by(&m->gravity) : "none");
     table_text(t, "vectors", vector_kind());
-    table_count(t, "threads", (uint64_t)threads_used(&r->motion));
-    TABLE_RESULTS(t, {"seconds", r->seconds},
+    const int pulling = m->attracts ? m->gravity.threads : 1;
+    const int bound = m->bound ? m->springs.threads : 1;
+    TABLE_RESULTS(t, {"threads", pulling > bound ? pulling : bound},
+                  {"seconds", r->seconds},
                   {"steps_per_second",
                    r->timed > r->taken / 10 ? (double)r->timed / r->stepped
                    : r->seconds > 0         ? (double)r->taken / r->seconds
@@ -1123,38 +1050,6 @@ static const char *const order_names[] = {"ascending", "descending",
 static const char *const sums_names[] = {"auto", "plain", "compensated",
                                          NULL};
 
-static void take_option(struct options *o, int option)
-{
-    switch (option) {
-    case OPTIONS_ARGUMENT:
-        given.scene = options_only(o, given.scene, "scene");
-        break;
-    case 't': given.until = options_real(o, -INFINITY, INFINITY); break;
-    case 'm':
-        given.method = method_names[options_choice(o, method_names)];
-        break;
-    case 's': given.dt = options_positive(o, INFINITY); break;
-    case 'd': given.every = options_positive(o, INFINITY); break;
-    case 'O': given.observe = options_text(o); break;
-    case 'T': given.track = options_text(o); break;
-    case 'c': given.sums = options_choice(o, sums_names); break;
-    case 'k': given.kernel = (int)options_choice(o, gravity_kernels); break;
-    case 'W': given.theta = options_real(o, 0, GRAVITY_WIDEST); break;
-    case 'j': given.threads = (int)options_count(o, 1, 1024); break;
-    case 'r': given.rule = options_choice(o, rule_names); break;
-    case 'x': given.shift = options_choice(o, shift_names); break;
-    case 'l': given.contact = options_choice(o, contact_names); break;
-    case 'p': given.order = options_choice(o, order_names); break;
-    case 'B': given.bound = options_positive(o, INFINITY); break;
-    case 'a': given.tolerance = options_real(o, 1e-15, 1); break;
-    case 'w': given.save = options_text(o); break;
-    case 'C': given.checkpoint = options_real(o, 0, INFINITY); break;
-    case 'R': given.resume = true; break;
-    case 'o': given.output = options_text(o); break;
-    case 'S': given.summary = options_text(o); break;
-    }
-}
-
 static void read_settings(struct options *o, int argc, char *argv[])
 {
     int option;
@@ -1163,7 +1058,36 @@ static void read_settings(struct options *o, int argc, char *argv[])
                   argv);
     options_keys(o, keys);
     while ((option = options_next(o)) != -1)
-        take_option(o, option);
+        switch (option) {
+        case OPTIONS_ARGUMENT:
+            given.scene = options_only(o, given.scene, "scene");
+            break;
+        case 't': given.until = options_real(o, -INFINITY, INFINITY); break;
+        case 'm':
+            given.method = method_names[options_choice(o, method_names)];
+            break;
+        case 's': given.dt = options_positive(o, INFINITY); break;
+        case 'd': given.every = options_positive(o, INFINITY); break;
+        case 'O': given.observe = options_text(o); break;
+        case 'T': given.track = options_text(o); break;
+        case 'c': given.sums = options_choice(o, sums_names); break;
+        case 'k':
+            given.kernel = (int)options_choice(o, gravity_kernels);
+            break;
+        case 'W': given.theta = options_real(o, 0, GRAVITY_WIDEST); break;
+        case 'j': given.threads = (int)options_count(o, 1, 1024); break;
+        case 'r': given.rule = options_choice(o, rule_names); break;
+        case 'x': given.shift = options_choice(o, shift_names); break;
+        case 'l': given.contact = options_choice(o, contact_names); break;
+        case 'p': given.order = options_choice(o, order_names); break;
+        case 'B': given.bound = options_positive(o, INFINITY); break;
+        case 'a': given.tolerance = options_real(o, 1e-15, 1); break;
+        case 'w': given.save = options_text(o); break;
+        case 'C': given.checkpoint = options_real(o, 0, INFINITY); break;
+        case 'R': given.resume = true; break;
+        case 'o': given.output = options_text(o); break;
+        case 'S': given.summary = options_text(o); break;
+        }
     given.command = options_command(o);
     check_settings(o);
 }

@@ -11,13 +11,11 @@
 /* Makes two disks in the scene of chapter 5. */
 static void make_disks(struct scene *s, double seed)
 {
-    const struct gallery_scene *g = gallery_find(hard_scenes, "four-disks");
-    double value[GALLERY_KEYS];
-    gallery_usual(g, value);
-    value[gallery_key(g, "particles")] = 2;
-    value[gallery_key(g, "seed")] = seed;
-    if (g->build(s, value))
-        program_give_up("no memory");
+    const char *wrong =
+        gallery_choose(s, hard_scenes, "four-disks",
+                       GALLERY_CHOICES({"particles", 2}, {"seed", seed}));
+    if (wrong)
+        program_give_up("%s", wrong);
 }
 
 /* Returns the mean pressure over a time T, as Z, from the virial of a whole
@@ -66,13 +64,9 @@ static void study_pair(struct study *s, double T, double seed)
     for (size_t c = 0; c < 2 * pair.bodies; ++c)
         pair.velocity[c] *= 1 + 1e-12 * (double)(c + 1);
     const bool given = f.sure != AVERAGES_OUT;
-    const double row[] = {T,
-                          seed,
-                          measure_pressure(&pair, T),
-                          given ? f.value : NAN,
-                          given ? f.error * f.scale : NAN,
-                          given ? f.time : NAN};
-    table_row(s->out, 6, row);
+    TABLE_ROW(s->out, T, seed, measure_pressure(&pair, T),
+              given ? f.value : NAN, given ? f.error * f.scale : NAN,
+              given ? f.time : NAN);
     scene_free(&pair);
 }
 
@@ -95,13 +89,6 @@ static void study_disks(struct study *s)
 static const struct study_entry studies[] = {
     {"disks", study_disks, "two disks and ever longer times", NULL}, {0}};
 
-int main(int argc, char *argv[])
-{
-    const struct study_program program = {
-        .name = PROGRAM,
-        .purpose = "Study means over a time, and what is said of them.",
-        .events = "rows",
-        .studies = studies,
-        .usual = "disks"};
-    return study_main(&program, argc, argv);
-}
+STUDY_MAIN(.name = PROGRAM,
+           .purpose = "Study means over a time, and what is said of them.",
+           .events = "rows", .studies = studies, .usual = "disks")

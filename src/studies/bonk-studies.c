@@ -114,8 +114,7 @@ static void make_path(struct path *p, const struct scene *s)
 {
     p->size = 3 * s->bodies;
     p->x = malloc(ROWS * p->size * sizeof *p->x);
-    if (!p->x)
-        fail("no memory for a path");
+    program_memory(p->x, "for a path");
 }
 
 /* Runs the plan for at most `limit` seconds by the price list, and fills p
@@ -323,8 +322,7 @@ static void begin_flight(struct flight *f, const struct scene *s)
     *f = (struct flight){.bodies = n, .scene = s};
     f->x = malloc(7 * n * sizeof *f->x);
     f->next = malloc(n * sizeof *f->next);
-    if (!f->x || !f->next)
-        fail("no memory for a flight");
+    program_memory(f->x && f->next, "for a flight");
     f->v = f->x + 3 * n;
     f->inverse = f->v + 3 * n;
     for (size_t c = 0; c < 3 * n; ++c) {
@@ -372,8 +370,7 @@ static bool run_with_carries(struct path *p, struct models_plan plan,
                              const struct scene *s, double every)
 {
     struct scene fine;
-    if (!scene_copy(&fine, s))
-        fail("no memory for a scene");
+    program_memory(scene_copy(&fine, s), "for a scene");
     if (!fine.carry)
         fine.carry = calloc(6 * s->bodies, sizeof *fine.carry);
     const bool done = run_plan(p, &plan, &fine, every, 10);
@@ -828,8 +825,7 @@ static void ask_chooser(struct pick *p, struct map *m, double tolerance)
                                      .budget = CHOOSE_BUDGET};
     struct choose_choice c;
     *p = (struct pick){.point = {.cost = NAN, .error = NAN}};
-    if (!choose(&c, &q))
-        fail("no memory to choose");
+    program_memory(choose(&c, &q), "to choose");
     p->deciding = c.spent - c.run.cost;
     p->horizon = c.horizon;
     take_pick(p, m, &c.run);
@@ -890,20 +886,6 @@ static void write_points(const struct map *m, struct table *out)
         write_way(p, out);
         table_print(out, "\n");
     }
-}
-
-static void write_head(struct table *out)
-{
-    table_print(out,
-                "# picks: name and digits of the tolerance; then plan, "
-                "error, cost (s)\n");
-    table_print(out, "# of the pick, of the cheapest that holds, of the "
-                     "cheapest with another\n");
-    table_print(out, "# model, of the finest plain way, of the classic "
-                     "method with steps halved;\n");
-    table_print(out, "# what deciding cost (s); the horizon (s)\n");
-    table_print(out, "# others: name; 1 if on the front; plan, error, "
-                     "cost\n");
 }
 
 /* A run with many units of one kind of work and few of the others, which
@@ -1045,28 +1027,6 @@ static int judge(struct map *m, const struct pick *p, double tolerance)
     return best && p->point.cost > 1.13 * best->cost ? 2 : 0;
 }
 
-/* Writes the picks of a scene, then all its points. */
-static void write_map(struct map *m, struct study *s, size_t faults[4])
-{
-    for (int k = 0; k < TOLERANCES; ++k) {
-        struct pick pick;
-        ask_chooser(&pick, m, tolerances[k]);
-        write_pick(m, &pick, k, s->out);
-        ++faults[judge(m, &pick, tolerances[k])];
-    }
-    write_points(m, s->out);
-}
-
-static void write_summary(const size_t faults[4], double unsure,
-                          struct table *out)
-{
-    table_real(out, "unsure", unsure);
-    table_count(out, "good", faults[0]);
-    table_count(out, "beyond", faults[1]);
-    table_count(out, "dear", faults[2]);
-    table_count(out, "refused", faults[3]);
-}
-
 static const struct table_key atlas_keys[] = {
     {"unsure", "1", "error of the truth, largest"},
     {"good", "1", "choices"},
@@ -1075,21 +1035,34 @@ static const struct table_key atlas_keys[] = {
     {"refused", "1", "wrongly"},
     {0}};
 
-/* Maps all scenes, or the one that was asked for: so the maps can be made
-   on many machines, and `make atlas` joins them byte for byte to what one
-   run would have written. Counts of the last lines can be added; of the
-   errors of the truth the largest counts. */
+/* Maps all scenes, or the one of --scene, so that the maps can be made on
+   many machines. `make atlas` joins their tables byte for byte to what one
+   run would have written: counts of the last lines are added, and of the
+   errors of the truth the largest is taken. The picks of a scene come
+   first, then all its points. */
 static void study_atlas(struct study *s)
 {
     static struct map m;
     size_t faults[4] = {0};
     double unsure = 0;
-    write_head(s->out);
+    table_print(s->out,
+                "# picks: name and digits of the tolerance; then plan, "
+                "error, cost (s)\n# of the pick, of the cheapest that "
+                "holds, of the cheapest with another\n# model, of the "
+                "finest plain way, of the classic method with steps "
+                "halved;\n# what deciding cost (s); the horizon (s)\n"
+                "# others: name; 1 if on the front; plan, error, cost\n");
     for (size_t i = 0; subjects[i].name && !progress_signal(); ++i) {
         if (own.scene && strcmp(own.scene, subjects[i].name) != 0)
             continue;
         make_map(&m, &subjects[i]);
-        write_map(&m, s, faults);
+        for (int k = 0; k < TOLERANCES; ++k) {
+            struct pick pick;
+            ask_chooser(&pick, &m, tolerances[k]);
+            write_pick(&m, &pick, k, s->out);
+            ++faults[judge(&m, &pick, tolerances[k])];
+        }
+        write_points(&m, s->out);
         unsure = fmax(unsure, m.truth.unsure);
         free(m.truth.path.x);
         free(m.path.x);
@@ -1099,7 +1072,10 @@ static void study_atlas(struct study *s)
                 "#= unsure %.3g\n#= good %zu\n#= beyond %zu\n"
                 "#= dear %zu\n#= refused %zu\n",
                 unsure, faults[0], faults[1], faults[2], faults[3]);
-    write_summary(faults, unsure, s->summary);
+    TABLE_RESULTS(
+        s->summary, {"unsure", unsure}, {"good", (double)faults[0]},
+        {"beyond", (double)faults[1]}, {"dear", (double)faults[2]},
+        {"refused", (double)faults[3]});
 }
 
 static void study_scenes(struct study *s)
@@ -1144,22 +1120,17 @@ static void take_option(struct options *o, int letter)
     own.scene = options_text(o);
 }
 
-int main(int argc, char *argv[])
-{
-    static const struct study_entry studies[] = {
-        {"atlas", study_atlas, "error and cost of all models", atlas_keys},
-        {"scenes", study_scenes, "the scenes of the atlas", NULL},
-        {"prices", study_prices, "what the units of cost cost here", NULL},
-        {0}};
-    static const struct options_entry own[] = {
-        {"", 0, NULL, "--study atlas"},
-        {"scene", 'c', "NAME", "this scene only"},
-        {0}};
-    const struct study_program p = {.name = PROGRAM,
-                                    .purpose = "Measure what is enough.",
-                                    .events = "runs",
-                                    .studies = studies,
-                                    .options = own,
-                                    .take = take_option};
-    return study_main(&p, argc, argv);
-}
+static const struct study_entry studies[] = {
+    {"atlas", study_atlas, "error and cost of all models", atlas_keys},
+    {"scenes", study_scenes, "the scenes of the atlas", NULL},
+    {"prices", study_prices, "what the units of cost cost here", NULL},
+    {0}};
+
+static const struct options_entry entries[] = {
+    {"", 0, NULL, "--study atlas"},
+    {"scene", 'c', "NAME", "this scene only"},
+    {0}};
+
+STUDY_MAIN(.name = PROGRAM, .purpose = "Measure what is enough.",
+           .events = "runs", .studies = studies, .options = entries,
+           .take = take_option)

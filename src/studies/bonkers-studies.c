@@ -27,9 +27,10 @@ static void begin_or_exit(struct bonkers *b,
 {
     struct start start;
     size_t wrong = 0;
-    if (!start_fill(&start, request) ||
-        !bonkers_begin(b, &start, 1, engine, &wrong) || wrong < b->gaps)
-        program_give_up("no memory for the particles");
+    program_memory(start_fill(&start, request) &&
+                       bonkers_begin(b, &start, 1, engine, &wrong) &&
+                       wrong >= b->gaps,
+                   "for the particles");
     start_free(&start);
 }
 
@@ -202,18 +203,6 @@ static const size_t sizes[] = {4,    10,    30,     100,
                                1000, 10000, 100000, 1000000};
 enum { SIZES = sizeof sizes / sizeof sizes[0] };
 
-/* Notes how much faster each engine is than the one before it. */
-static void note_ratios(struct table *summary, size_t movers,
-                        const double speed[])
-{
-    for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e)
-        table_keyed(summary, speed[e] / speed[e - 1], "%s/%s-%zu",
-                    bonkers_engine_names[e], bonkers_engine_names[e - 1],
-                    movers);
-    table_keyed(summary, speed[BONKERS_SLAB] / speed[BONKERS_SCAN],
-                "slab/scan-%zu", movers);
-}
-
 /* Writes the keys of the summary that need a run of a million particles. */
 static void note_large(struct table *summary,
                        double speed[SIZES][BONKERS_ENGINES])
@@ -254,7 +243,14 @@ static void study_speed(struct study *s)
         compare_engines(s, sizes[n], speed[n]);
         table_print(s->out, "%-7zu %9.4g %9.4g %9.4g %9.4g\n", sizes[n],
                     speed[n][1], speed[n][2], speed[n][3], speed[n][4]);
-        note_ratios(s->summary, sizes[n], speed[n]);
+        /* How much faster each engine is than the one before it. */
+        for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e)
+            table_keyed(s->summary, speed[n][e] / speed[n][e - 1],
+                        "%s/%s-%zu", bonkers_engine_names[e],
+                        bonkers_engine_names[e - 1], sizes[n]);
+        table_keyed(s->summary,
+                    speed[n][BONKERS_SLAB] / speed[n][BONKERS_SCAN],
+                    "slab/scan-%zu", sizes[n]);
         progress_update(&s->progress, n, 0);
     }
     if (n == SIZES)
@@ -288,18 +284,6 @@ static void throw_coins(struct table *summary, const char *name,
     table_keyed(summary, ties > 0 ? 100.0 * up / ties : 0, "up_%s", name);
 }
 
-/* Three bodies whose energy drifts from the beginning. */
-static void begin_whole_ratio(struct bonkers *b)
-{
-    program_memory(bonkers_create(b, 3, 1, BONKERS_SCAN),
-                   "for the particles");
-    b->body[1] = (struct bonkers_body){1, 1, 0, 1};
-    b->body[2] = (struct bonkers_body){2, -0.3, 0, 0.5};
-    b->body[3] = (struct bonkers_body){3, 0.77, 0, 1 / 1.5};
-    b->body[4].x = 4;
-    bonkers_start(b, NULL);
-}
-
 enum { SINGLE_MOST = 200000 }; /* collisions; they are slow */
 
 /* Returns the next of 1, 2, 5, 10, ... above n, nearly even on a
@@ -314,39 +298,6 @@ static uint64_t next_stop(uint64_t n)
                             : 10 * decade;
 }
 
-/* The three runs of the figure, and their energies at the start, by the
-   same function as later, so that an error begins at zero. That in single
-   precision is compared with the energy of the double one, and begins with
-   what the rounding of its start has changed, 1e-8 of it. */
-struct drift {
-    struct bonkers mixed, whole;
-    struct line single;
-    double mixed_energy, whole_energy;
-};
-
-static void begin_drift(struct drift *d)
-{
-    const struct start_request request = {.kind = START_MIXED};
-    begin_or_exit(&d->mixed, &request, BONKERS_SCAN);
-    line_copy(&d->single, &d->mixed, LINE_SINGLE);
-    begin_whole_ratio(&d->whole);
-    d->mixed_energy = bonkers_energy(&d->mixed);
-    d->whole_energy = bonkers_energy(&d->whole);
-}
-
-/* Runs on to collision n and sets error[] to that of the double, whole and
-   single run; the last keeps its error when it stops. */
-static void drift_on(struct drift *d, uint64_t n, double error[3])
-{
-    bonkers_run(&d->mixed, INFINITY, n);
-    bonkers_run(&d->whole, INFINITY, n);
-    error[0] = bonkers_energy(&d->mixed) / d->mixed_energy - 1;
-    error[1] = bonkers_energy(&d->whole) / d->whole_energy - 1;
-    if (n <= SINGLE_MOST)
-        error[2] =
-            line_energy(line_run(&d->single, n)) / d->mixed_energy - 1;
-}
-
 static const struct table_key drift_keys[] = {
     {"energy_error", "1", "relative, masses of preset mixed"},
     {"energy_error_whole", "1", "the same, masses 1, 2 and 1.5"},
@@ -355,11 +306,30 @@ static const struct table_key drift_keys[] = {
     {"up_<masses>", "%", "of ties: rounded up"},
     {0}};
 
+/* Measures the energy of three runs: START_MIXED in double precision, three
+   other bodies, whose energy drifts from the beginning, and START_MIXED in
+   single precision. Energies at the start come from the same function as
+   later ones, so that an error begins at zero. The energy in single
+   precision is compared with that in double: its error begins with 1e-8,
+   which rounding has changed at the start, and keeps its value when the run
+   stops. */
 static void study_drift(struct study *s)
 {
-    struct drift d;
+    const struct start_request request = {.kind = START_MIXED};
+    struct bonkers mixed, whole;
+    struct line single;
     double error[3] = {0};
-    begin_drift(&d);
+    begin_or_exit(&mixed, &request, BONKERS_SCAN);
+    line_copy(&single, &mixed, LINE_SINGLE);
+    program_memory(bonkers_create(&whole, 3, 1, BONKERS_SCAN),
+                   "for the particles");
+    whole.body[1] = (struct bonkers_body){1, 1, 0, 1};
+    whole.body[2] = (struct bonkers_body){2, -0.3, 0, 0.5};
+    whole.body[3] = (struct bonkers_body){3, 0.77, 0, 1 / 1.5};
+    whole.body[4].x = 4;
+    bonkers_start(&whole, NULL);
+    const double mixed_energy = bonkers_energy(&mixed);
+    const double whole_energy = bonkers_energy(&whole);
     progress_begin(&s->progress, PROGRAM, own.most, "collisions");
     TABLE_COLUMNS(s->out, {"n", "", "collisions"},
                   {"double", "", "relative error of the energy"},
@@ -367,7 +337,12 @@ static void study_drift(struct study *s)
                   {"float", "", "the same in single precision"});
     for (uint64_t n = 100; n <= own.most && !progress_signal();
          n = next_stop(n)) {
-        drift_on(&d, n, error);
+        bonkers_run(&mixed, INFINITY, n);
+        bonkers_run(&whole, INFINITY, n);
+        error[0] = bonkers_energy(&mixed) / mixed_energy - 1;
+        error[1] = bonkers_energy(&whole) / whole_energy - 1;
+        if (n <= SINGLE_MOST)
+            error[2] = line_energy(line_run(&single, n)) / mixed_energy - 1;
         TABLE_ROW(s->out, (double)n, error[0], error[1],
                   n <= SINGLE_MOST ? error[2] : NAN);
         progress_update(&s->progress, n, n);
@@ -377,17 +352,8 @@ static void study_drift(struct study *s)
                   {"energy_error_float", error[2]});
     throw_coins(s->summary, "whole", 1, 2);
     throw_coins(s->summary, "mixed", 1, 1 / 0.9);
-    bonkers_free(&d.mixed);
-    bonkers_free(&d.whole);
-}
-
-/* Brings all bodies to one time and reverses their velocities. */
-static void turn_round(struct bonkers *b)
-{
-    bonkers_settle(b);
-    for (size_t i = 0; i <= b->gaps; ++i)
-        b->body[i].v = -b->body[i].v;
-    bonkers_start(b, NULL);
+    bonkers_free(&mixed);
+    bonkers_free(&whole);
 }
 
 /* Returns the largest distance from the start after n collisions and as
@@ -402,7 +368,11 @@ static double miss(enum bonkers_engine engine, uint64_t n)
     begin_or_exit(&start, &request, engine);
     bonkers_run(&b, INFINITY, n);
     const double t = b.now;
-    turn_round(&b);
+    /* All bodies are brought to one time, and fly back. */
+    bonkers_settle(&b);
+    for (size_t i = 0; i <= b.gaps; ++i)
+        b.body[i].v = -b.body[i].v;
+    bonkers_start(&b, NULL);
     bonkers_run(&b, t, UINT64_MAX);
     bonkers_settle(&b);
     for (size_t i = 0; i <= b.gaps; ++i)
@@ -434,16 +404,6 @@ static double line_miss(enum line_kind kind, uint64_t n)
     return worst;
 }
 
-static void note_misses(struct table *summary, uint64_t n,
-                        const double row[])
-{
-    static const char *const keys[] = {"scan", "biased", "float"};
-    if (n != 1000 && n != 5000 && n != 10000 && n != 100000 && n != 1000000)
-        return;
-    for (int k = 0; k < 3; ++k)
-        table_keyed(summary, row[2 + k], "%s_%d", keys[k], (int)n);
-}
-
 static const struct table_key reverse_keys[] = {
     {"", "", "if --collisions reaches n (1000, 5000, 1e4, 1e5, 1e6):"},
     {"<line>_<n>", "m", "largest miss after n and back; nan: not run"},
@@ -467,7 +427,12 @@ static void study_reverse(struct study *s)
                               n <= 10000 ? line_miss(LINE_SINGLE, n) : NAN};
         table_row(s->out, 5, row);
         progress_update(&s->progress, n, 2 * n);
-        note_misses(s->summary, n, row);
+        char which[24];
+        snprintf(which, sizeof which, "%d", (int)n);
+        if (n == 1000 || n == 5000 || n == 10000 || n == 100000 ||
+            n == 1000000)
+            TABLE_RESULTS_OF(s->summary, which, {"scan", row[2]},
+                             {"biased", row[3]}, {"float", row[4]});
     }
 }
 
@@ -757,10 +722,9 @@ static const struct table_key bounce_keys[] = {
 static void note_ball(struct table *summary, const char *key,
                       const struct bonkers_body *a)
 {
-    char energy[40];
-    snprintf(energy, sizeof energy, "%s_energy", key);
-    TABLE_RESULTS(summary, {key, a->x - bounced(1, long_run)},
-                  {energy, a->v * a->v / (2 * pull) + a->x - 1});
+    table_real(summary, key, a->x - bounced(1, long_run));
+    table_keyed(summary, a->v * a->v / (2 * pull) + a->x - 1, "%s_energy",
+                key);
 }
 
 static void study_bounce(struct study *s)
@@ -822,10 +786,9 @@ static void study_row(struct study *s)
                               (double)strike(n, s->seed, 0, true),
                               (double)strike(n, s->seed, 1e-9, true)};
         table_row(s->out, 4, row);
-        if (n == 160) {
+        if (n == 160)
             TABLE_RESULTS(s->summary, {"left", row[1]}, {"right", row[2]},
                           {"apart", row[3]});
-        }
     }
 }
 
@@ -846,17 +809,6 @@ static void add_point(struct trail *trail, double x, double t)
     }
 }
 
-/* Returns the gap that has just had its collision: two neighbours whose
-   clocks both show the present. */
-static size_t gap_of_now(const struct bonkers *b)
-{
-    size_t i = 0;
-    while (i + 1 < b->gaps &&
-           (b->body[i].since != b->now || b->body[i + 1].since != b->now))
-        ++i;
-    return i;
-}
-
 static struct {
     struct trail trail[SHOWN + 2];
     size_t hits[SHOWN + 1]; /* of a gap */
@@ -869,7 +821,12 @@ static void fill_slab(struct bonkers *b, double until)
     for (size_t i = 0; i <= b->gaps; ++i)
         add_point(&slab.trail[i], b->body[i].x, 0);
     while (bonkers_run(b, until, b->collisions + 1) != BONKERS_TIME) {
-        const size_t i = gap_of_now(b);
+        /* The gap that has just had its collision is between two
+           neighbours whose clocks both show the present. */
+        size_t i = 0;
+        while (i + 1 < b->gaps && (b->body[i].since != b->now ||
+                                   b->body[i + 1].since != b->now))
+            ++i;
         ++slab.hits[i];
         add_point(&slab.trail[i], b->body[i].x, b->now);
         add_point(&slab.trail[i + 1], b->body[i].x, b->now);
@@ -878,18 +835,6 @@ static void fill_slab(struct bonkers *b, double until)
         add_point(&slab.trail[i],
                   b->body[i].x + b->body[i].v * (b->now - b->body[i].since),
                   b->now);
-}
-
-static void write_trails(struct table *out, size_t gaps)
-{
-    table_print(out,
-                "# x [m], t [s] of a body; an empty line after each\n");
-    for (size_t i = 0; i <= gaps; ++i) {
-        const struct trail *t = &slab.trail[i];
-        for (size_t k = 0; k < t->count; ++k)
-            table_print(out, "%.6f %.6f\n", t->x[k], t->t[k]);
-        table_print(out, "\n");
-    }
 }
 
 /* Writes the collisions of gap i, which belongs to this island. Each is on
@@ -934,7 +879,14 @@ static void study_islands(struct study *s)
     struct bonkers b;
     begin_or_exit(&b, &request, BONKERS_SCAN);
     fill_slab(&b, own.until);
-    write_trails(s->out, b.gaps);
+    table_print(s->out,
+                "# x [m], t [s] of a body; an empty line after each\n");
+    for (size_t i = 0; i <= b.gaps; ++i) {
+        const struct trail *t = &slab.trail[i];
+        for (size_t k = 0; k < t->count; ++k)
+            table_print(s->out, "%.6f %.6f\n", t->x[k], t->t[k]);
+        table_print(s->out, "\n");
+    }
     table_count(s->summary, "islands", write_islands(s->out, b.gaps));
     table_count(s->summary, "collisions", b.collisions);
     bonkers_free(&b);
@@ -969,16 +921,7 @@ static void take_option(struct options *o, int letter)
     }
 }
 
-int main(int argc, char *argv[])
-{
-    const struct study_program program = {
-        .name = PROGRAM,
-        .purpose = "Measure the engines of bonkers.",
-        .events = "collisions",
-        .studies = studies,
-        .seeds = UINT64_MAX,
-        .drawing = "--study islands, row",
-        .options = entries,
-        .take = take_option};
-    return study_main(&program, argc, argv);
-}
+STUDY_MAIN(.name = PROGRAM, .purpose = "Measure the engines of bonkers.",
+           .events = "collisions", .studies = studies, .seeds = UINT64_MAX,
+           .drawing = "--study islands, row", .options = entries,
+           .take = take_option)

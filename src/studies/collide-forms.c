@@ -139,11 +139,6 @@ static uint64_t row_draw(struct random *r, const double v[BODIES])
     }
 }
 
-static void row_collide(uint64_t i, int form, double v[BODIES])
-{
-    collide_by(form, &v[i], &v[i + 1], row_im[i], row_im[i + 1], 1);
-}
-
 static quad row_energy(const double v[BODIES])
 {
     quad energy = 0;
@@ -197,7 +192,8 @@ static void study_drift(struct study *s)
                     const uint64_t gap = row_draw(&r[f], v[f]);
                     if (f == COLLIDE_DIFFERENCE)
                         predicted += row_bias(gap, v[f]);
-                    row_collide(gap, f, v[f]);
+                    collide_by(f, &v[f][gap], &v[f][gap + 1], row_im[gap],
+                               row_im[gap + 1], 1);
                 }
             n += turn;
             progress_update(&s->progress, n, COLLIDE_FORMS * n);
@@ -417,16 +413,7 @@ static void take_option(struct options *o, int letter)
     }
 }
 
-int main(int argc, char *argv[])
-{
-    const struct study_program program = {
-        .name = PROGRAM,
-        .purpose = "Compare five forms of a collision.",
-        .events = "collisions",
-        .studies = studies,
-        .seeds = UINT64_MAX,
-        .drawing = "--study rounding, drift, map",
-        .options = entries,
-        .take = take_option};
-    return study_main(&program, argc, argv);
-}
+STUDY_MAIN(.name = PROGRAM, .purpose = "Compare five forms of a collision.",
+           .events = "collisions", .studies = studies, .seeds = UINT64_MAX,
+           .drawing = "--study rounding, drift, map", .options = entries,
+           .take = take_option)

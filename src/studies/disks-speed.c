@@ -184,22 +184,6 @@ static void write_head(struct table *t)
                   {"renewed", "", "lists made anew for a collision"});
 }
 
-/* Writes a row for a number of disks, and its three lines of the
-   summary. */
-static void write_row(struct table *t, struct table *summary,
-                      const struct engines *e, double pairs, double cells)
-{
-    const double n = (double)e->disks.count;
-    const double collisions = (double)e->disks.collisions;
-    table_print(t, "%-8.0f %9.4g %9.4g %6.1f %6.3f %6.3f\n", n, pairs,
-                cells, bytes_each(&e->cells),
-                (double)e->cells.stale / collisions,
-                (double)e->cells.renewed / collisions);
-    table_keyed(summary, cells, "cells_%.0f", n);
-    table_keyed(summary, bytes_each(&e->cells), "bytes_%.0f", n);
-    table_keyed(summary, cells / pairs, "cells/pairs_%.0f", n);
-}
-
 /* Times what each step of the chapter saves, by taking them away one after
    the other: first neighbours are examined one at a time, then the calendar
    has one endless day, so that all events are on one page, which is
@@ -399,7 +383,15 @@ static void time_size(size_t count, struct table *out,
         write_steps(&e, out);
     else {
         compare(&e, &pairs, &cells);
-        write_row(out, summary, &e, pairs, cells);
+        const double n = (double)e.disks.count;
+        const double collisions = (double)e.disks.collisions;
+        table_print(out, "%-8.0f %9.4g %9.4g %6.1f %6.3f %6.3f\n", n, pairs,
+                    cells, bytes_each(&e.cells),
+                    (double)e.cells.stale / collisions,
+                    (double)e.cells.renewed / collisions);
+        table_keyed(summary, cells, "cells_%.0f", n);
+        table_keyed(summary, bytes_each(&e.cells), "bytes_%.0f", n);
+        table_keyed(summary, cells / pairs, "cells/pairs_%.0f", n);
     }
     cells_free(&e.cells);
     disks_free(&e.disks);

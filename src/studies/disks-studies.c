@@ -54,18 +54,6 @@ static int bin_of(double x)
     return (int)fmin(fmax(floor(inside * BINS), 0), BINS - 1);
 }
 
-/* Counts the eight coordinates, and keeps the deepest overlap. */
-static void sample(const struct loop *l, double bins[], double *overlap)
-{
-    for (size_t i = 0; i < l->d.count; ++i) {
-        double place[DISKS_AXES];
-        disks_position(&l->d, i, place);
-        for (size_t k = 0; k < 2; ++k)
-            bins[bin_of(place[k])] += 1;
-    }
-    *overlap = fmax(*overlap, loop_overlap(l));
-}
-
 /* Three programs from one start: with the right loop, with the hard-disk
    article's, and with the article's after its sign has been corrected
    (box/loop.h). */
@@ -86,23 +74,15 @@ static double sample_by(int way, const struct study *s, struct loop *l,
             loop_go_to(l, (double)k * own.every);
         else
             loop_turn(l, own.every);
-        sample(l, bins, overlap);
+        for (size_t i = 0; i < l->d.count; ++i) {
+            double place[DISKS_AXES];
+            disks_position(&l->d, i, place);
+            for (size_t k = 0; k < 2; ++k)
+                bins[bin_of(place[k])] += 1;
+        }
+        *overlap = fmax(*overlap, loop_overlap(l));
     }
     return energy;
-}
-
-/* Summarises the pressure, the energy, and the density in the bins next to
-   the walls, which is 2.6306 by direct sampling. */
-static void sum_up(struct study *s, const char *name, const struct loop *l,
-                   double energy, double overlap, const double bins[BINS])
-{
-    const double impulse = l->d.impulse[0] + l->d.impulse[1];
-    const double nkt = disks_energy(&l->d); /* 2 E / D */
-    const double edge = (bins[15] + bins[84]) / 16 * BINS;
-    TABLE_RESULTS_OF(
-        s->summary, name, {"Z", impulse / (4 * nkt * l->t)},
-        {"overlap", overlap}, {"energy", disks_energy(&l->d) / energy - 1},
-        {"edge", (edge / (double)own.samples / 2.630625 - 1) * 100});
 }
 
 static const struct table_key clock_keys[] = {
@@ -121,7 +101,14 @@ static void study_clock(struct study *s)
         struct loop l = {.offset = way == ARTICLE ? -1 : 1};
         double overlap = 0;
         const double energy = sample_by(way, s, &l, bins[way], &overlap);
-        sum_up(s, clocks[way], &l, energy, overlap, bins[way]);
+        const double impulse = l.d.impulse[0] + l.d.impulse[1];
+        const double nkt = disks_energy(&l.d); /* 2 E / D */
+        const double edge = (bins[way][15] + bins[way][84]) / 16 * BINS;
+        TABLE_RESULTS_OF(
+            s->summary, clocks[way], {"Z", impulse / (4 * nkt * l.t)},
+            {"overlap", overlap},
+            {"energy", disks_energy(&l.d) / energy - 1},
+            {"edge", (edge / (double)own.samples / 2.630625 - 1) * 100});
         disks_free(&l.d);
         table_column(s->out, clocks[way], "1/m", "density of a coordinate");
     }
@@ -142,20 +129,6 @@ static void write_place(struct study *s, struct loop *l)
     TABLE_ROW(s->out, l->d.now, place[0], place[1]);
 }
 
-/* Goes to the next row: of the events (way 0), of the clock (1), or of the
-   article's loop (2). */
-static void go_to_row(struct loop *l, int way, int k, double every)
-{
-    if (way == 2)
-        loop_turn(l, every);
-    else if (way == 1)
-        loop_go_to(l, k * every);
-    else if (l->next.time <= 1.5)
-        loop_event(l);
-    else
-        l->d.now = 1.5;
-}
-
 /* Writes three blocks of rows from one state, a second after a start on the
    lattice, up to 1.5 s. The bound of a thousand rows is for the article's
    loop: with a few seeds it turns a pair that it has pushed into each other
@@ -173,7 +146,14 @@ static void study_timeline(struct study *s)
         l.next = disks_next(&l.d);
         write_place(s, &l);
         for (int k = 1; l.d.now < 1.5 && k < 1000; ++k) {
-            go_to_row(&l, way, k, own.every);
+            if (way == 2)
+                loop_turn(&l, own.every);
+            else if (way == 1)
+                loop_go_to(&l, k * own.every);
+            else if (l.next.time <= 1.5)
+                loop_event(&l);
+            else
+                l.d.now = 1.5;
             write_place(s, &l);
         }
         table_print(s->out, "\n\n");
@@ -295,20 +275,6 @@ static double contact_errors(const double x[], const double v[],
    positions. */
 enum { GRAZE, GAP, EXACT, KINDS };
 
-static void throw_kind(int kind, double size, struct random *r, double x[],
-                       double v[])
-{
-    if (kind == GRAZE)
-        throw_pair(r, 1, 1 - size, x, v);
-    else
-        throw_pair(r, size, random_uniform(r) * 0.9, x, v);
-    if (kind == EXACT) {
-        x[0] = 1 + size;
-        v[0] = -random_between(r, 0.5, 2);
-        x[1] = v[1] = 0;
-    }
-}
-
 /* Draws random pairs of one kind and keeps the largest of each of two
    errors: for grazing pairs those of our time and of the distance, for the
    others those of both times, divided by the gap, to which the time is
@@ -320,7 +286,15 @@ static void worst_of(int kind, double size, struct random *r,
     const double scale = kind == GRAZE ? 1 : size;
     for (uint64_t i = 0; i < pairs; ++i) {
         double x[3], v[3], book, ours;
-        throw_kind(kind, size, r, x, v);
+        if (kind == GRAZE)
+            throw_pair(r, 1, 1 - size, x, v);
+        else
+            throw_pair(r, size, random_uniform(r) * 0.9, x, v);
+        if (kind == EXACT) {
+            x[0] = 1 + size;
+            v[0] = -random_between(r, 0.5, 2);
+            x[1] = v[1] = 0;
+        }
         const double off = contact_errors(x, v, &book, &ours);
         if (off < 0)
             continue;
@@ -390,10 +364,27 @@ static double fraction_of_collapses(struct study *s, size_t n, double e)
     return collapsed / (double)starts;
 }
 
-/* Writes the end of one of the runs. The disks that take part in the
-   collapse are those whose last collision is now. */
-static void write_end(struct study *s)
+static const struct table_key collapse_keys[] = {
+    {"bound", "1", "of 100 disks: collide for ever"},
+    {"time", "s", "of the collapse"},
+    {"collisions", "1", "until then"},
+    {0}};
+
+/* Writes the fractions, then the end of one of the runs. The disks that
+   take part in its collapse are those whose last collision is now. */
+static void study_collapse(struct study *s)
 {
+    static const size_t sizes[] = {10, 30, 100};
+    TABLE_COLUMNS(s->out, {"e", "", "restitution"},
+                  {"p_10", "", "fraction of starts that collapse, N = 10"},
+                  {"p_30", "", "the same, N = 30"},
+                  {"p_100", "", "the same, N = 100"});
+    for (double e = 0.05; e < 0.99 && !progress_signal(); e += 0.05) {
+        double row[4] = {e};
+        for (int k = 0; k < 3; ++k)
+            row[k + 1] = fraction_of_collapses(s, sizes[k], e);
+        table_row(s->out, 4, row);
+    }
     struct disks d;
     double last = 0;
     table_print(s->out, "\n\n# the end: x y, 1 if it collides for ever\n");
@@ -408,28 +399,6 @@ static void write_end(struct study *s)
     TABLE_RESULTS(s->summary, {"bound", last}, {"time", d.now},
                   {"collisions", (double)d.collisions});
     disks_free(&d);
-}
-
-static const struct table_key collapse_keys[] = {
-    {"bound", "1", "of 100 disks: collide for ever"},
-    {"time", "s", "of the collapse"},
-    {"collisions", "1", "until then"},
-    {0}};
-
-static void study_collapse(struct study *s)
-{
-    static const size_t sizes[] = {10, 30, 100};
-    TABLE_COLUMNS(s->out, {"e", "", "restitution"},
-                  {"p_10", "", "fraction of starts that collapse, N = 10"},
-                  {"p_30", "", "the same, N = 30"},
-                  {"p_100", "", "the same, N = 100"});
-    for (double e = 0.05; e < 0.99 && !progress_signal(); e += 0.05) {
-        double row[4] = {e};
-        for (int k = 0; k < 3; ++k)
-            row[k + 1] = fraction_of_collapses(s, sizes[k], e);
-        table_row(s->out, 4, row);
-    }
-    write_end(s);
 }
 
 /* The slow engine: looks at every pair before each collision. */
@@ -459,38 +428,34 @@ static double speed_of(struct disks *d, bool plan)
     return (double)(d->collisions + d->wall_collisions - before) / seconds;
 }
 
-/* Writes a row: both engines with n disks. They take turns, and the median
-   of five rounds counts after one that is overwritten. Each engine goes on
-   with its own gas, so that the rounds are stretches of one run. */
-static void compare_engines(struct study *s, size_t n)
-{
-    const double length = sqrt((double)n * 0.785398163397448 / 0.3);
-    double rounds[2][BENCH_ROUNDS], row[] = {(double)n, 0, 0};
-    struct random r;
-    struct disks d[2];
-    for (int way = 0; way < 2; ++way) {
-        random_seed(&r, s->seed);
-        begin_or_exit(&d[way], n, 0.5, length, 1, &r);
-    }
-    for (int round = -1; round < BENCH_ROUNDS; ++round)
-        for (int way = 0; way < 2; ++way)
-            rounds[way][round < 0 ? 0 : round] =
-                speed_of(&d[way], way == 1);
-    for (int way = 0; way < 2; ++way) {
-        row[1 + way] = bench_median(rounds[way], BENCH_ROUNDS);
-        disks_free(&d[way]);
-    }
-    table_row(s->out, 3, row);
-}
-
+/* Measures both engines. They take turns, and the median of five rounds
+   counts after one that is overwritten. Each engine goes on with a gas of
+   its own, so that the rounds are stretches of one run. */
 static void study_speed(struct study *s)
 {
     bench_machine(s->out);
     TABLE_COLUMNS(s->out, {"N", "", "disks"},
                   {"pairs", "1/s", "collisions, every pair looked at"},
                   {"plan", "1/s", "collisions, a plan remembered"});
-    for (size_t n = 4; n <= 1024 && !progress_signal(); n *= 2)
-        compare_engines(s, n);
+    for (size_t n = 4; n <= 1024 && !progress_signal(); n *= 2) {
+        const double length = sqrt((double)n * 0.785398163397448 / 0.3);
+        double rounds[2][BENCH_ROUNDS], row[] = {(double)n, 0, 0};
+        struct random r;
+        struct disks d[2];
+        for (int way = 0; way < 2; ++way) {
+            random_seed(&r, s->seed);
+            begin_or_exit(&d[way], n, 0.5, length, 1, &r);
+        }
+        for (int round = -1; round < BENCH_ROUNDS; ++round)
+            for (int way = 0; way < 2; ++way)
+                rounds[way][round < 0 ? 0 : round] =
+                    speed_of(&d[way], way == 1);
+        for (int way = 0; way < 2; ++way) {
+            row[1 + way] = bench_median(rounds[way], BENCH_ROUNDS);
+            disks_free(&d[way]);
+        }
+        table_row(s->out, 3, row);
+    }
 }
 
 /* Returns Z = P V/(N kT) of a run of this number of collisions; adds the
@@ -597,17 +562,9 @@ static void take_option(struct options *o, int letter)
     }
 }
 
-int main(int argc, char *argv[])
-{
-    const struct study_program program = {
-        .name = PROGRAM,
-        .purpose = "Measure hard disks, and what fails.",
-        .events = "collisions",
-        .studies = studies,
-        .seeds = UINT64_MAX,
-        .drawing =
-            "--study clock, timeline, reverse, contact, collapse, pressure",
-        .options = entries,
-        .take = take_option};
-    return study_main(&program, argc, argv);
-}
+STUDY_MAIN(.name = PROGRAM,
+           .purpose = "Measure hard disks, and what fails.",
+           .events = "collisions", .studies = studies, .seeds = UINT64_MAX,
+           .drawing = "--study clock, timeline, reverse, contact, "
+                      "collapse, pressure",
+           .options = entries, .take = take_option)

@@ -115,22 +115,6 @@ static void measure_year(struct study *s)
     end_sky(&k);
 }
 
-/* Compares both methods with the laws of their errors after five years; k:
-   the skies of Euler and leapfrog; the closed form has the Earth at x. */
-static void compare_with_laws(struct study *s, struct sky k[2],
-                              const double x[3], double pull)
-{
-    const double turned = sqrt(pull) * 913 * 2, h = sqrt(pull) * 2;
-    double after[3], v[3];
-    relative_to_first(&k[0].scene, 1, after, v);
-    TABLE_RESULTS(s->summary, {"euler_radius", length(after)},
-                  {"euler_law", cbrt(1 + 6 * h * turned)});
-    relative_to_first(&k[1].scene, 1, after, v);
-    const double off[3] = {after[0] - x[0], after[1] - x[1], 0};
-    TABLE_RESULTS(s->summary, {"leapfrog_error", length(off)},
-                  {"leapfrog_law", turned * h * h / 3});
-}
-
 static const struct table_key sun_earth_keys[] = {
     {"axis", "AU", "of the first ellipse"},
     {"eccentricity", "1", "the same"},
@@ -143,7 +127,8 @@ static const struct table_key sun_earth_keys[] = {
     {"leapfrog_law", "AU", "the same by the law"},
     {0}};
 
-/* Runs five years in steps of two days: the closed form and two methods. */
+/* Runs five years in steps of two days, by the closed form and by two
+   methods, whose errors it compares with their laws. */
 static void study_sun_earth(struct study *s)
 {
     struct sky k[2];
@@ -168,7 +153,14 @@ static void study_sun_earth(struct study *s)
         table_row(s->out, 7, row);
         kepler_move(pull, 2, x, v);
     }
-    compare_with_laws(s, k, x, pull);
+    const double turned = sqrt(pull) * 913 * 2, h = sqrt(pull) * 2;
+    relative_to_first(&k[0].scene, 1, after, u);
+    TABLE_RESULTS(s->summary, {"euler_radius", length(after)},
+                  {"euler_law", cbrt(1 + 6 * h * turned)});
+    relative_to_first(&k[1].scene, 1, after, u);
+    const double off[3] = {after[0] - x[0], after[1] - x[1], 0};
+    TABLE_RESULTS(s->summary, {"leapfrog_error", length(off)},
+                  {"leapfrog_law", turned * h * h / 3});
     end_sky(&k[0]);
     end_sky(&k[1]);
     measure_year(s);
@@ -267,35 +259,11 @@ static void study_eccentric(struct study *s)
     write_long_path(s->out);
 }
 
-/* Begins with the planet, which has no mass, where the elements say. */
-static void begin_flyby(struct sky *k, const char *method, double step,
-                        double softening, const struct kepler_elements *o)
-{
-    double x[3], v[3];
-    begin_sky(k, "sun-earth", GALLERY_CHOICES({"mass", 0}), method, step);
-    k->gravity.softening = softening;
-    kepler_place(CELESTIAL_K2, o, x, v);
-    for (size_t i = 0; i < 3; ++i) {
-        k->scene.position[2 * i + 1] = x[i];
-        k->scene.velocity[2 * i + 1] = v[i];
-    }
-}
-
-/* Returns the relative change of the planet's energy since it was at 1 AU,
-   by the potential of the run, softened or not. */
-static double energy_change(const double x[3], const double v[3],
-                            double softening)
-{
-    const double mu = CELESTIAL_K2, r0 = sqrt(1 + softening * softening);
-    const double before = mu / 2 - mu / r0;
-    const double r = sqrt(length(x) * length(x) + softening * softening);
-    return fabs(length(v) * length(v) / 2 - mu / r - before) / (mu / 2);
-}
-
-/* Runs a fall past the Sun from 1 AU to 1 AU, on an ellipse of semi-major
-   axis 1 AU that comes as near as q. Gives the relative error of the energy
-   and, AU, of the position, which is compared with the orbit without
-   softening. */
+/* Runs a fall past the Sun, of a planet without mass, from 1 AU to 1 AU, on
+   an ellipse of semi-major axis 1 AU that comes as near as q. Sets *energy
+   to the relative error of the energy, by the potential of the run,
+   softened or not, and *place to the error of the position, AU, compared
+   with the orbit without softening. */
 static void fly_by(double q, const char *method, double dt,
                    double softening, double *energy, double *place)
 {
@@ -305,10 +273,20 @@ static void fly_by(double q, const char *method, double dt,
     double x[3], v[3], right[3];
     const double time = 2 * half / CELESTIAL_K;
     const uint64_t steps = (uint64_t)ceil(time / dt);
-    begin_flyby(&k, method, time / (double)steps, softening, &o);
+    begin_sky(&k, "sun-earth", GALLERY_CHOICES({"mass", 0}), method,
+              time / (double)steps);
+    k.gravity.softening = softening;
+    kepler_place(CELESTIAL_K2, &o, x, v);
+    for (size_t i = 0; i < 3; ++i) {
+        k.scene.position[2 * i + 1] = x[i];
+        k.scene.velocity[2 * i + 1] = v[i];
+    }
     stepping_run(&k.stepping, steps);
     relative_to_first(&k.scene, 1, x, v);
-    *energy = energy_change(x, v, softening);
+    const double mu = CELESTIAL_K2, r0 = sqrt(1 + softening * softening);
+    const double before = mu / 2 - mu / r0;
+    const double r = sqrt(length(x) * length(x) + softening * softening);
+    *energy = fabs(length(v) * length(v) / 2 - mu / r - before) / (mu / 2);
     o.mean_anomaly = half;
     kepler_place(CELESTIAL_K2, &o, right, v);
     for (size_t i = 0; i < 3; ++i)
@@ -350,10 +328,9 @@ static void study_encounter(struct study *s)
         fly_by(q, "kahan-li8", dt * 17, 0, &energy[1], &place[1]);
         fly_by(q, "leapfrog", dt, 0.01, &energy[2], &place[2]);
         table_row(s->out, 1 + 2 * FALLS, row);
-        for (int k = 0; k < 2 * FALLS; ++k) {
+        for (int k = 0; k < 2 * FALLS; ++k)
             table_keyed(s->summary, row[1 + k], "%s_%.2g", fall_columns[k],
                         q);
-        }
         worst[0] = fmax(worst[0], energy[2]);
         worst[1] = fmax(worst[1], place[2]);
     }
@@ -385,15 +362,6 @@ static double century_with_jupiter(double jupiter)
     return error;
 }
 
-/* Gives the eccentricities of the Earth and of Mars, and runs five
-   years. */
-static void five_years(struct sky *k, double eccentricity[2])
-{
-    eccentricity[0] = eccentricity_of(&k->scene, 3);
-    eccentricity[1] = eccentricity_of(&k->scene, 4);
-    stepping_run(&k->stepping, 300);
-}
-
 static const struct table_key planets_keys[] = {
     {"energy_300", "1", "relative error, Jupiter x 300"},
     {"eight", "1", "the same by leapfrog in a century"},
@@ -417,8 +385,11 @@ static void study_planets(struct study *s)
     }
     for (double t = 0; t <= years && !progress_signal(); t += 5) {
         double row[1 + 2 * JUPITERS] = {t};
-        for (int i = 0; i < JUPITERS; ++i)
-            five_years(&k[i], row + 1 + 2 * i);
+        for (int i = 0; i < JUPITERS; ++i) {
+            row[1 + 2 * i] = eccentricity_of(&k[i].scene, 3);
+            row[2 + 2 * i] = eccentricity_of(&k[i].scene, 4);
+            stepping_run(&k[i].stepping, 300);
+        }
         table_row(s->out, 1 + 2 * JUPITERS, row);
         const int last = JUPITERS - 1;
         error = fmax(error, fabs(energy_of(&k[last]) / before[last] - 1));
@@ -556,18 +527,6 @@ static void precision(const char *method, double evaluations,
     end_sky(&k);
 }
 
-/* Writes the errors of the budgets that the book quotes to the summary. */
-static void note_precision(struct table *summary, const char *method,
-                           double evaluations, double energy, double place)
-{
-    static const int quoted[] = {100, 141, 200, 800, 1600};
-    for (size_t i = 0; i < sizeof quoted / sizeof quoted[0]; ++i)
-        if (quoted[i] == (int)round(evaluations)) {
-            table_keyed(summary, energy, "dE_%s_%d", method, quoted[i]);
-            table_keyed(summary, place, "dx_%s_%d", method, quoted[i]);
-        }
-}
-
 static const struct table_key work_keys[] = {
     {"dE_<method>_<n>", "1", "error of energy, n evaluations a period"},
     {"dx_<method>_<n>", "AU", "error of place after 400 d"},
@@ -591,7 +550,12 @@ static void study_work(struct study *s)
             precision(methods[i], n, periods, &energy, &place);
             if (energy < 1)
                 TABLE_ROW(s->out, n, energy, place);
-            note_precision(s->summary, methods[i], n, energy, place);
+            const int f = (int)round(n);
+            char which[64];
+            snprintf(which, sizeof which, "%s_%d", methods[i], f);
+            if (f == 100 || f == 141 || f == 200 || f == 800 || f == 1600)
+                TABLE_RESULTS_OF(s->summary, which, {"dE", energy},
+                                 {"dx", place});
         }
     }
 }
@@ -652,19 +616,6 @@ static const struct table_key ellipses_keys[] = {
     {"<method>_slope", "1", "2 d, masses times 1 to 10: power of them"},
     {0}};
 
-/* Writes the error against the planets' masses, and its slope. */
-static void record_masses(struct study *s, const char *method)
-{
-    double error[7];
-    for (int n = 0; n < 7; ++n) {
-        const double factor = pow(10, 0.5 * n - 2);
-        error[n] = century(method, 2, factor);
-        TABLE_ROW(s->out, 2, factor, error[n]);
-    }
-    table_real(s->summary, method, century(method, 4, 1));
-    table_keyed(s->summary, log10(error[6] / error[4]), "%s_slope", method);
-}
-
 /* Writes the error against the days from kick to kick, then against the
    masses. Errors of 1 and more, where a method lost the orbits, are left
    out. */
@@ -683,7 +634,15 @@ static void study_ellipses(struct study *s)
         table_print(s->out, "\n\n");
     }
     for (int i = 0; i < ALONG; ++i) {
-        record_masses(s, along[i]);
+        double error[7];
+        for (int n = 0; n < 7; ++n) {
+            const double factor = pow(10, 0.5 * n - 2);
+            error[n] = century(along[i], 2, factor);
+            TABLE_ROW(s->out, 2, factor, error[n]);
+        }
+        table_real(s->summary, along[i], century(along[i], 4, 1));
+        table_keyed(s->summary, log10(error[6] / error[4]), "%s_slope",
+                    along[i]);
         table_print(s->out, "\n\n");
     }
 }
@@ -872,12 +831,11 @@ static void study_ring_speeds(struct study *s)
                   CELESTIAL_K * sqrt(1 / r + r * pull),
                   CELESTIAL_K * sqrt(1 / r + r * area * pull));
     }
-    for (int k = 2; k <= 8; k += 2) {
+    for (int k = 2; k <= 8; k += 2)
         table_keyed(
             s->summary,
             celestial_ring_pull(sigma, inner, outer, outer + pow(10, -k)),
             "edge_%d", k);
-    }
     table_real(s->summary, "per_decade", 2 * log(10) * sigma / area);
 }
 
@@ -928,64 +886,48 @@ static double stirring(const struct scene *s, size_t particles)
 
 enum { PARTICLES = 3072 };
 
-/* Begins a ring, with 200 steps for an orbit in its middle. Three thousand
-   bodies are worth the fastest kernel, if no other is asked for; so the
-   bytes of this table may differ between processors, and its head names the
-   kernel. */
-static void begin_ring(const struct study *s, struct sky *k, double period)
-{
-    begin_sky(k, "ring",
-              GALLERY_CHOICES({"factor", own.factor}, {"moon", own.moon},
-                              {"moon-distance", 2.7}, {"mixed", own.mixed},
-                              {"seed", (double)s->seed}),
-              "leapfrog", period / 200);
-    k->gravity.kernel = (enum gravity_kernel)own.kernel;
-}
-
-/* Writes all positions relative to the planet, with the masses. */
-static void write_ring(const struct study *s, const struct scene *scene)
-{
-    table_print(
-        s->out, "# kernel %s\n# x y of the planet, the ring%s; mass\n",
-        gravity_kernels[own.kernel], own.moon > 0 ? ", the moon" : "");
-    for (size_t i = 0; i < scene->bodies; ++i) {
-        double x[3], v[3];
-        relative_to_first(scene, i, x, v);
-        table_print(s->out, "%.4f %.4f %.3g\n", x[0], x[1], scene->mass[i]);
-    }
-}
-
-/* Writes three numbers that judge the run. */
-static void judge_ring(const struct study *s, const struct sky *k,
-                       double before)
-{
-    const double energy = energy_of(k) / before - 1;
-    const double clumps = dispersion(&k->scene, PARTICLES);
-    const double heat = stirring(&k->scene, PARTICLES);
-    table_print(s->out, "\n\n# energy error, dispersion, stirring\n");
-    table_print(s->out, "%.3g %.4g %.4g\n", energy, clumps, heat);
-    TABLE_RESULTS(s->summary, {"energy", energy}, {"dispersion", clumps},
-                  {"stirring", heat});
-}
-
 static const struct table_key ring_keys[] = {
     {"energy", "1", "relative change"},
     {"dispersion", "1", "variance / mean of the cells' counts"},
     {"stirring", "1", "rms radial velocity / circle's"},
     {0}};
 
+/* Runs a ring, and writes all its bodies and three numbers that judge the
+   run. Three thousand bodies are worth the fastest kernel, if no other is
+   asked for; so the bytes of this table may differ between processors, and
+   its head names the kernel. */
 static void study_ring(struct study *s)
 {
     const double period = 2 * KEPLER_PI / CELESTIAL_K * 2.25 * sqrt(2.25);
     const double orbits = duration(2);
     struct sky k;
-    begin_ring(s, &k, period);
+    /* 200 steps for an orbit in the middle of the ring. */
+    begin_sky(&k, "ring",
+              GALLERY_CHOICES({"factor", own.factor}, {"moon", own.moon},
+                              {"moon-distance", 2.7}, {"mixed", own.mixed},
+                              {"seed", (double)s->seed}),
+              "leapfrog", period / 200);
+    k.gravity.kernel = (enum gravity_kernel)own.kernel;
     const double before = energy_of(&k);
     while (stepping_time(&k.stepping) < (orbits - 1e-9) * period &&
            !progress_signal())
         stepping_run(&k.stepping, 10);
-    write_ring(s, &k.scene);
-    judge_ring(s, &k, before);
+    table_print(
+        s->out, "# kernel %s\n# x y of the planet, the ring%s; mass\n",
+        gravity_kernels[own.kernel], own.moon > 0 ? ", the moon" : "");
+    for (size_t i = 0; i < k.scene.bodies; ++i) {
+        double x[3], v[3];
+        relative_to_first(&k.scene, i, x, v);
+        table_print(s->out, "%.4f %.4f %.3g\n", x[0], x[1],
+                    k.scene.mass[i]);
+    }
+    const double energy = energy_of(&k) / before - 1;
+    const double clumps = dispersion(&k.scene, PARTICLES);
+    const double heat = stirring(&k.scene, PARTICLES);
+    table_print(s->out, "\n\n# energy error, dispersion, stirring\n");
+    table_print(s->out, "%.3g %.4g %.4g\n", energy, clumps, heat);
+    TABLE_RESULTS(s->summary, {"energy", energy}, {"dispersion", clumps},
+                  {"stirring", heat});
     end_sky(&k);
 }
 
@@ -1010,10 +952,8 @@ static double precession(double e, double softening)
         now = x[0] * v[0] + x[1] * v[1];
     } while (!(before > 0 && now <= 0));
     const double fraction = now / (now - before); /* of the last step */
-    double earlier[3];
     for (size_t i = 0; i < 3; ++i)
-        earlier[i] = x[i] - fraction * k.stepping.dt * v[i];
-    memcpy(x, earlier, sizeof x);
+        x[i] = x[i] - fraction * k.stepping.dt * v[i];
     end_sky(&k);
     return atan2(x[1], x[0]);
 }
@@ -1093,21 +1033,9 @@ static struct pulls pulls_at(const struct scene *s, size_t i)
     return p;
 }
 
+/* Three ways to sum: the planet first, the planet last, and the planet
+   first with compensation. */
 enum { FIRST, LAST, CARRIED, ORDERS };
-
-/* Sums in three ways: the planet first, the planet last, and
-   compensated. */
-static void sum_singly(const struct scene *s, size_t i,
-                       float sum[ORDERS][2])
-{
-    const size_t n = s->bodies;
-    float compensation[2] = {0, 0};
-    memset(sum, 0, sizeof(float[ORDERS][2]));
-    add_single(s, i, 0, n, sum[FIRST], NULL);
-    add_single(s, i, 1, n, sum[LAST], NULL);
-    add_single(s, i, 0, 1, sum[LAST], NULL);
-    add_single(s, i, 0, n, sum[CARRIED], compensation);
-}
 
 /* Fills a row for a ring: its size, then the root mean square errors of its
    own acceleration, by the three sums and by the model, in units of that;
@@ -1118,8 +1046,11 @@ static void compare_singly(const struct scene *s, double row[2 + ORDERS])
     double size = 0, error[1 + ORDERS] = {0};
     for (size_t i = 1; i < s->bodies; i += every) {
         const struct pulls p = pulls_at(s, i);
-        float sum[ORDERS][2];
-        sum_singly(s, i, sum);
+        float sum[ORDERS][2] = {{0}}, compensation[2] = {0, 0};
+        add_single(s, i, 0, s->bodies, sum[FIRST], NULL);
+        add_single(s, i, 1, s->bodies, sum[LAST], NULL);
+        add_single(s, i, 0, 1, sum[LAST], NULL);
+        add_single(s, i, 0, s->bodies, sum[CARRIED], compensation);
         for (int c = 0; c < 2; ++c) {
             const double right = p.planet[c] + p.ring[c];
             size += p.ring[c] * p.ring[c];
@@ -1185,16 +1116,6 @@ static const struct table_key single_keys[] = {
     {"double", "1", "the same in double precision"},
     {0}};
 
-/* Writes the row of a ring, and its lines of the summary. */
-static void note_singly(struct study *s, const double row[])
-{
-    static const char *const names[] = {"first", "last", "carried",
-                                        "model"};
-    for (int k = 0; k <= ORDERS; ++k)
-        table_keyed(s->summary, row[1 + k], "%s_%.0f", names[k], row[0]);
-    table_row(s->out, 2 + ORDERS, row);
-}
-
 /* Writes the error of a ring's own acceleration against the number of its
    particles, at the same mass of the ring. */
 static void study_single(struct study *s)
@@ -1209,7 +1130,12 @@ static void study_single(struct study *s)
         double row[2 + ORDERS];
         begin_single(&k, n);
         compare_singly(&k.scene, row);
-        note_singly(s, row);
+        char which[24];
+        snprintf(which, sizeof which, "%.0f", row[0]);
+        TABLE_RESULTS_OF(s->summary, which, {"first", row[1]},
+                         {"last", row[2]}, {"carried", row[3]},
+                         {"model", row[4]});
+        table_row(s->out, 2 + ORDERS, row);
         end_sky(&k);
     }
     TABLE_RESULTS(s->summary, {"energy", energy_singly(true)},
@@ -1442,28 +1368,9 @@ static void study_speed(struct study *s)
     end_sky(&k);
 }
 
-/* Writes a row: pairs a second by one thread and by two, and the ratio. It
-   is taken in each round, before its median: then a slow moment of the
-   machine spoils one of five. */
-static void compare_threads(struct study *s, struct sky *k, double a[])
-{
-    double pairs[2][BENCH_ROUNDS], ratio[BENCH_ROUNDS];
-    for (int round = -1; round < BENCH_ROUNDS; ++round) {
-        const int at = round < 0 ? 0 : round; /* the first: a warm-up */
-        for (int way = 0; way < 2; ++way) {
-            k->gravity.threads = way ? 2 : 1;
-            pairs[way][at] = measure_pairs(&k->gravity, bench_clock,
-                                           k->scene.position, a);
-        }
-        ratio[at] = pairs[1][at] / pairs[0][at];
-    }
-    TABLE_ROW(s->out, (double)k->scene.bodies,
-              bench_median(pairs[0], BENCH_ROUNDS),
-              bench_median(pairs[1], BENCH_ROUNDS),
-              bench_median(ratio, BENCH_ROUNDS));
-}
-
-/* Measures rings of 63 to 4095 particles by one thread and by two. */
+/* Writes, for rings of 63 to 4095 particles, the pairs a second by one
+   thread and by two, and the ratio. It is taken in each round, before its
+   median: then a slow moment of the machine spoils one of five. */
 static void study_threads(struct study *s)
 {
     bench_machine(s->out);
@@ -1480,7 +1387,20 @@ static void study_threads(struct study *s)
         k.gravity.kernel = (enum gravity_kernel)own.kernel;
         double *a = calloc(3 * k.scene.bodies, sizeof *a);
         program_memory(a, NULL);
-        compare_threads(s, &k, a);
+        double pairs[2][BENCH_ROUNDS], ratio[BENCH_ROUNDS];
+        for (int round = -1; round < BENCH_ROUNDS; ++round) {
+            const int at = round < 0 ? 0 : round; /* the first: a warm-up */
+            for (int way = 0; way < 2; ++way) {
+                k.gravity.threads = way ? 2 : 1;
+                pairs[way][at] = measure_pairs(&k.gravity, bench_clock,
+                                               k.scene.position, a);
+            }
+            ratio[at] = pairs[1][at] / pairs[0][at];
+        }
+        TABLE_ROW(s->out, (double)k.scene.bodies,
+                  bench_median(pairs[0], BENCH_ROUNDS),
+                  bench_median(pairs[1], BENCH_ROUNDS),
+                  bench_median(ratio, BENCH_ROUNDS));
         free(a);
         end_sky(&k);
     }

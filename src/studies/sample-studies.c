@@ -61,12 +61,9 @@ static void make_box(struct sampling *p, double radius)
 static void start_chain(struct sampling *p, double step, uint64_t sweeps,
                         struct random *r)
 {
-    if (!sampling_start(p, r)) {
-        char why[60];
-        snprintf(why, sizeof why, "--radii: %g leaves no room",
-                 p->disks.disk[0].radius);
-        program_give_up("%s", why);
-    }
+    if (!sampling_start(p, r))
+        program_give_up("--radii: %g leaves no room",
+                        p->disks.disk[0].radius);
     for (uint64_t k = 0; k < sweeps * p->disks.count; ++k)
         sampling_try(p, step, r);
 }
@@ -151,19 +148,8 @@ static void write_bias(struct study *s, const char *key,
     table_real(s->summary, key, 100 * (got / due - 1));
 }
 
-/* Writes both sides of (6.5, eq:two-sides) as one way finds them. */
-static void write_sides(struct study *s, const char *way,
-                        const struct means *m)
-{
-    static const char *const sides[] = {"walls", "pairs"};
-    for (size_t k = 0; k < 2; ++k) {
-        table_keyed(s->summary, means_mean(m, WALLS + k), "%s_%s", way,
-                    sides[k]);
-        table_keyed(s->summary, means_error(m, WALLS + k), "%s_%s_error",
-                    way, sides[k]);
-    }
-}
-
+/* Writes the densities of all ways, both sides of (6.5, eq:two-sides), and
+   by how much the wrong densities are off. */
 static void write_mistakes(struct study *s, const struct means means[])
 {
     const double width = (1 - 2 * own.radius[0]) / BINS;
@@ -176,8 +162,16 @@ static void write_mistakes(struct study *s, const struct means means[])
         }
         table_row(s->out, 1 + 2 * WAYS, row);
     }
-    for (int way = 0; way < WAYS; ++way)
-        write_sides(s, way_names[way], &means[way]);
+    for (int way = 0; way < WAYS; ++way) {
+        const struct means *m = &means[way];
+        const char *const name = way_names[way];
+        table_keyed(s->summary, means_mean(m, WALLS), "%s_walls", name);
+        table_keyed(s->summary, means_error(m, WALLS), "%s_walls_error",
+                    name);
+        table_keyed(s->summary, means_mean(m, PAIRS), "%s_pairs", name);
+        table_keyed(s->summary, means_error(m, PAIRS), "%s_pairs_error",
+                    name);
+    }
     write_bias(s, "kept_edge", &means[KEPT], &means[THROWN], 0);
     write_bias(s, "kept_middle", &means[KEPT], &means[THROWN], HALF - 1);
     write_bias(s, "moved_edge", &means[MOVED], &means[CHAIN], 0);
@@ -255,7 +249,6 @@ static double inefficiency(size_t n, const double x[])
 static void study_chain(struct study *s, size_t k, double x[],
                         struct random *r)
 {
-    static const char *const keys[] = {"acceptance", "g_x", "g_edge"};
     const double radius = own.radius[k / own.steps];
     const double step = own.step[k % own.steps];
     const size_t n = own.samples;
@@ -263,15 +256,13 @@ static void study_chain(struct study *s, size_t k, double x[],
     make_box(&p, radius);
     start_chain(&p, step, n / 10, r);
     const double acceptance = run_chain(&p, step, n, x, x + n, r);
-    const double row[] = {radius,
-                          step,
-                          acceptance,
-                          inefficiency(n, x),
-                          inefficiency(n, x + n),
-                          statistics_moments(n, x).mean};
-    table_row(s->out, 6, row);
-    for (size_t q = 0; q < 3; ++q)
-        table_keyed(s->summary, row[2 + q], "%s_%zu", keys[q], k + 1);
+    const double g_x = inefficiency(n, x), g_edge = inefficiency(n, x + n);
+    char which[24];
+    snprintf(which, sizeof which, "%zu", k + 1);
+    TABLE_ROW(s->out, radius, step, acceptance, g_x, g_edge,
+              statistics_moments(n, x).mean);
+    TABLE_RESULTS_OF(s->summary, which, {"acceptance", acceptance},
+                     {"g_x", g_x}, {"g_edge", g_edge});
     sampling_free(&p);
 }
 
@@ -417,26 +408,10 @@ static void run_method(enum method method, struct sampling *p, double step,
     }
 }
 
-/* Measures a method and writes its rows: the mean of eight runs after one
-   that fills the caches. */
-static void measure(struct study *s, enum method method, struct sampling *p,
-                    struct random *r, const double reference[HALF])
-{
-    const double radius = p->disks.disk[0].radius;
-    double sum[TIMES] = {0}, until = first_time;
-    for (int seed = -1; seed < SEEDS; ++seed) {
-        if (seed == 0)
-            memset(sum, 0, sizeof sum); /* the first one warms up */
-        run_method(method, p, own.step[0], r, reference, sum);
-    }
-    for (int t = 0; t < TIMES; ++t, until *= 4)
-        table_print(s->out, "%s-%g %g %.9g %.4g\n", method_names[method],
-                    radius, radius, until, sqrt(sum[t] / SEEDS));
-}
-
-/* The reference is a run of dynamics that is far longer than any that is
-   measured. The error of direct sampling, which is right by construction,
-   falls straight to the end, which shows that the two agree. */
+/* Measures each method, as the mean of eight runs after one that fills the
+   caches. The reference is a run of dynamics far longer than those. The
+   error of direct sampling, which is right by construction, falls straight
+   to the end, which shows that the two agree. */
 static void study_cost(struct study *s)
 {
     struct random r;
@@ -455,8 +430,20 @@ static void study_cost(struct study *s)
             next_try(DYNAMICS, &p, own.step[0], &r);
             add_places(&p, reference);
         }
-        for (int method = 0; method < METHODS; ++method)
-            measure(s, (enum method)method, &p, &r, reference);
+        for (int method = 0; method < METHODS; ++method) {
+            const double radius = p.disks.disk[0].radius;
+            double sum[TIMES] = {0}, until = first_time;
+            for (int seed = -1; seed < SEEDS; ++seed) {
+                if (seed == 0)
+                    memset(sum, 0, sizeof sum); /* the first one warms up */
+                run_method((enum method)method, &p, own.step[0], &r,
+                           reference, sum);
+            }
+            for (int t = 0; t < TIMES; ++t, until *= 4)
+                table_print(s->out, "%s-%g %g %.9g %.4g\n",
+                            method_names[method], radius, radius, until,
+                            sqrt(sum[t] / SEEDS));
+        }
         sampling_free(&p);
     }
 }
@@ -665,15 +652,7 @@ static void take_option(struct options *o, int letter)
     }
 }
 
-int main(int argc, char *argv[])
-{
-    const struct study_program program = {
-        .name = PROGRAM,
-        .purpose = "Compare samplers of disks in a box.",
-        .events = "samples",
-        .studies = studies,
-        .seeds = UINT64_MAX,
-        .options = entries,
-        .take = take_option};
-    return study_main(&program, argc, argv);
-}
+STUDY_MAIN(.name = PROGRAM,
+           .purpose = "Compare samplers of disks in a box.",
+           .events = "samples", .studies = studies, .seeds = UINT64_MAX,
+           .options = entries, .take = take_option)

@@ -17,13 +17,6 @@
    bytes. */
 enum { NUMBERS = 20000, WIDTH = 32, MOST_DIGITS = 19 };
 
-static void write_numbers(char text[][WIDTH], int digits, struct random *r)
-{
-    for (size_t i = 0; i < NUMBERS; ++i)
-        snprintf(text[i], WIDTH, "%.*f", digits - 1,
-                 10 * random_uniform(r));
-}
-
 /* Returns the seconds to read a number with decimal_read or strtod, and
    counts in ways[] how decimal_read did it. The sum keeps the compiler from
    dropping values that are not used. */
@@ -50,7 +43,9 @@ static void time_digits(int digits, struct table *out, struct random *r)
     static char text[NUMBERS][WIDTH];
     double ours[BENCH_ROUNDS], library[BENCH_ROUNDS];
     size_t ways[DECIMAL_STRTOD + 1];
-    write_numbers(text, digits, r);
+    for (size_t i = 0; i < NUMBERS; ++i)
+        snprintf(text[i], WIDTH, "%.*f", digits - 1,
+                 10 * random_uniform(r));
     for (int k = -1; k < BENCH_ROUNDS; ++k) {
         memset(ways, 0, sizeof ways);
         ours[k < 0 ? 0 : k] = time_numbers(text, true, ways);
@@ -103,24 +98,6 @@ static void time_scene(size_t bodies, struct table *out, struct random *r)
                 bench_median(seconds, BENCH_ROUNDS));
 }
 
-static void write_table(struct table *out, const char *command)
-{
-    struct random r;
-    random_seed(&r, 1);
-    table_begin(out, command, 1);
-    bench_machine(out);
-    TABLE_COLUMNS(out, {"n", "", "digits of a number"},
-                  {"ours", "ns", "processor time to read it"},
-                  {"strtod", "ns", "the same, by the C library"},
-                  {"short", "", "share read by one operation"},
-                  {"pair", "", "share read as a head and a tail"},
-                  {"library", "", "share left to the library"});
-    for (int digits = 1; digits <= MOST_DIGITS; ++digits)
-        time_digits(digits, out, &r);
-    table_print(out, "\n\n# scene bodies megabytes seconds\n");
-    time_scene(1000000, out, &r);
-}
-
 int main(int argc, char *argv[])
 {
     static const struct options_entry entries[] = {
@@ -132,6 +109,19 @@ int main(int argc, char *argv[])
     while (options_next(&o) != -1)
         output = options_text(&o);
     struct table *out = program_table(PROGRAM, output);
-    write_table(out, options_command(&o));
+    struct random r;
+    random_seed(&r, 1);
+    table_begin(out, options_command(&o), 1);
+    bench_machine(out);
+    TABLE_COLUMNS(out, {"n", "", "digits of a number"},
+                  {"ours", "ns", "processor time to read it"},
+                  {"strtod", "ns", "the same, by the C library"},
+                  {"short", "", "share read by one operation"},
+                  {"pair", "", "share read as a head and a tail"},
+                  {"library", "", "share left to the library"});
+    for (int digits = 1; digits <= MOST_DIGITS; ++digits)
+        time_digits(digits, out, &r);
+    table_print(out, "\n\n# scene bodies megabytes seconds\n");
+    time_scene(1000000, out, &r);
     return table_close(out) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -52,9 +52,10 @@ struct run {
 static void begin(struct run *r, int way, double dt)
 {
     r->dt = dt;
-    if (!spheres_create(&r->spheres, &r->scene,
-                        way == PAPER ? SPHERES_ALL : SPHERES_APPROACHING))
-        program_give_up("no memory for the spheres");
+    program_memory(
+        spheres_create(&r->spheres, &r->scene,
+                       way == PAPER ? SPHERES_ALL : SPHERES_APPROACHING),
+        "for the spheres");
     r->spheres.dt = dt;
     r->spheres.shift = way == BACK ? SPHERES_BACK : SPHERES_BY_RADIUS;
 }
@@ -160,27 +161,9 @@ static void gas_by_events(struct disks *d, double until, double value[])
     cells_free(&c);
 }
 
-/* Makes a run with a start of its own. Runs are independent, and their
-   scatter gives the error. */
-static void run_gas(uint64_t seed, int way, double dt, double until,
-                    double value[])
-{
-    struct run r;
-    make_scene(&r.scene, "gas", GALLERY_CHOICES({"seed", (double)seed}));
-    if (way < WAYS) {
-        begin(&r, way, dt);
-        gas_by_steps(&r, until, value);
-        end(&r);
-    } else {
-        struct disks d;
-        as_disks(&d, &r.scene);
-        scene_free(&r.scene);
-        gas_by_events(&d, until, value);
-        disks_free(&d);
-    }
-}
-
-/* Averages over runs, with errors; of the energy's error the worst. way:
+/* Sets mean[] and error[] to the averages over runs and their errors, but
+   mean[ENERGY] to the worst error of the energy. Runs have starts of their
+   own, so they are independent, and their scatter gives the error. The way
    WAYS is by events. */
 static void average(const struct study *s, int way, double dt,
                     double mean[], double error[])
@@ -189,7 +172,20 @@ static void average(const struct study *s, int way, double dt,
     mean[ENERGY] = error[ENERGY] = 0;
     for (uint64_t i = 0; i < own.runs; ++i) {
         double value[MEASURED];
-        run_gas(s->seed + i, way, dt, usual_length, value);
+        struct run r;
+        make_scene(&r.scene, "gas",
+                   GALLERY_CHOICES({"seed", (double)(s->seed + i)}));
+        if (way < WAYS) {
+            begin(&r, way, dt);
+            gas_by_steps(&r, usual_length, value);
+            end(&r);
+        } else {
+            struct disks d;
+            as_disks(&d, &r.scene);
+            scene_free(&r.scene);
+            gas_by_events(&d, usual_length, value);
+            disks_free(&d);
+        }
         for (int k = 0; k < MEASURED; ++k)
             values[k][i] = value[k];
         mean[ENERGY] = fmax(mean[ENERGY], value[ENERGY]);
@@ -206,21 +202,6 @@ enum { DTS = 7, FITTED = 5 };
 
 static const double dts[DTS] = {0.0025, 0.005, 0.01, 0.02,
                                 0.04,   0.08,  0.16};
-
-static void pressure_columns(struct study *s)
-{
-    static const char *const symbols[] = {"Z_x",      "Z_y",    "rate",
-                                          "receding", "virial", "v4"};
-    table_column(s->out, "dt", "s", "step; 0: by events");
-    for (int way = 0; way < WAYS; ++way) {
-        for (int k = 0; k < ENERGY; ++k) {
-            const char *unit = k == RATE || k == RECEDING ? "1/s" : "";
-            TABLE_COLUMNS(s->out, {symbols[k], unit, ways[way]},
-                          {"error", unit, "its error"});
-        }
-        table_column(s->out, "dE/E", "", "the energy's worst error");
-    }
-}
 
 /* What the parabolas are fitted to: points and errors of each way. */
 struct points {
@@ -284,7 +265,17 @@ static struct parabola fit(size_t n, const double t[], const double y[],
 static void study_pressure(struct study *s)
 {
     static struct points points[WAYS];
-    pressure_columns(s);
+    static const char *const symbols[] = {"Z_x",      "Z_y",    "rate",
+                                          "receding", "virial", "v4"};
+    table_column(s->out, "dt", "s", "step; 0: by events");
+    for (int way = 0; way < WAYS; ++way) {
+        for (int k = 0; k < ENERGY; ++k) {
+            const char *unit = k == RATE || k == RECEDING ? "1/s" : "";
+            TABLE_COLUMNS(s->out, {symbols[k], unit, ways[way]},
+                          {"error", unit, "its error"});
+        }
+        table_column(s->out, "dE/E", "", "the energy's worst error");
+    }
     bench_machine(s->out);
     pressure_row(s, 0, 0, NULL);
     for (int i = 0; i < DTS && !progress_signal(); ++i) {
@@ -392,19 +383,25 @@ static void study_law(struct study *s)
         2 * eta / (1 - eta) - 7 * eta / 16 / (1 - 7 * eta / 16);
     const double hit = sqrt(2 / pi);
     const double rate = (2 * density - slope) / (2 * sqrt(2 * pi));
-    const double law = virial / (1 + virial) * (hit + rate);
-    static const char *const names[] = {"slope", "error",       "density",
-                                        "hit",   "rate",        "share",
-                                        "law",   "virial_slope"};
-    const double row[] = {slope,   error,
-                          density, hit,
-                          rate,    virial / (1 + virial),
-                          law,     -virial * (hit + rate) / 0.2};
-    for (size_t k = 0; k < sizeof row / sizeof *row; ++k) {
-        table_column(s->out, names[k], "", "of the law of first order");
-        table_real(s->summary, names[k], row[k]);
+    const double share = virial / (1 + virial);
+    const double law = share * (hit + rate);
+    const struct table_result found[] = {
+        {"slope", slope},
+        {"error", error},
+        {"density", density},
+        {"hit", hit},
+        {"rate", rate},
+        {"share", share},
+        {"law", law},
+        {"virial_slope", -virial * (hit + rate) / 0.2},
+        {0}};
+    double row[8];
+    for (size_t k = 0; k < 8; ++k) {
+        table_column(s->out, found[k].key, "", "of the law of first order");
+        row[k] = found[k].value;
     }
-    table_row(s->out, sizeof row / sizeof *row, row);
+    table_results(s->summary, found);
+    table_row(s->out, 8, row);
 }
 
 enum {
@@ -452,17 +449,6 @@ static double near_pairs(const struct scene *s)
     return count;
 }
 
-/* Copies the positions of disks into a scene. */
-static void copy_positions(struct scene *s, const struct disks *d)
-{
-    for (size_t i = 0; i < d->count; ++i) {
-        double place[DISKS_AXES];
-        disks_position(d, i, place);
-        for (size_t k = 0; k < 2; ++k)
-            s->position[k * d->count + i] = place[k];
-    }
-}
-
 /* Returns the mean number of near pairs in two hundred samples. */
 static double near_by_events(struct run *r)
 {
@@ -473,7 +459,12 @@ static double near_by_events(struct run *r)
     program_memory(cells_create(&c, &d), "for the cells");
     for (int k = 0; k < 200; ++k) {
         cells_run(&c, warm_time + 0.2 * k, UINT64_MAX);
-        copy_positions(&r->scene, &d);
+        for (size_t i = 0; i < d.count; ++i) {
+            double place[DISKS_AXES];
+            disks_position(&d, i, place);
+            for (size_t axis = 0; axis < 2; ++axis)
+                r->scene.position[axis * d.count + i] = place[axis];
+        }
         near += near_pairs(&r->scene) / 200;
     }
     cells_free(&c);
@@ -635,10 +626,9 @@ static void study_checks(struct study *s)
             double row[2 + CHECKS] = {way, fine ? 0.02 : 0.04};
             do_checks(s, way, row[1], truth, near, row + 2);
             table_row(s->out, 2 + CHECKS, row);
-            for (int k = 0; k < CHECKS; ++k) {
+            for (int k = 0; k < CHECKS; ++k)
                 table_keyed(s->summary, row[2 + k], "%s_%s_%d", checks[k],
                             ways[way], fine ? 2 : 4);
-            }
         }
 }
 
@@ -772,9 +762,7 @@ static void compare_row(struct study *s, int row, double line[2 + KINDS])
 {
     double x[BALLS], exact[BALLS], v[BALLS];
     const uint64_t n = row_by_events(row, 0.01, 100, x, exact);
-    char key[20];
-    snprintf(key, sizeof key, "n_%s", rows[row].name);
-    table_count(s->summary, key, n);
+    table_keyed(s->summary, (double)n, "n_%s", rows[row].name);
     write_velocities(s, "events", row, exact);
     line[0] = row;
     line[1] = (double)n;
@@ -824,10 +812,9 @@ static void study_late(struct study *s)
     const double until = 3;
     double x[BALLS], v[BALLS], place[BALLS], velocity[BALLS];
     table_column(s->out, "dt", "s", "step; v = 1 m/s, 2r = 0.2 m");
-    for (int way = 0; way < WAYS; ++way) {
+    for (int way = 0; way < WAYS; ++way)
         TABLE_COLUMNS(s->out, {"dv", "m/s", ways[way]},
                       {"dx", "m", "of the last ball"});
-    }
     row_by_events(DOUBLE, 0.01, until, x, v);
     for (double n = 3e4; n >= 4; n = floor(n / 1.17)) {
         double line[1 + 2 * WAYS] = {until / n};
@@ -840,18 +827,6 @@ static void study_late(struct study *s)
         }
         table_row(s->out, 1 + 2 * WAYS, line);
     }
-}
-
-/* Writes a line of the table: energies and positions at t. */
-static void write_cradle(struct table *out, double t, struct bonkers *b,
-                         const struct run *r)
-{
-    double x[BALLS + 2], v[BALLS + 2];
-    bonkers_run(b, t, UINT64_MAX);
-    bonkers_state(b, x, v);
-    double line[3 + BALLS] = {t, bonkers_energy(b), energy(&r->scene)};
-    memcpy(line + 3, r->scene.position, BALLS * sizeof *line);
-    table_row(out, 3 + BALLS, line);
 }
 
 static const struct table_key rest_keys[] = {
@@ -875,7 +850,13 @@ static void study_rest(struct study *s)
     for (int i = 0; i < BALLS; ++i)
         table_column(s->out, "x", "m", "of a ball, by steps");
     for (int k = 0; k * every <= until && !progress_signal(); ++k) {
-        write_cradle(s->out, k * every, &b, &r);
+        double x[BALLS + 2], v[BALLS + 2];
+        bonkers_run(&b, k * every, UINT64_MAX);
+        bonkers_state(&b, x, v);
+        double line[3 + BALLS] = {k * every, bonkers_energy(&b),
+                                  energy(&r.scene)};
+        memcpy(line + 3, r.scene.position, BALLS * sizeof *line);
+        table_row(s->out, 3 + BALLS, line);
         steps(&r, every);
     }
     TABLE_RESULTS(
@@ -969,27 +950,6 @@ static double nearest(const double x[], double outcome[][2 * RACK])
 
 enum { BREAKS = 4 };
 
-/* Writes the outcomes of three orders of the pairs. */
-static void write_orders(struct table *out, double x[BREAKS][2 * RACK])
-{
-    TABLE_COLUMNS(out, {"x", "m", "steps, ascending; then by events"},
-                  {"y", "m", ""}, {"x'", "m", "steps, descending"},
-                  {"y'", "m", ""}, {"x''", "m", "steps, the deepest first"},
-                  {"y''", "m", ""});
-    for (size_t i = 0; i < RACK; ++i)
-        TABLE_ROW(out, x[0][i], x[0][RACK + i], x[1][i], x[1][RACK + i],
-                  x[3][i], x[3][RACK + i]);
-}
-
-/* Writes the outcomes of a hundred racks, as a cloud of points. */
-static void write_racks(struct table *out, double x[OUTCOMES][2 * RACK])
-{
-    table_print(out, "\n\n");
-    for (size_t k = 0; k < OUTCOMES; ++k)
-        for (size_t i = 0; i < RACK; ++i)
-            table_print(out, "%.9g %.9g\n", x[k][i], x[k][RACK + i]);
-}
-
 static const struct table_key break_keys[] = {
     {"orders", "m", "ascending from descending"},
     {"halved", "m", "step from half of it"},
@@ -1008,8 +968,21 @@ static void study_break(struct study *s)
     break_by_steps(SPHERES_DEEPEST, 1e-5, stepped[3]);
     for (size_t i = 0; i < OUTCOMES; ++i)
         break_by_events(1e-12, i, outcome[i]);
-    write_orders(s->out, stepped);
-    write_racks(s->out, outcome);
+    /* The outcomes of three orders of the pairs. */
+    TABLE_COLUMNS(s->out, {"x", "m", "steps, ascending; then by events"},
+                  {"y", "m", ""}, {"x'", "m", "steps, descending"},
+                  {"y'", "m", ""}, {"x''", "m", "steps, the deepest first"},
+                  {"y''", "m", ""});
+    for (size_t i = 0; i < RACK; ++i)
+        TABLE_ROW(s->out, stepped[0][i], stepped[0][RACK + i],
+                  stepped[1][i], stepped[1][RACK + i], stepped[3][i],
+                  stepped[3][RACK + i]);
+    /* A cloud of points: the outcomes of a hundred racks. */
+    table_print(s->out, "\n\n");
+    for (size_t k = 0; k < OUTCOMES; ++k)
+        for (size_t i = 0; i < RACK; ++i)
+            table_print(s->out, "%.9g %.9g\n", outcome[k][i],
+                        outcome[k][RACK + i]);
     TABLE_RESULTS(s->summary, {"orders", distance(stepped[0], stepped[1])},
                   {"halved", distance(stepped[0], stepped[2])},
                   {"ascending", nearest(stepped[0], outcome)},
@@ -1056,9 +1029,9 @@ static void make_three(struct scene *s, double k2)
 static void move(struct motion *m, struct scene *s, const char *method,
                  double dt, bool located)
 {
-    if (!motion_begin(m, PROGRAM, s, method, dt) ||
-        (located && !motion_locate(m)))
-        program_give_up("no memory for a motion");
+    program_memory(motion_begin(m, PROGRAM, s, method, dt) &&
+                       (!located || motion_locate(m)),
+                   "for a motion");
     m->spheres.rule = SPHERES_APPROACHING;
     m->spheres.shift = SPHERES_BACK;
 }
@@ -1132,23 +1105,6 @@ static double moment_order(int way, const double exact[9])
     return log2(coarse / fine) / log2(times);
 }
 
-/* Writes the orders of all ways, and the errors of three balls and one. */
-static void summarise_moments(struct study *s, const double exact[9])
-{
-    double x[9], y[9], fine[9];
-    for (int way = 0; way < MOMENTS; ++way)
-        table_keyed(s->summary, moment_order(way, exact), "order_%s",
-                    moments[way].name);
-    table_count(s->summary, "collisions",
-                move_three("leapfrog", 0.5, true, 4096, x));
-    move_three("leapfrog", 0, true, 256, x);
-    move_three("leapfrog", 0, false, 256, y);
-    move_three("kahan-li8", 0, true, 300, fine);
-    TABLE_RESULTS(s->summary, {"located", largest_difference(x, fine, 9)},
-                  {"stepwise", largest_difference(y, fine, 9)},
-                  {"bounce", drop_ball(1)}, {"bounces", drop_ball(0.8)});
-}
-
 static const struct table_key moment_keys[] = {
     {"order_<way>", "1", "of the error, over a range of steps"},
     {"collisions", "1", "of three balls in 1 s"},
@@ -1159,7 +1115,8 @@ static const struct table_key moment_keys[] = {
     {0}};
 
 /* Writes the errors of three balls after 1 s against the step, for each
-   way. */
+   way, then the orders of all ways, and the errors of three balls without
+   attraction and of one ball. */
 static void study_moment(struct study *s)
 {
     double exact[9], row[1 + MOMENTS];
@@ -1174,7 +1131,18 @@ static void study_moment(struct study *s)
             row[1 + way] = moment_error(way, steps, exact);
         table_row(s->out, 1 + MOMENTS, row);
     }
-    summarise_moments(s, exact);
+    double x[9], y[9], fine[9];
+    for (int way = 0; way < MOMENTS; ++way)
+        table_keyed(s->summary, moment_order(way, exact), "order_%s",
+                    moments[way].name);
+    table_count(s->summary, "collisions",
+                move_three("leapfrog", 0.5, true, 4096, x));
+    move_three("leapfrog", 0, true, 256, x);
+    move_three("leapfrog", 0, false, 256, y);
+    move_three("kahan-li8", 0, true, 300, fine);
+    TABLE_RESULTS(s->summary, {"located", largest_difference(x, fine, 9)},
+                  {"stepwise", largest_difference(y, fine, 9)},
+                  {"bounce", drop_ball(1)}, {"bounces", drop_ball(0.8)});
 }
 
 enum { TOUCHING = 3 };
@@ -1348,16 +1316,6 @@ static void study_touch(struct study *s)
                        exp(-pi * zeta / sqrt(1 - zeta * zeta)));
 }
 
-/* Makes the gas on a lattice, at a packing. */
-static void make_packed(struct scene *s, double packing, uint64_t seed)
-{
-    const double area = 250 * 3.14159265358979324 * 0.01 / packing;
-    const double height = sqrt(area / 1.5);
-    make_scene(s, "gas",
-               GALLERY_CHOICES({"width", 1.5 * height}, {"height", height},
-                               {"lattice", 1}, {"seed", (double)seed}));
-}
-
 enum { LOCATED = WAYS + 1 }; /* WAYS: by events */
 
 /* Returns the length of a run: contacts that are located take so long that
@@ -1416,7 +1374,13 @@ static void cost_of(const struct study *s, double packing, int way,
     const double until = length_of(way, usual_length);
     for (uint64_t i = 0; i < own.runs; ++i) {
         struct scene scene;
-        make_packed(&scene, packing, s->seed + i);
+        /* The gas on a lattice, at the packing that is asked for. */
+        const double area = 250 * 3.14159265358979324 * 0.01 / packing;
+        const double height = sqrt(area / 1.5);
+        make_scene(&scene, "gas",
+                   GALLERY_CHOICES({"width", 1.5 * height},
+                                   {"height", height}, {"lattice", 1},
+                                   {"seed", (double)(s->seed + i)}));
         values[i] = time_run(&scene, way, dt, until, &seconds[i]);
     }
     *virial = blocks_average_of(own.runs, values);
@@ -1432,22 +1396,6 @@ static const struct {
     {"approaching", "processor time of a second"},
     {"back", "processor time of a second"},
     {"located", "the same, of 4 + 16 s, the others 20 + 60 s"}};
-
-static void name_costs(struct table *out)
-{
-    TABLE_COLUMNS(out, {"row", "", "packing and dt"},
-                  {"packing", "", "of 250 disks of radius 0.1 m"},
-                  {"dt", "s", "step; v = 1 m/s"},
-                  {"events", "s", "processor time of a second"},
-                  {"Z", "", "1 + virial/(2 N kT), by events"},
-                  {"error", "", "its statistical error"});
-    for (int k = 0; k < 3; ++k) {
-        TABLE_COLUMNS(out,
-                      {cost_columns[k].name, "s", cost_columns[k].text},
-                      {"dZ/Z", "", "relative error of Z, absolute"},
-                      {"error", "", "its statistical error"});
-    }
-}
 
 enum { COSTS = 14 };
 
@@ -1479,7 +1427,17 @@ static void compare_step(struct study *s, double dt, bool all,
 static void study_cost(struct study *s)
 {
     static const double packings[] = {0.1, 0.3, 0.5, 0.7};
-    name_costs(s->out);
+    TABLE_COLUMNS(s->out, {"row", "", "packing and dt"},
+                  {"packing", "", "of 250 disks of radius 0.1 m"},
+                  {"dt", "s", "step; v = 1 m/s"},
+                  {"events", "s", "processor time of a second"},
+                  {"Z", "", "1 + virial/(2 N kT), by events"},
+                  {"error", "", "its statistical error"});
+    for (int k = 0; k < 3; ++k)
+        TABLE_COLUMNS(s->out,
+                      {cost_columns[k].name, "s", cost_columns[k].text},
+                      {"dZ/Z", "", "relative error of Z, absolute"},
+                      {"error", "", "its statistical error"});
     bench_machine(s->out);
     for (size_t k = 0; k < 4 && !progress_signal(); ++k) {
         struct blocks_average truth;
@@ -1522,16 +1480,8 @@ static void take_option(struct options *o, int letter)
     }
 }
 
-int main(int argc, char *argv[])
-{
-    const struct study_program program = {
-        .name = PROGRAM,
-        .purpose = "Measure spheres in steps, and what fails.",
-        .events = "rows",
-        .studies = studies,
-        .seeds = 1000000000,
-        .drawing = "--study pressure, law, checks, cost",
-        .options = entries,
-        .take = take_option};
-    return study_main(&program, argc, argv);
-}
+STUDY_MAIN(.name = PROGRAM,
+           .purpose = "Measure spheres in steps, and what fails.",
+           .events = "rows", .studies = studies, .seeds = 1000000000,
+           .drawing = "--study pressure, law, checks, cost",
+           .options = entries, .take = take_option)

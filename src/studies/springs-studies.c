@@ -126,31 +126,17 @@ static void study_critical(struct study *s)
                   {"book_below", "m", "the same by a cosine"});
     for (int k = 4; k <= 60; ++k) {
         const double e = pow(10, -0.25 * k);
-        const double row[] = {e, by_series(1 + e, t), by_the_book(1 + e, t),
-                              by_series(1 - e, t), by_the_book(1 - e, t)};
-        table_row(s->out, 5, row);
+        const double q = by_series(1 + e, t), book = by_the_book(1 + e, t);
+        TABLE_ROW(s->out, e, q, book, by_series(1 - e, t),
+                  by_the_book(1 - e, t));
         if (k == 40)
-            table_real(s->summary, "book_error", fabs(row[2] / row[1] - 1));
+            table_real(s->summary, "book_error", fabs(book / q - 1));
     }
 }
 
 enum { DAMPINGS = 4 };
 
 static const double dampings[DAMPINGS] = {0.2, 1, 2, 4}; /* kg/s */
-
-/* Notes where the masses are at the time row[0], and steps them on by
-   0.1 s. Returns how far the worst one is from the exact motion. */
-static double note_masses(struct run r[DAMPINGS], double row[1 + DAMPINGS])
-{
-    double worst = 0;
-    for (int k = 0; k < DAMPINGS; ++k) {
-        row[1 + k] = r[k].scene.position[1] - 4;
-        const double exact = by_series(dampings[k] / 2, row[0]);
-        worst = fmax(worst, fabs(row[1 + k] - exact));
-        stepping_run(&r[k].stepping, 2);
-    }
-    return worst;
-}
 
 static const struct table_key regimes_keys[] = {
     {"worst", "m", "distance from the exact motion"}, {0}};
@@ -169,7 +155,12 @@ static void study_regimes(struct study *s)
     }
     for (int n = 0; n <= 150; ++n) {
         double row[1 + DAMPINGS] = {0.1 * n};
-        worst = fmax(worst, note_masses(r, row));
+        for (int k = 0; k < DAMPINGS; ++k) {
+            row[1 + k] = r[k].scene.position[1] - 4;
+            const double exact = by_series(dampings[k] / 2, row[0]);
+            worst = fmax(worst, fabs(row[1 + k] - exact));
+            stepping_run(&r[k].stepping, 2);
+        }
         table_row(s->out, 1 + DAMPINGS, row);
     }
     table_real(s->summary, "worst", worst);
@@ -206,16 +197,6 @@ static double spin(const struct scene *s)
     return sum;
 }
 
-static void note_dumbbells(struct run r[2], double row[5])
-{
-    row[0] = stepping_time(&r[0].stepping);
-    for (int k = 0; k < 2; ++k) {
-        row[1 + k] = spin(&r[k].scene);
-        row[3 + k] = energy(&r[k]);
-        stepping_run(&r[k].stepping, 50);
-    }
-}
-
 static const struct table_key spin_keys[] = {
     {"left", "1", "share of the spin, dashpot as printed"},
     {"off_law", "1", "largest relative error of the law"},
@@ -239,7 +220,12 @@ static void study_spin(struct study *s)
         start = spin(&r[k].scene);
     }
     for (int i = 0; i < DUMBBELL_ROWS; ++i) {
-        note_dumbbells(r, row);
+        row[0] = stepping_time(&r[0].stepping);
+        for (int k = 0; k < 2; ++k) {
+            row[1 + k] = spin(&r[k].scene);
+            row[3 + k] = energy(&r[k]);
+            stepping_run(&r[k].stepping, 50);
+        }
         law = fmax(law, fabs(row[1] / (start * exp(-row[0])) - 1));
         table_row(s->out, 5, row);
     }
@@ -306,24 +292,19 @@ static bool swing_of(const struct stepping_method *method, uint64_t n,
     return end == STEPPING_DONE && row[2] < 3;
 }
 
-static void name_errors(struct table *out, bool timed)
-{
-    if (timed)
-        bench_machine(out);
-    TABLE_COLUMNS(out, {"dt", "s", "step"},
-                  {"n", "", "evaluations of the forces"},
-                  {"error", "m", "of a place, after 10 s"},
-                  {"energy", "J", "change of the energy"});
-    if (timed)
-        table_column(out, "cost", "s", "processor time");
-}
-
 /* Halves the step, beginning with 0.2 s, until the error is close to
    rounding or the work becomes too much. Only a timed table has a column of
    processor time: the other one is the same on all machines. */
 static void write_errors(struct study *s, bool timed)
 {
-    name_errors(s->out, timed);
+    if (timed)
+        bench_machine(s->out);
+    TABLE_COLUMNS(s->out, {"dt", "s", "step"},
+                  {"n", "", "evaluations of the forces"},
+                  {"error", "m", "of a place, after 10 s"},
+                  {"energy", "J", "change of the energy"});
+    if (timed)
+        table_column(s->out, "cost", "s", "processor time");
     for (const struct stepping_method *m = stepping_next(NULL); m;
          m = stepping_next(m)) {
         table_print(s->out, "# %s\n", m->name);
@@ -374,19 +355,6 @@ static const char *const damping_ways[WAYS] = {"rk4", "leapfrog",
                                                "yoshida4"};
 static const double damping_step = 0.025; /* s */
 
-/* Starts the three; the small step is a fiftieth of the other two. */
-static void begin_ways(struct study *s, struct run r[WAYS])
-{
-    table_column(s->out, "t", "s", "time");
-    for (int k = 0; k < WAYS; ++k) {
-        table_column(s->out, damping_ways[k], "m",
-                     "stretch of the upper spring");
-        make(&r[k].scene, "double-pendulum", NULL);
-        set_off(&r[k], stepping_find(damping_ways[k]),
-                k == 2 ? damping_step / 50 : damping_step);
-    }
-}
-
 static const struct table_key silent_keys[] = {
     {"<method>", "m", "range of the stretch in the last 0.2 s"}, {0}};
 
@@ -397,7 +365,14 @@ static void study_silent(struct study *s)
 {
     double most[WAYS], least[WAYS];
     struct run r[WAYS];
-    begin_ways(s, r);
+    table_column(s->out, "t", "s", "time");
+    for (int k = 0; k < WAYS; ++k) {
+        table_column(s->out, damping_ways[k], "m",
+                     "stretch of the upper spring");
+        make(&r[k].scene, "double-pendulum", NULL);
+        set_off(&r[k], stepping_find(damping_ways[k]),
+                k == 2 ? damping_step / 50 : damping_step);
+    }
     for (int i = 0; i <= 400; ++i) {
         double row[1 + WAYS] = {i * damping_step};
         for (int k = 0; k < WAYS; ++k) {
@@ -662,8 +637,8 @@ static void study_limits(struct study *s)
         const double dt[2] = {limit[0] / 70.74605996, limit[1] / 15.103518};
         table_print(s->out, "# %s\n", m->name);
         TABLE_ROW(s->out, m->limit, limit[0], dt[0], limit[1], dt[1]);
-        table_keyed(s->summary, dt[0], "pendulum_%s", m->name);
-        table_keyed(s->summary, dt[1], "membrane_%s", m->name);
+        TABLE_RESULTS_OF(s->summary, m->name, {"pendulum", dt[0]},
+                         {"membrane", dt[1]});
     }
 }
 
@@ -752,42 +727,11 @@ static double others(const struct scene *s, size_t n, double a)
     return sqrt(fmax(sum, 0)) / a;
 }
 
-/* Makes a membrane in its first mode, at rest length or taut. */
-static void make_membrane(struct scene *s, double rest, double a, bool free)
-{
-    make(s, "membrane",
-         GALLERY_CHOICES({"rest", rest}, {"amplitude", a}, {"damping", 0},
-                         {"free", free}));
-}
-
 enum { MEMBRANES = 3 };
 
-/* Amplitudes at the start, m. */
+/* Amplitudes at the start, m: of a membrane at rest length that moves along
+   z alone, of the same one free to move, and of a taut one. */
 static const double lifted[MEMBRANES] = {0.1, 0.1, 0.01};
-
-/* Starts one at rest length along z only, the same free, and a taut one. */
-static void begin_membranes(struct study *s, struct run r[MEMBRANES])
-{
-    table_column(s->out, "t", "s", "time");
-    for (int k = 0; k < MEMBRANES; ++k) {
-        TABLE_COLUMNS(s->out,
-                      {"a", "", "of the first mode, over the start"},
-                      {"rest", "", "of the other modes, the same"});
-        make_membrane(&r[k].scene, k == 2 ? 0.8 : 1, lifted[k], k > 0);
-        set_off(&r[k], stepping_find("pefrl"), 0.02);
-    }
-}
-
-static void note_amplitudes(struct study *s, int row, const double values[])
-{
-    static const char *const keys[] = {NULL,        "a",  "rest",     NULL,
-                                       "free_rest", NULL, "taut_rest"};
-    if (row != 10 && row != 50 && row != 100 && row != 400 && row != 4000)
-        return;
-    for (int k = 0; k < 7; ++k)
-        if (keys[k])
-            table_keyed(s->summary, values[k], "%s_%d", keys[k], row / 10);
-}
 
 static const struct table_key membranes_keys[] = {
     {"", "", "if --until reaches t (1, 5, 10, 40, 400):"},
@@ -800,7 +744,17 @@ static const struct table_key membranes_keys[] = {
 static void study_membranes(struct study *s)
 {
     struct run r[MEMBRANES];
-    begin_membranes(s, r);
+    table_column(s->out, "t", "s", "time");
+    for (int k = 0; k < MEMBRANES; ++k) {
+        TABLE_COLUMNS(s->out,
+                      {"a", "", "of the first mode, over the start"},
+                      {"rest", "", "of the other modes, the same"});
+        make(&r[k].scene, "membrane",
+             GALLERY_CHOICES({"rest", k == 2 ? 0.8 : 1},
+                             {"amplitude", lifted[k]}, {"damping", 0},
+                             {"free", k > 0}));
+        set_off(&r[k], stepping_find("pefrl"), 0.02);
+    }
     for (int row = 0; 0.1 * row <= own.until; ++row) {
         double values[1 + 2 * MEMBRANES] = {0.1 * row};
         for (int k = 0; k < MEMBRANES; ++k) {
@@ -809,7 +763,13 @@ static void study_membranes(struct study *s)
             stepping_run(&r[k].stepping, 5);
         }
         table_row(s->out, 1 + 2 * MEMBRANES, values);
-        note_amplitudes(s, row, values);
+        char which[16];
+        snprintf(which, sizeof which, "%d", row / 10);
+        if (row == 10 || row == 50 || row == 100 || row == 400 ||
+            row == 4000)
+            TABLE_RESULTS_OF(s->summary, which, {"a", values[1]},
+                             {"rest", values[2]}, {"free_rest", values[4]},
+                             {"taut_rest", values[6]});
     }
     for (int k = 0; k < MEMBRANES; ++k)
         tidy_up(&r[k]);
@@ -1066,22 +1026,6 @@ static void find_turn(struct beam *b)
     tidy_up(&r);
 }
 
-static void note_beam(struct study *s, const struct beam *b)
-{
-    const double values[] = {b->frequency, -b->linear, -b->still,
-                             -b->lowest, b->time};
-    static const char *const keys[] = {"w", "linear", "still", "lowest",
-                                       "t"};
-    char key[32];
-    for (int k = 0; k < 5; ++k) {
-        snprintf(key, sizeof key, "%s_%s", keys[k], b->name);
-        if (isfinite(values[k]))
-            table_real(s->summary, key, values[k]);
-    }
-    snprintf(key, sizeof key, "loose_%s", b->name);
-    table_count(s->summary, key, b->loose);
-}
-
 enum { BEAMS = 9 };
 
 /* The usual beam, and eight that differ from it in one number. */
@@ -1121,7 +1065,12 @@ static void study_beams(struct study *s)
         table_print(s->out, "# %s\n", b->name);
         TABLE_ROW(s->out, b->frequency, (double)b->loose, b->linear,
                   b->still, b->lowest, b->time);
-        note_beam(s, b);
+        TABLE_RESULTS_OF(s->summary, b->name, {"w", b->frequency});
+        if (isfinite(b->linear))
+            TABLE_RESULTS_OF(s->summary, b->name, {"linear", -b->linear});
+        TABLE_RESULTS_OF(s->summary, b->name, {"still", -b->still},
+                         {"lowest", -b->lowest}, {"t", b->time},
+                         {"loose", (double)b->loose});
     }
     TABLE_RESULTS(s->summary, {"second", beams[0].second},
                   {"third", beams[0].third}, {"fastest", beams[0].fastest});
@@ -1194,31 +1143,14 @@ static double speed_of(struct run *r, double (*seconds)(void))
     return (double)(steps * r->scene.bodies) / (seconds() - start);
 }
 
-/* Measures the speed of each way to step a membrane. The ways take turns,
-   so that disturbances of the machine affect all of them. The first round
-   is discarded; of the others the median is taken. */
-static void measure_speeds(size_t n, double row[1 + SPEEDS])
-{
-    double rounds[SPEEDS][BENCH_ROUNDS];
-    struct run r[SPEEDS];
-    for (int way = 0; way < SPEEDS; ++way)
-        make_fast(&r[way], n, way);
-    for (int round = -1; round < BENCH_ROUNDS; ++round)
-        for (int way = 0; way < SPEEDS; ++way)
-            rounds[way][round < 0 ? 0 : round] =
-                speed_of(&r[way], bench_seconds);
-    row[0] = (double)n;
-    for (int way = 0; way < SPEEDS; ++way) {
-        row[1 + way] = bench_median(rounds[way], BENCH_ROUNDS);
-        tidy_up(&r[way]);
-    }
-}
-
 static const struct table_key speed_keys[] = {
     {"most", "1/s", "steps of a body, gather"},
     {"least_ratio_from_64", "1", "gather / scatter, from 64 on a side on"},
     {0}};
 
+/* Measures the speed of each way to step membranes. The ways take turns, so
+   that disturbances of the machine affect all of them. The first round is
+   discarded; of the others the median is taken. */
 static void study_speed(struct study *s)
 {
     double most = 0, least = INFINITY;
@@ -1229,8 +1161,19 @@ static void study_speed(struct study *s)
                   {"trips", "1/s", "by bands, in two trips"},
                   {"twice", "1/s", "each body looks at all its springs"});
     for (size_t n = 8; n <= 512 && !progress_signal(); n *= 2) {
-        double row[1 + SPEEDS];
-        measure_speeds(n, row);
+        double row[1 + SPEEDS] = {(double)n};
+        double rounds[SPEEDS][BENCH_ROUNDS];
+        struct run r[SPEEDS];
+        for (int way = 0; way < SPEEDS; ++way)
+            make_fast(&r[way], n, way);
+        for (int round = -1; round < BENCH_ROUNDS; ++round)
+            for (int way = 0; way < SPEEDS; ++way)
+                rounds[way][round < 0 ? 0 : round] =
+                    speed_of(&r[way], bench_seconds);
+        for (int way = 0; way < SPEEDS; ++way) {
+            row[1 + way] = bench_median(rounds[way], BENCH_ROUNDS);
+            tidy_up(&r[way]);
+        }
         table_row(s->out, 1 + SPEEDS, row);
         most = fmax(most, row[1 + GATHER]);
         if (n >= 64)
@@ -1240,31 +1183,9 @@ static void study_speed(struct study *s)
                   {"least_ratio_from_64", least});
 }
 
-/* Writes one row: steps of a body in a second by one thread and by two, by
-   the clock on the wall, and the ratio: of each round, since a slow moment
+/* Writes the steps of a body in a second by one thread and by two, by the
+   clock on the wall, and the ratio: that of each round, since a slow moment
    of the machine then spoils one of five. */
-static void compare_threads(struct study *s, size_t n)
-{
-    double speed[2][BENCH_ROUNDS], ratio[BENCH_ROUNDS];
-    struct run r[2];
-    for (int way = 0; way < 2; ++way) {
-        make_fast(&r[way], n, GATHER);
-        if (way && !springs_threads(&r[way].springs, 2))
-            no_memory();
-    }
-    for (int round = -1; round < BENCH_ROUNDS; ++round) {
-        const int at = round < 0 ? 0 : round; /* the first: a warm-up */
-        for (int way = 0; way < 2; ++way)
-            speed[way][at] = speed_of(&r[way], bench_clock);
-        ratio[at] = speed[1][at] / speed[0][at];
-    }
-    TABLE_ROW(s->out, (double)n, bench_median(speed[0], BENCH_ROUNDS),
-              bench_median(speed[1], BENCH_ROUNDS),
-              bench_median(ratio, BENCH_ROUNDS));
-    tidy_up(&r[0]);
-    tidy_up(&r[1]);
-}
-
 static void study_threads(struct study *s)
 {
     bench_machine(s->out);
@@ -1273,8 +1194,26 @@ static void study_threads(struct study *s)
                   {"one", "1/s", "steps of a body, by the clock"},
                   {"many", "1/s", "by as many threads as there are"},
                   {"ratio", "", "median of the rounds'"});
-    for (size_t n = 8; n <= 512 && !progress_signal(); n *= 2)
-        compare_threads(s, n);
+    for (size_t n = 8; n <= 512 && !progress_signal(); n *= 2) {
+        double speed[2][BENCH_ROUNDS], ratio[BENCH_ROUNDS];
+        struct run r[2];
+        for (int way = 0; way < 2; ++way) {
+            make_fast(&r[way], n, GATHER);
+            if (way && !springs_threads(&r[way].springs, 2))
+                no_memory();
+        }
+        for (int round = -1; round < BENCH_ROUNDS; ++round) {
+            const int at = round < 0 ? 0 : round; /* the first: a warm-up */
+            for (int way = 0; way < 2; ++way)
+                speed[way][at] = speed_of(&r[way], bench_clock);
+            ratio[at] = speed[1][at] / speed[0][at];
+        }
+        TABLE_ROW(s->out, (double)n, bench_median(speed[0], BENCH_ROUNDS),
+                  bench_median(speed[1], BENCH_ROUNDS),
+                  bench_median(ratio, BENCH_ROUNDS));
+        tidy_up(&r[0]);
+        tidy_up(&r[1]);
+    }
 }
 
 static const struct study_entry studies[] = {
@@ -1312,14 +1251,6 @@ static void take_option(struct options *o, int letter)
         own.until = options_real(o, 1e-3, 1e6);
 }
 
-int main(int argc, char *argv[])
-{
-    const struct study_program program = {
-        .name = PROGRAM,
-        .purpose = "Measure springs, and what fails.",
-        .events = "studies",
-        .studies = studies,
-        .options = entries,
-        .take = take_option};
-    return study_main(&program, argc, argv);
-}
+STUDY_MAIN(.name = PROGRAM, .purpose = "Measure springs, and what fails.",
+           .events = "studies", .studies = studies, .options = entries,
+           .take = take_option)

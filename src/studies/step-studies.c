@@ -24,12 +24,11 @@ enum { CHAIN = 32, MOST = CHAIN };
    variable length. Its forces get the coefficient of a friction -c v,
    1/s. */
 struct system {
-    const char *name;
     size_t size;
     void (*accelerate)(void *friction, const double x[], const double v[],
                        double a[]);
     double (*energy)(const double x[], const double v[]);
-    void (*start)(double x[], double v[]);
+    double x[3 * 2], v[2]; /* at the start; what is not named is 0 */
 };
 
 static void oscillator_force(void *friction, const double x[],
@@ -41,12 +40,6 @@ static void oscillator_force(void *friction, const double x[],
 static double oscillator_energy(const double x[], const double v[])
 {
     return (v[0] * v[0] + x[0] * x[0]) / 2;
-}
-
-static void oscillator_start(double x[], double v[])
-{
-    x[0] = 1;
-    v[0] = 0;
 }
 
 /* Returns the sine, computed with + - * / alone: that of the C library may
@@ -77,12 +70,6 @@ static double pendulum_energy(const double x[], const double v[])
     return v[0] * v[0] / 2 + 2 * s * s;
 }
 
-static void pendulum_start(double x[], double v[])
-{
-    x[0] = 1.5;
-    v[0] = 0.2;
-}
-
 static void orbit_force(void *friction, const double x[], const double v[],
                         double a[])
 {
@@ -96,16 +83,6 @@ static double orbit_energy(const double x[], const double v[])
 {
     return (v[0] * v[0] + v[1] * v[1]) / 2 -
            1 / sqrt(x[0] * x[0] + x[1] * x[1]);
-}
-
-/* Starts at the pericentre of an ellipse of eccentricity 1/2 and semi-major
-   axis 1, with the speed sqrt(3); the energy is -1/2 and the period 2
-   pi. */
-static void orbit_start(double x[], double v[])
-{
-    x[0] = 0.5;
-    v[1] = sqrt(3);
-    x[1] = v[0] = 0;
 }
 
 /* Writes the forces of a harmonic chain; its highest frequency is just
@@ -131,23 +108,17 @@ static double chain_energy(const double x[], const double v[])
     return sum / 2;
 }
 
-/* Starts at rest, plucked at a third of its length: a triangle. */
-static void chain_start(double x[], double v[])
-{
-    for (size_t i = 0; i < CHAIN; ++i) {
-        x[i] = i < 11 ? (double)(i + 1) / 11 : (double)(CHAIN - i) / 22;
-        v[i] = 0;
-    }
-}
-
+/* The orbit starts at the pericentre of an ellipse of eccentricity 1/2 and
+   semi-major axis 1, with the speed sqrt(3); its energy is -1/2 and its
+   period 2 pi. The chain starts as a triangle: see begin_or_exit. */
 static const struct system oscillator = {
-    "oscillator", 1, oscillator_force, oscillator_energy, oscillator_start};
-static const struct system pendulum = {"pendulum", 1, pendulum_force,
-                                       pendulum_energy, pendulum_start};
-static const struct system orbit = {"orbit", 2, orbit_force, orbit_energy,
-                                    orbit_start};
-static const struct system chain = {"chain", CHAIN, chain_force,
-                                    chain_energy, chain_start};
+    1, oscillator_force, oscillator_energy, {1}, {0}};
+static const struct system pendulum = {
+    1, pendulum_force, pendulum_energy, {1.5}, {0.2}};
+static const struct system orbit = {
+    2, orbit_force, orbit_energy, {0.5, 0}, {0, 1.7320508075688772}};
+static const struct system chain = {
+    CHAIN, chain_force, chain_energy, {0}, {0}};
 static const double period = 6.283185307179586;
 
 /* A run of a system by one method. */
@@ -157,13 +128,23 @@ struct run {
     struct stepping s;
 };
 
+/* Sets a system to its start. The chain is at rest, plucked at a third of
+   its length. */
+static void start(const struct system *y, double x[MOST], double v[MOST])
+{
+    memcpy(x, y->x, sizeof y->x);
+    memcpy(v, y->v, sizeof y->v);
+    for (size_t i = 0; y == &chain && i < CHAIN; ++i)
+        x[i] = i < 11 ? (double)(i + 1) / 11 : (double)(CHAIN - i) / 22;
+}
+
 static void begin_or_exit(struct run *c, const struct system *y,
                           const char *method, double dt, double friction)
 {
     *c = (struct run){.system = y, .friction = friction};
     const struct stepping_forces f = {y->size, friction != 0, y->accelerate,
                                       &c->friction};
-    y->start(c->x, c->v);
+    start(y, c->x, c->v);
     c->energy = y->energy(c->x, c->v);
     program_memory(
         stepping_begin(&c->s, stepping_find(method), f, dt, c->x, c->v),
@@ -218,18 +199,19 @@ static void study_methods(struct study *s)
     }
 }
 
+static const char *const four[] = {"euler", "symplectic-euler", "leapfrog",
+                                   "rk4"};
+
 /* Writes paths of the pendulum in the phase plane, by four methods from
    four amplitudes each. */
 static void study_portrait(struct study *s)
 {
-    static const char *const names[] = {"euler", "symplectic-euler",
-                                        "leapfrog", "rk4"};
     TABLE_COLUMNS(s->out, {"x", "", "angle"},
                   {"v", "1/s", "angular velocity"});
     for (int k = 0; k < 4; ++k)
         for (int j = 1; j <= 4; ++j) {
             struct run c;
-            begin_or_exit(&c, &pendulum, names[k], 0.5, 0);
+            begin_or_exit(&c, &pendulum, four[k], 0.5, 0);
             c.x[0] = 0.6 * j;
             c.v[0] = 0;
             for (int n = 0; n <= (k ? 400 : 14); ++n) {
@@ -247,13 +229,11 @@ static const struct table_key laws_keys[] = {
 /* Writes the energies of four oscillators, one for each method. */
 static void study_laws(struct study *s)
 {
-    static const char *const names[] = {"euler", "symplectic-euler",
-                                        "leapfrog", "rk4"};
     struct run c[4];
     table_column(s->out, "n", "", "steps");
     for (int k = 0; k < 4; ++k) {
-        begin_or_exit(&c[k], &oscillator, names[k], 0.5, 0);
-        table_column(s->out, names[k], "", "energy, in units of the first");
+        begin_or_exit(&c[k], &oscillator, four[k], 0.5, 0);
+        table_column(s->out, four[k], "", "energy, in units of the first");
     }
     for (int n = 0; n <= 60; ++n) {
         double row[5] = {n};
@@ -265,7 +245,7 @@ static void study_laws(struct study *s)
         table_row(s->out, 5, row);
     }
     for (int k = 0; k < 4; ++k) {
-        table_real(s->summary, names[k], 1 + energy_error(&c[k]));
+        table_real(s->summary, four[k], 1 + energy_error(&c[k]));
         stepping_free(&c[k].s);
     }
 }
@@ -318,9 +298,8 @@ static void study_area(struct study *s)
             p[i][1] = 0.5 * sine(turn);
         }
         before = area(p);
-        for (int relative_to_centre = 0; relative_to_centre < 4;
-             ++relative_to_centre) {
-            if (relative_to_centre)
+        for (int steps = 0; steps <= 9; steps += 3) {
+            if (steps)
                 step_rim(p, names[k], 3);
             for (int i = 0; i <= RIM; i += 10)
                 table_row(s->out, 2, p[i % RIM]);
@@ -677,19 +656,6 @@ static void study_fails(struct study *s)
    sixteen orbits that differ a little are averaged. */
 enum { STARTS = 16 };
 
-/* Orbits that differ a little. */
-static void begin_orbits(struct run c[STARTS], double steps_of_orbit,
-                         bool compensated)
-{
-    for (int k = 0; k < STARTS; ++k) {
-        begin_or_exit(&c[k], &orbit, "kahan-li8", period / steps_of_orbit,
-                      0);
-        c[k].v[1] *= 1 - k / 256.0;
-        c[k].energy = orbit_energy(c[k].x, c[k].v);
-        c[k].s.compensated = compensated;
-    }
-}
-
 /* Continues to this number of steps, and returns the root mean square of
    the energy errors. */
 static double error_after(struct run c[STARTS], uint64_t steps)
@@ -702,7 +668,7 @@ static double error_after(struct run c[STARTS], uint64_t steps)
     return sqrt(sum / STARTS);
 }
 
-/* Writes the error after 1, 2, 4, ... orbits. */
+/* Writes the error of sixteen orbits after 1, 2, 4, ... turns. */
 static void record_rounding(struct study *s, double steps_of_orbit,
                             bool compensated)
 {
@@ -710,7 +676,13 @@ static void record_rounding(struct study *s, double steps_of_orbit,
     char key[24];
     snprintf(key, sizeof key, "%s_%g", compensated ? "carried" : "plain",
              steps_of_orbit);
-    begin_orbits(c, steps_of_orbit, compensated);
+    for (int k = 0; k < STARTS; ++k) {
+        begin_or_exit(&c[k], &orbit, "kahan-li8", period / steps_of_orbit,
+                      0);
+        c[k].v[1] *= 1 - k / 256.0;
+        c[k].energy = orbit_energy(c[k].x, c[k].v);
+        c[k].s.compensated = compensated;
+    }
     for (uint64_t n = 1; n <= own.orbits && !progress_signal(); n *= 2) {
         const double error = error_after(c, n * (uint64_t)steps_of_orbit);
         TABLE_ROW(s->out, (double)n, error);
@@ -776,7 +748,7 @@ static struct outcome work_of_reference(const struct task *k,
     struct reference r;
     if (!reference_begin(&r, f, tolerance))
         return o;
-    k->system->start(c.x, c.v);
+    start(k->system, c.x, c.v);
     const double start = bench_seconds();
     const bool well = reference_step(&r, k->until, c.x, c.v);
     o.seconds = bench_seconds() - start;
@@ -791,20 +763,7 @@ static struct outcome work_of_reference(const struct task *k,
 static void set_orbit_task(struct task *k)
 {
     *k = (struct task){.system = &orbit, .until = 10 * period};
-    orbit_start(k->x, k->v);
-}
-
-/* The end of the chain is found by the best method with short steps. */
-static void set_chain_task(struct task *k)
-{
-    struct run c;
-    *k = (struct task){.system = &chain, .until = 200};
-    begin_or_exit(&c, &chain, "kahan-li8", k->until / 4000, 0);
-    c.s.compensated = true;
-    stepping_run(&c.s, 4000);
-    memcpy(k->x, c.x, sizeof c.x);
-    memcpy(k->v, c.v, sizeof c.v);
-    stepping_free(&c.s);
+    start(&orbit, k->x, k->v);
 }
 
 /* Writes cost and error of an adaptive method, over the whole time in one
@@ -861,7 +820,15 @@ static void study_work(struct study *s)
                   {"error", "", "of the end, largest coordinate"});
     set_orbit_task(&k);
     record_work(s, &k);
-    set_chain_task(&k);
+    /* The chain's end is found by the best method with short steps. */
+    struct run c;
+    k = (struct task){.system = &chain, .until = 200};
+    begin_or_exit(&c, &chain, "kahan-li8", k.until / 4000, 0);
+    c.s.compensated = true;
+    stepping_run(&c.s, 4000);
+    memcpy(k.x, c.x, sizeof c.x);
+    memcpy(k.v, c.v, sizeof c.v);
+    stepping_free(&c.s);
     record_work(s, &k);
 }
 
@@ -959,15 +926,8 @@ static double three_energy(const double x[], const double v[])
     return sum;
 }
 
-static void three_start(double x[], double v[])
-{
-    static const double at[] = {1, -2, 1, 3, -1, -1};
-    memcpy(x, at, sizeof at);
-    memset(v, 0, sizeof at);
-}
-
-static const struct system three = {"three", 6, three_force, three_energy,
-                                    three_start};
+static const struct system three = {
+    6, three_force, three_energy, {1, -2, 1, 3, -1, -1}, {0}};
 
 /* Writes the forces of two oscillators: one on a stiff spring, at rest, and
    one on a soft spring. */
@@ -993,23 +953,9 @@ static double jump_energy(const double x[], const double v[])
     return fabs(x[0]) + v[0] * v[0] / 2;
 }
 
-static void jump_start(double x[], double v[])
-{
-    x[0] = 0.5;
-    v[0] = 0;
-}
-
-static void stiff_start(double x[], double v[])
-{
-    x[0] = 1;
-    x[1] = 1e-8;
-    v[0] = v[1] = 0;
-}
-
-static const struct system stiff = {"stiff", 2, stiff_force,
-                                    oscillator_energy, stiff_start};
-static const struct system jump = {"jump", 1, jump_force, jump_energy,
-                                   jump_start};
+static const struct system stiff = {
+    2, stiff_force, oscillator_energy, {1, 1e-8}, {0}};
+static const struct system jump = {1, jump_force, jump_energy, {0.5}, {0}};
 
 /* Begins a run of variable step length with a tolerance. */
 static void begin_adaptive(struct run *c, const struct system *y,
@@ -1128,22 +1074,25 @@ static void record_drift(struct study *s)
    one and the one with a jump, beside one that does not. */
 static void record_trouble(struct study *s)
 {
-    static const struct system *const soft = &oscillator;
-    struct run c;
-    begin_adaptive(&c, soft, "dopri5", 100, 1e-6);
-    stepping_run(&c.s, 1);
-    table_count(s->summary, "steps_soft", c.s.own->taken);
-    stepping_free(&c.s);
-    begin_adaptive(&c, &stiff, "dopri5", 100, 1e-6);
-    stepping_run(&c.s, 1);
-    table_count(s->summary, "steps_stiff", c.s.own->taken);
-    stepping_free(&c.s);
-    begin_adaptive(&c, &jump, "dopri5", 400, 1e-9);
-    stepping_run(&c.s, 1);
-    table_count(s->summary, "steps_jump", c.s.own->taken);
-    table_count(s->summary, "refused_jump", c.s.own->refused);
-    table_real(s->summary, "energy_jump", fabs(energy_error(&c)));
-    stepping_free(&c.s);
+    static const struct {
+        const struct system *system;
+        const char *name;
+        double until, tolerance;
+    } runs[] = {{&oscillator, "steps_soft", 100, 1e-6},
+                {&stiff, "steps_stiff", 100, 1e-6},
+                {&jump, "steps_jump", 400, 1e-9}};
+    for (int k = 0; k < 3; ++k) {
+        struct run c;
+        begin_adaptive(&c, runs[k].system, "dopri5", runs[k].until,
+                       runs[k].tolerance);
+        stepping_run(&c.s, 1);
+        table_count(s->summary, runs[k].name, c.s.own->taken);
+        if (runs[k].system == &jump)
+            TABLE_RESULTS(s->summary,
+                          {"refused_jump", (double)c.s.own->refused},
+                          {"energy_jump", fabs(energy_error(&c))});
+        stepping_free(&c.s);
+    }
 }
 
 static const struct table_key lengths_keys[] = {
@@ -1197,14 +1146,6 @@ static void take_option(struct options *o, int letter)
         own.orbits = options_count(o, 1, 1000000000);
 }
 
-int main(int argc, char *argv[])
-{
-    const struct study_program program = {
-        .name = PROGRAM,
-        .purpose = "Measure the methods of stepping.",
-        .events = "steps",
-        .studies = studies,
-        .options = entries,
-        .take = take_option};
-    return study_main(&program, argc, argv);
-}
+STUDY_MAIN(.name = PROGRAM, .purpose = "Measure the methods of stepping.",
+           .events = "steps", .studies = studies, .options = entries,
+           .take = take_option)

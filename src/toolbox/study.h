@@ -63,4 +63,12 @@ enum { STUDY_MOST = 32, STUDY_WIDTH = 48 };
    the process. */
 int study_main(const struct study_program *p, int argc, char *argv[]);
 
+/* Defines main() from the fields of a struct study_program. */
+#define STUDY_MAIN(...)                                                    \
+    int main(int argc, char *argv[])                                       \
+    {                                                                      \
+        const struct study_program program = {__VA_ARGS__};                \
+        return study_main(&program, argc, argv);                           \
+    }
+
 #endif

@@ -203,22 +203,18 @@ static void inexact(struct state s, double tick, size_t samples,
     }
 }
 
-/* The programs of a test, in the order in which they are told of. They are
-   asked about in another order, drawn each time, so that what is said of
-   one cannot come from its place in the row; each in a process of its own.
-   So a test goes through its programs twice: first they are put down, then
-   they are told of. */
-enum { MOST = 80 };
-
-static struct {
+/* A program to judge. */
+struct judged {
     program *run;
-    double width, height, lost, off_way, off_box; /* for this one */
+    double lost, off_way, off_box;
+    const char *how;                /* what it does, in words */
+    const char *mistake, *question; /* for who judges it wrongly */
+    double width, height;
+    /* ---- what was found out */
     double said;
     int calls;
     size_t bounces;
-} judged[MOST];
-static int count, at;
-static enum { PUT_DOWN, TELL, DONE } stage;
+};
 
 static program *tried;
 static int calls;
@@ -230,218 +226,185 @@ static void counted(struct state s, double tick, size_t samples,
     tried(s, tick, samples, kept);
 }
 
-static void ask(int i)
-{
-    width = judged[i].width;
-    height = judged[i].height;
-    lost = judged[i].lost;
-    off_way = judged[i].off_way;
-    off_box = judged[i].off_box;
-    tried = judged[i].run;
-    bounces = 0;
-    calls = 0;
-    judged[i].said = clock_is_right(width, height, counted) ? 1.0 : 0.0;
-    judged[i].calls = calls;
-    judged[i].bounces = bounces;
-}
+enum { MOST = 80 };
 
-static void begin(void)
-{
-    count = 0;
-    stage = DONE;
-}
-
-/* Whether the programs are to be gone through, once more. */
-static bool again(void)
+/* Asks about all programs, in another order than they are told of, drawn
+   each time, so that what is said of one cannot come from its place in the
+   row; each in a process of its own. */
+static void ask(struct judged all[], int count)
 {
     int order[MOST];
-    if (stage == TELL)
-        return false;
-    stage = stage == DONE ? PUT_DOWN : TELL;
     check_shuffle(order, count);
-    for (int k = 0; k < count; ++k)
-        ask(order[k]);
-    at = 0;
-    return true;
-}
-
-/* Whether that is all for now. */
-static bool put_down(program *run, double w, double h)
-{
-    if (stage == PUT_DOWN && count < MOST) {
-        judged[count].width = w;
-        judged[count].height = h;
-        judged[count].lost = lost;
-        judged[count].off_way = off_way;
-        judged[count].off_box = off_box;
-        judged[count++].run = run;
+    for (int k = 0; k < count; ++k) {
+        struct judged *j = &all[order[k]];
+        width = j->width;
+        height = j->height;
+        lost = j->lost;
+        off_way = j->off_way;
+        off_box = j->off_box;
+        tried = j->run;
+        bounces = 0;
+        calls = 0;
+        j->said = clock_is_right(width, height, counted) ? 1.0 : 0.0;
+        j->calls = calls;
+        j->bounces = bounces;
     }
-    return stage == PUT_DOWN;
 }
 
 /* Who has judged without a look has found out nothing. */
-static bool check_called(const char *how)
+static bool check_called(const struct judged *j)
 {
     static const char question[] =
         "You have said something of this program, and have not run it "
         "once. What do you know of it?";
-    return CHECK_NEAR(judged[at].calls > 0 ? 1.0 : 0.0,
+    return CHECK_NEAR(j->calls > 0 ? 1.0 : 0.0,
                       .quantity =
                           "1 if the program that you judge was run at all",
-                      .input = how, .expected = 1.0, .tolerance = 0.0,
+                      .input = j->how, .expected = 1.0, .tolerance = 0.0,
                       .because = "yes or no", .question = question,
                       .mistakes = {{"never-called", 0.0, question}});
 }
 
-static bool check_right(program *run, const char *how, const char *mistake,
-                        const char *question)
+static bool check_right(const struct judged *j)
 {
-    return put_down(run, 3.0, 2.0) ||
-           (check_called(how) &&
-            CHECK_NEAR(
-                judged[at++].said,
-                .quantity =
-                    "what you say of a right program (1 true, 0 false)",
-                .input = how, .expected = 1.0, .tolerance = 0.0,
-                .because = "yes or no", .question = question,
-                .mistakes = {{mistake, 0.0, question}}));
+    return check_called(j) &&
+           CHECK_NEAR(
+               j->said,
+               .quantity =
+                   "what you say of a right program (1 true, 0 false)",
+               .input = j->how, .expected = 1.0, .tolerance = 0.0,
+               .because = "yes or no", .question = j->question,
+               .mistakes = {{j->mistake, 0.0, j->question}});
 }
 
-static bool check_rights(void)
-{
-    return check_right(by_mirrors,
-                       "a right program, which works with mirrors",
-                       "right-one-refused",
-                       "This one is right, and until you take it nothing "
-                       "else counts. Where do you say the disk is, and "
-                       "where is it? Begin with the first tick.") &&
-           check_right(by_events, "a right program, from bounce to bounce",
-                       "rounding-refused",
-                       "This one is right, and rounds at each bounce and "
-                       "each tick. How near is near?") &&
-           (off_way = 0.9e-10, off_box = 0.0,
-            check_right(inexact,
-                        "a right program, off by 0.9e-10 of the way",
-                        "rounding-refused",
-                        "This one is right: it is off by less than 1e-10 "
-                        "of the way. How long is the way in your runs, and "
-                        "how far off may the disk be at its end?"));
-}
-
-static bool check_wrong(program *run, const char *how, const char *mistake,
-                        const char *question)
+static bool check_wrong(const struct judged *j)
 {
     static const char none[] =
         "Not one of your runs has seen a bounce. What can a clock do wrong "
         "when nothing happens?";
-    if (put_down(run, 3.0, 2.0))
-        return true;
-    if (!check_called(how))
-        return false;
-    const size_t seen = judged[at].bounces;
-    const double got = judged[at++].said;
-    return CHECK_NEAR(
-        got,
-        .quantity = "what you say of a wrong program (1 true, 0 false)",
-        .input = how, .expected = 0.0, .tolerance = 0.0,
-        .because = "yes or no", .question = question,
-        .mistakes = {{"no-bounce", seen > 0 ? 0.0 : got, none},
-                     {mistake, seen > 0 ? got : 0.0, question}});
+    const bool seen = j->bounces > 0;
+    return check_called(j) &&
+           CHECK_NEAR(
+               j->said,
+               .quantity =
+                   "what you say of a wrong program (1 true, 0 false)",
+               .input = j->how, .expected = 0.0, .tolerance = 0.0,
+               .because = "yes or no", .question = j->question,
+               .mistakes = {
+                   {"no-bounce", seen ? 0.0 : j->said, none},
+                   {j->mistake, seen ? j->said : 0.0, j->question}});
 }
+
+#define JUDGED(run, lost, off_way, off_box, how, mistake, question)        \
+    {                                                                      \
+        run, lost, off_way, off_box, how, mistake, question, 3, 2, 0, 0, 0 \
+    }
+
+static const struct judged right[] = {
+    JUDGED(by_mirrors, 0, 0, 0, "a right program, which works with mirrors",
+           "right-one-refused",
+           "This one is right, and until you take it nothing else counts. "
+           "Where do you say the disk is, and where is it? Begin with the "
+           "first tick."),
+    JUDGED(by_events, 0, 0, 0, "a right program, from bounce to bounce",
+           "rounding-refused",
+           "This one is right, and rounds at each bounce and each tick. "
+           "How near is near?"),
+    JUDGED(inexact, 0, 0.9e-10, 0,
+           "a right program, off by 0.9e-10 of the way", "rounding-refused",
+           "This one is right: it is off by less than 1e-10 of the way. "
+           "How long is the way in your runs, and how far off may the disk "
+           "be at its end?")};
+
+enum { RIGHT = sizeof right / sizeof *right };
+
+/* Judges the right programs and then some wrong ones, up to one that is
+   NULL. */
+static void judge(const struct judged wrong[])
+{
+    struct judged all[MOST];
+    int count = 0;
+    bool fine = true;
+    while (count < RIGHT || wrong[count - RIGHT].run) {
+        all[count] = count < RIGHT ? right[count] : wrong[count - RIGHT];
+        ++count;
+    }
+    ask(all, count);
+    for (int i = 0; i < count && fine; ++i)
+        fine = i < RIGHT ? check_right(&all[i]) : check_wrong(&all[i]);
+}
+
+#define JUDGE(...) judge((const struct judged[]){__VA_ARGS__, {0}})
 
 static void test_right(void)
 {
-    for (begin(); again();)
-        check_rights();
+    judge(&(const struct judged){0});
 }
 
 static void test_article(void)
 {
-    static const char question[] =
-        "The article's program jumps back in time at each bounce, and its "
-        "speeds are right to the last digit. Which of its numbers belong "
-        "to a time?";
-    for (begin(); again();)
-        (void)(check_rights() &&
-               check_wrong(article, "the article's program", "energy-only",
-                           question));
+    JUDGE(JUDGED(article, 0, 0, 0, "the article's program", "energy-only",
+                 "The article's program jumps back in time at each bounce, "
+                 "and its speeds are right to the last digit. Which of its "
+                 "numbers belong to a time?"));
 }
 
 static void test_mended(void)
 {
-    for (begin(); again();)
-        (void)(check_rights() &&
-               check_wrong(mended, "the article's, with its sign mended",
-                           "place-not-compared",
-                           "This disk is always inside, always on its way, "
-                           "and turns round at the walls. Is it there at "
-                           "the right time?") &&
-               check_wrong(recording, "each bounce is recorded like a tick",
-                           "place-not-compared",
-                           "Some of these samples belong to bounces. To "
-                           "which time does number k belong?"));
+    JUDGE(JUDGED(mended, 0, 0, 0, "the article's, with its sign mended",
+                 "place-not-compared",
+                 "This disk is always inside, always on its way, and turns "
+                 "round at the walls. Is it there at the right time?"),
+          JUDGED(recording, 0, 0, 0, "each bounce is recorded like a tick",
+                 "place-not-compared",
+                 "Some of these samples belong to bounces. To which time "
+                 "does number k belong?"));
 }
 
 static void test_restarting(void)
 {
-    for (begin(); again();)
-        (void)(check_rights() &&
-               check_wrong(restarting,
-                           "the tick begins anew after a bounce",
-                           "place-not-compared",
-                           "Between two samples with a bounce more than a "
-                           "tick goes by. Do you look at those?"));
+    JUDGE(JUDGED(restarting, 0, 0, 0, "the tick begins anew after a bounce",
+                 "place-not-compared",
+                 "Between two samples with a bounce more than a tick goes "
+                 "by. Do you look at those?"));
 }
 
 static void test_once(void)
 {
-    for (begin(); again();)
-        (void)(check_rights() &&
-               check_wrong(
-                   once, "one bounce a tick is seen, and no more",
-                   "one-bounce-a-tick",
-                   "This program forgets the second bounce between two "
-                   "ticks. Is there ever more than one in your runs?"));
+    JUDGE(JUDGED(once, 0, 0, 0, "one bounce a tick is seen, and no more",
+                 "one-bounce-a-tick",
+                 "This program forgets the second bounce between two "
+                 "ticks. Is there ever more than one in your runs?"));
 }
 
 static void test_losing(void)
 {
-    static const double share[] = {0.1, 1e-3};
-    for (begin(); again();) {
-        bool fine = check_rights();
-        for (int i = 0; i < 2 && fine; ++i) {
-            lost = share[i];
-            fine = check_wrong(
-                losing, check_text("each bounce loses %g ticks", lost),
-                "small-error-passes",
-                "This program loses a little time at each bounce, and the "
-                "differences grow. How much do you let pass, and how long "
-                "do you look?");
-        }
-        off_way = 0.0;
-        off_box = 1.2e-5;
-        (void)(fine && check_wrong(inexact,
-                                   "from the hundredth tick on all is off "
-                                   "by 1.2e-5 of the box",
-                                   "small-error-passes",
-                                   "This program is off by more than 1e-5 "
-                                   "of the box, later on. How much do you "
-                                   "let pass, and how long do you look?"));
-    }
+    static const char question[] =
+        "This program loses a little time at each bounce, and the "
+        "differences grow. How much do you let pass, and how long do you "
+        "look?";
+    JUDGE(
+        JUDGED(losing, 0.1, 0, 0, "each bounce loses 0.1 ticks",
+               "small-error-passes", question),
+        JUDGED(losing, 1e-3, 0, 0, "each bounce loses 0.001 ticks",
+               "small-error-passes", question),
+        JUDGED(inexact, 0, 0, 1.2e-5,
+               "from the hundredth tick on all is off by 1.2e-5 of the box",
+               "small-error-passes",
+               "This program is off by more than 1e-5 of the box, later "
+               "on. How much do you let pass, and how long do you look?"));
 }
 
 static void test_axes(void)
 {
-    for (begin(); again();)
-        (void)(check_rights() &&
-               check_wrong(late_above, "along y all is 0.01 ticks late",
-                           "one-axis-only",
-                           "Along x this program is right. Which "
-                           "coordinates do you look at?") &&
-               check_wrong(late_across, "along x all is 0.01 ticks late",
-                           "one-axis-only",
-                           "Along y this program is right. Which "
-                           "coordinates do you look at?"));
+    JUDGE(JUDGED(late_above, 0, 0, 0, "along y all is 0.01 ticks late",
+                 "one-axis-only",
+                 "Along x this program is right. Which coordinates do you "
+                 "look at?"),
+          JUDGED(late_across, 0, 0, 0, "along x all is 0.01 ticks late",
+                 "one-axis-only",
+                 "Along y this program is right. Which coordinates do you "
+                 "look at?"));
 }
 
 /* limit: 1e-9 m */
@@ -455,34 +418,35 @@ static void test_drawn(void)
         "A box of another size. Which lengths, tolerances, velocities and "
         "times of yours are those of a box of a metre?";
     program *const four[] = {by_events, by_mirrors, losing, mended};
-    double w[20], h[20], loses[20];
-    for (int i = 0; i < 20; ++i) {
+    struct judged all[MOST] = {{0}};
+    for (int i = 0; i < MOST; i += 4) {
         const double unit =
-            i < 2 ? (i ? 1e9 : 1e-9) : pow(10.0, check_draw(-9.0, 9.0));
-        w[i] = unit * check_draw(0.5, 2.0);
-        h[i] = unit * check_draw(0.5, 2.0);
-        loses[i] = check_draw(0.01, 0.5);
-    }
-    for (begin(); again();)
-        for (int i = 0; i < 80; ++i) {
-            const int k = i % 4;
-            lost = loses[i / 4];
-            if (put_down(four[k], w[i / 4], h[i / 4]))
-                continue;
-            const char *box =
-                check_text("a box of %g m by %g m", w[i / 4], h[i / 4]);
-            if (!check_called(box) ||
-                !CHECK_NEAR(judged[at++].said,
-                            .quantity =
-                                k < 2 ? "what you say of a right program"
-                                      : "what you say of a wrong program",
-                            .input = box, .expected = k < 2 ? 1.0 : 0.0,
-                            .tolerance = 0.0, .because = "yes or no",
-                            .question = question,
-                            .mistakes = {{"only-this-box",
-                                          k < 2 ? 0.0 : 1.0, question}}))
-                return;
+            i < 8 ? (i ? 1e9 : 1e-9) : pow(10.0, check_draw(-9.0, 9.0));
+        all[i].width = unit * check_draw(0.5, 2.0);
+        all[i].height = unit * check_draw(0.5, 2.0);
+        all[i].lost = check_draw(0.01, 0.5);
+        for (int k = 0; k < 4; ++k) {
+            all[i + k] = all[i];
+            all[i + k].run = four[k];
         }
+    }
+    ask(all, MOST);
+    for (int i = 0; i < MOST; ++i) {
+        struct judged *j = &all[i];
+        const bool good = i % 4 < 2;
+        j->how = check_text("a box of %g m by %g m", j->width, j->height);
+        if (!check_called(j) ||
+            !CHECK_NEAR(j->said,
+                        .quantity = good
+                                        ? "what you say of a right program"
+                                        : "what you say of a wrong program",
+                        .input = j->how, .expected = good ? 1.0 : 0.0,
+                        .tolerance = 0.0, .because = "yes or no",
+                        .question = question,
+                        .mistakes = {
+                            {"only-this-box", good ? 0.0 : 1.0, question}}))
+            return;
+    }
 }
 
 const struct check_suite check_suite = {

@@ -15,7 +15,7 @@ mkdir "$kit"
 # business.
 tar cf - --exclude=./.git --exclude=./build . | (cd "$kit" && tar xf -)
 mkdir "$kit/build"
-cp -Rp build/compiler.mk build/compiler build/made build/check build/bonkers.pdf \
+cp -Rp build/compiler.mk build/compiler build/made build/obj build/check build/bonkers.pdf \
     build/recipes "$kit/build/" 2>/dev/null
 mkdir "$kit/build/site"
 cp build/site/index.html "$kit/build/site/"

@@ -702,8 +702,7 @@ static void act(struct springs *p, const struct task *t)
 static void act_ahead(struct springs *p, struct task t, uint64_t steps)
 {
     const struct stepping_ahead *const ahead = t.ahead;
-    const bool whole =
-        p->engine != SPRINGS_GATHER || p->bands == 0 || p->listed > 0;
+    const bool whole = p->engine != SPRINGS_GATHER || p->listed > 0;
     const bool alone = !whole && p->threads == 1;
     for (size_t k; steps > 0; steps -= k, t.owing = true) {
         k = alone ? least(depth_of(p), steps) : 1;

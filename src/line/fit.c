@@ -12,7 +12,7 @@ double statistics_gaussian_between(double mean, double sd, double a,
 {
     const double from = (a - mean) / (sd * sqrt(2));
     const double to = (b - mean) / (sd * sqrt(2));
-    if (from > 0)
+    if (from >= 0)
         return 0.5 * (erfc(from) - erfc(to));
     return 0.5 * (erfc(-to) - erfc(-from));
 }

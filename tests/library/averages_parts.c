@@ -68,6 +68,8 @@ TEST(test_line, "rods on a line")
               w.body[2] == 1);
     UNIT_NEAR(relaxation(&h, s.velocity),
               (16 * 16 + 8 * 8 + 20 * 20) / (44.0 * 44) * 5 / 3, 1e-15);
+    request.quantity.axis = 1;
+    UNIT_SAYS(survey(&h), "nothing moves along this axis");
 }
 
 /* Tonks: (10 - 0.5 - 0.25)/7, off by at most 7 sqrt(8/44)/t. */
@@ -218,6 +220,36 @@ TEST(test_lengthened, "how much longer it takes")
     UNIT_NEAR(longer_by(&w, 0.005), 4, 1e-12);
     UNIT_EQUAL(longer_by(&w, 0.05), 2);
     UNIT_NEAR(longer_by(&w, 1e-4), 1e4, 1e-8);
+}
+
+/* A first look, at 256 samples, gives a price: once it has settled, half as
+   much again may be spent. */
+TEST(test_gone_on, "a price that is not too much is paid")
+{
+    for (int place = 0; place < 2; ++place) {
+        FREED(scene) s = disks(SCENE_HARD);
+        s.position[2] = 2.5;
+        struct search h =
+            begin(&s, place ? AVERAGES_PLACE : AVERAGES_PRESSURE, 2, place);
+        double price = INFINITY;
+        request.until = 1e5;
+        request.tolerance = place ? 0.01 : 0.001;
+        for (int k = 0; k < 3; ++k) {
+            struct measurement w;
+            UNIT_MUST(!begin_measurement(&w, &h));
+            request.budget =
+                price / (place ? 1 : 1.5) * (k == 1 ? 1.01 : 0.99);
+            w.run.limit = request.budget;
+            UNIT_MUST(k ? go_on_until_sure(&found, &w) : advance(&w, 256));
+            if (k == 0) {
+                UNIT_EQUAL(w.why != NULL, place);
+                price = cost(&w) * longer_by(&w, request.tolerance);
+            }
+            UNIT_EQUAL(w.run.rows > 256, k == 1);
+            models_end(&w.run);
+            blocks_free(&w.blocks);
+        }
+    }
 }
 
 /* Refusals: with what would fit, or without. */

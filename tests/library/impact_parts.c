@@ -261,3 +261,22 @@ TEST(test_slack, "what of a gap is")
         }
     }
 }
+
+TEST(test_slack_at_0, "and of a point at a wall at 0")
+{
+    FREED(scene) s;
+    ENDED(motion) m;
+    UNIT_MUST(scene_create(&s, 1));
+    s.contact = true;
+    s.wall[0] = SCENE_HARD;
+    s.high[0] = 10;
+    s.velocity[0] = 1;
+    s.gravity[0] = -8;
+    s.dt = 1;
+    UNIT_MUST(motion_begin(&m, "impact", &s, "leapfrog", 0) &&
+              motion_locate(&m));
+    motion_run(&m, 1);
+    UNIT_MUST(m.impact.gaps == 1);
+    UNIT_EQUAL(m.impact.gap->rounding,
+               0x1p-50 * (*m.impact.high - *m.impact.low));
+}

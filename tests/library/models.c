@@ -156,9 +156,12 @@ TEST(test_no_light, "no-light: ellipses and steps agree, the centre stays")
 {
     double miss[2];
     make("solar-system", NULL);
-    UNIT_NEAR(
-        compare("kepler,no-light", "kahan-li8:200,no-light", 100, 5).x, 0,
-        1e-11);
+    for (size_t c = 0; c < 27; ++c)
+        scene.velocity[c] += 0.01;
+    const struct gap gap =
+        compare("kepler,no-light", "kahan-li8:200,no-light", 100, 5);
+    UNIT_NEAR(gap.x, 0, 1e-11);
+    UNIT_NEAR(gap.v, 0, 1e-12);
     for (int k = 0; k < 2; ++k) {
         make("solar-system",
              (struct wish[]){{"jupiter", k ? 0.1 : 1}, {0}});

@@ -704,17 +704,50 @@ TEST(test_outside, "another stepper can take the method's place")
     UNIT_TRUE(motion_run(&m, 2) == STEPPING_STUCK);
 }
 
-static int begin_unknown(void *scene)
+struct start {
+    struct scene s;
+    const char *method;
+};
+
+static int begin_refused(void *with)
 {
+    struct start *w = with;
     struct motion m;
-    return motion_begin(&m, "motion", scene, "no-such", 0) ? 4 : 3;
+    return motion_begin(&m, "motion", &w->s, w->method, 0) ? 4 : 3;
 }
 
-/* A method that does not exist is refused by its name. */
-TEST(test_unknown, "a method that does not exist is refused")
+TEST(test_refused, "what cannot be stepped is refused, with a reason")
 {
-    FREED(scene) s;
-    build(&s, false);
-    child_says(child_run(begin_unknown, &s, NULL), 3,
-               "motion: there is no method 'no-such'\n");
+    static const char *const why[] = {
+        "there is no method 'no-such'",
+        "wisdom-holman: ",
+        "the scene has no line dt, and no time step was given",
+        "the scene has walls but no line contact",
+        "the scene has a line restitution, but contacts that are springs",
+        "body 2 has no mass",
+        "body 1, of radius 2.5, is thicker than the box",
+        "body 0 and another on its line are points"};
+    for (size_t k = 0; k < sizeof why / sizeof *why; ++k) {
+        struct start w = {.method = k == 0   ? "no-such"
+                                    : k == 1 ? "wisdom-holman"
+                                             : "leapfrog"};
+        struct scene *const s = &w.s;
+        build(s, k == 3 || k == 6);
+        s->dt = k == 2 ? 0 : 0.01;
+        s->contact = k > 3 && k != 5;
+        s->law = k == 4 ? SCENE_LINEAR : SCENE_SUDDEN;
+        s->restitution = k == 4 ? 0.5 : 1;
+        s->mass[2] = k == 5 ? 0 : 1;
+        s->radius[1] = k == 6 ? 2.5 : 0.2;
+        for (size_t i = 0; i < 3 && k == 7; ++i) {
+            s->radius[i] = s->position[3 + i] = s->position[6 + i] = 0;
+            s->freedom[3 + i] = s->freedom[6 + i] = 0;
+        }
+        const struct child c = child_run(begin_refused, &w, NULL);
+        UNIT_EQUAL(c.status, 3);
+        UNIT_TRUE(strncmp(c.err, "motion: ", 8) == 0 &&
+                  strncmp(c.err + 8, why[k], strlen(why[k])) == 0 &&
+                  strchr(c.err, '\n') == c.err + strlen(c.err) - 1);
+        scene_free(s);
+    }
 }

@@ -172,6 +172,33 @@ TEST(test_moved, "they are moved where something moves")
     }
 }
 
+TEST(test_tied, "they are not where a closed form ties nothing")
+{
+    for (unsigned k = 0; k < 4; ++k) {
+        struct scene s = all_different(), t;
+        s.contact = k % 2;
+        s.k2 = 0;
+        struct models_plan plan = {
+            .model = models_find(k < 2 ? "leapfrog" : "free"), .steps = 1};
+        const struct record_setup o = {
+            .scene = &s, .plan = plan, .every = 1, .twin = 1};
+        struct record r;
+        struct pass w = {.r = &r, .o = &o};
+        FREED(record_view) v;
+        UNIT_MUST(plan.model && scene_copy(&t, &s) &&
+                  record_view_create(&v, "record", &s, NULL, 1));
+        begin_pass(&w, &v);
+        change_units(&t, &units[1]);
+        UNIT_EQUAL(memcmp(w.twin.velocity, t.velocity,
+                          9 * sizeof *t.velocity) != 0,
+                   k != 2);
+        end_pass(&w);
+        record_free(&r);
+        scene_free(&t);
+        scene_free(&s);
+    }
+}
+
 /* Along a ring of 6 m places are never more than 3 m apart. */
 TEST(test_between, "distances along a ring")
 {

@@ -21,10 +21,10 @@
 #   	@$(take)                          keeps the old file if the new one equals it
 #
 # The name of the file is added to $(kept), and the end of the Makefile makes each file
-# in $(kept) depend on its stamp. So the stamp is compared with what went into the file,
-# and whatever is made from the file is compared with the file. A rule that compiles
-# says $(reads) among the compiler's flags, which writes the .d, and ends with
-# $(take_compiled), which keeps it.
+# in $(kept) depend on its stamp. So make compares the stamp with the sources of the file,
+# and the file itself with all that is made from it. A rule that compiles has $(reads)
+# among the compiler's flags, which writes the .d, and ends with $(take_compiled), which
+# keeps it.
 made = $(@:build/made/%=build/%)
 begin = @mkdir -p $(@D) $(dir $(made))
 reads = -MMD -MP -MT $@ -MF $@.new
@@ -41,17 +41,16 @@ ifneq ($(filter tangle clean reset,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
 endif
 
-# make -n, -q and -t run nothing but recipe lines that contain $(MAKE), so that the make
-# that these start can say what it would do. A line that does something else as well
-# begins with $(unless_dry), which ends it under these options.
+# make -n, -q and -t run only recipe lines that contain $(MAKE), so that the inner make
+# can print what it would do. A line that does anything else as well begins with
+# $(unless_dry), which ends the line under these options.
 unless_dry = $(if $(strip $(foreach f,n q t,$(findstring $f,$(filter-out -%,\
 	$(firstword $(MAKEFLAGS)))))),exit; )
 
-# What the compiler can do. build/compiler/key has the compiler, its version and the
-# flags, and every object depends on it, so that everything is compiled anew when one of
-# them changes.
-# build/compiler.mk says whether a program with GSL and one with OpenMP could be compiled,
-# linked and run.
+# Tests of the compiler. build/compiler/key has the compiler, its version and the flags,
+# and every object depends on it, so that everything is compiled anew when one of them
+# changes. build/compiler.mk tells whether a program with GSL and one with OpenMP could be
+# compiled, linked and run.
 FLAGS = $(CPPFLAGS) $(CFLAGS)
 GSL_LIBS = -lgsl -lgslcblas
 asked = build/compiler
@@ -77,7 +76,7 @@ build/compiler.mk: build/compiler/key
 	if $(call try,-fopenmp $(asked)/main.c $(asked)/other.c); \
 		then echo 'OPENMP = -fopenmp'; fi; } >$@.part
 	@mv $@.part $@
-# The goals for students need neither, and skip the tests, which take time.
+# The students' goals need neither GSL nor OpenMP, and skip these tests, which take time.
 students := check watch hint progress reset solution build/check/% help clean
 ifneq ($(filter-out $(students),$(or $(MAKECMDGOALS),first)),)
 include build/compiler.mk
@@ -96,7 +95,7 @@ mains := $(filter-out $(without),$(wildcard src/programs/*.c src/studies/*.c))
 programs := $(notdir $(mains:.c=))
 library_folders = toolbox line box scenes forces choosing
 library := $(filter-out $(without),$(wildcard $(library_folders:%=src/%/*.c)))
-# $(call gsl_libs,src/FILE.c): what to link it with.
+# $(call gsl_libs,src/FILE.c) gives the libraries of GSL to link FILE with, if any.
 gsl_libs = $(if $(gsl),$(if $(filter $(1),$(gsl_files) $(gsl_users)),\
 	$(GSL_LIBS)))
 
@@ -117,7 +116,7 @@ build/made/$(1)obj/%.o: src/%.c build/compiler/key
 		-DBUILD_FLAGS='"$$(strip $$($(2)))"' -Isrc $$(FLAGS) \
 		-c -o $$(made).new $$<
 	$$(take_compiled)
-# The archive depends on the folders as well: a file that was deleted has to drop out.
+# The archive depends on the folders as well, so that a deleted file drops out of it.
 build/made/$(1)obj/libbonkers.a: $$(library:src/%.c=build/$(1)obj/%.o) \
 		$$(library_folders:%=src/%)
 	$$(begin)
@@ -139,7 +138,7 @@ endef
 $(eval $(call tree,,PORTABLE))
 $(eval $(call tree,sanitized/,SANITIZED))
 
-# What clangd and many editors read to learn the compiler's flags.
+# Writes the compiler's flags for clangd and many editors.
 compile_commands.json: Makefile src/compile.mk $(library)
 	@json() { printf '%s' "$$*" | sed 's/["\\]/\\&/g'; }; \
 	here=$$(json "$$PWD"); how=$$(json "$(CC) $(STANDARD) $(PORTABLE)"); \

@@ -1,9 +1,9 @@
-# Work for more machines than one: lists of independent jobs, one command a
-# line, for engines that run such lists (see README).
+# Lists of independent jobs, one command a line, for engines that run such lists on
+# several machines (see README).
 
-# `make jobs OF=grade' (or figures, atlas, hunt) writes the list build/jobs/grade; it takes
-# the variables that `make grade' takes. Jobs may run in any order, or twice, or be killed:
-# a file that they make is whole or absent, and what exists already is not listed.
+# `make jobs OF=grade' (or figures, atlas, hunt) writes the list build/jobs/grade, with the
+# variables of `make grade'. Jobs may run in any order, or twice, or be killed: a file that
+# they make is whole or absent, and jobs whose files exist already are not listed.
 .PHONY: jobs
 # $(call list,COMMAND) is the recipe of the goal jobs-NAME; COMMAND prints the list.
 list = @$(unless_dry)mkdir -p build/jobs && { $(1); } >build/jobs/$(@:jobs-%=%).new && \

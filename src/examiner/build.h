@@ -5,8 +5,8 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-/* Has make build the suite of an exercise ("01a"), if it is not there.
-   Exits with status 2 when that fails. */
+/* Builds the suite of an exercise ("01a") by make, unless it exists. Exits
+   with status 2 when that fails. */
 void build_suite(const char *exercise);
 
 /* Compiles source and links it with the suite of an exercise ("01a") to

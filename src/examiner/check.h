@@ -16,7 +16,7 @@
 struct check_mistake {
     const char *name; /* short, with hyphens: "mass-not-inverse" */
     double value;     /* the answer to which it leads */
-    const char *hint; /* what to tell the student; not the solution */
+    const char *hint; /* told to the student; not the solution */
 };
 
 /* The value of an output before the call: a NaN that arithmetic never makes
@@ -67,7 +67,7 @@ struct check_suite {
     int minutes; /* how long the exercise should take */
     /* The label of the equation that failures name: "eq:difference". */
     const char *equation;
-    struct check_test tests[CHECK_TESTS]; /* ends without a name */
+    struct check_test tests[CHECK_TESTS]; /* the last has no name */
     void (*idle[8])(void);                /* the idle tests */
 };
 
@@ -77,7 +77,7 @@ extern const struct check_suite check_suite;
    last has no name. Without a file hidden.c the list is empty. They earn
    points only if a test of the suite that is not idle has passed. */
 extern const struct check_test check_hidden[];
-/* Describes a write outside of an output. */
+/* A write outside of an output. */
 struct check_overrun {
     char place[32]; /* the name of the argument */
     int before;     /* 1: before its start; 0: after its end */

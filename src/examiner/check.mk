@@ -1,17 +1,17 @@
-# Checking exercises. It needs a C compiler, make and CUnit.
+# Rules to check exercises; they need a C compiler, make and CUnit.
 
 .PHONY: check watch hint progress reset solution
 exercises := $(patsubst tests/exercises/%/suite.c,%,\
 	$(wildcard tests/exercises/[0-9][0-9][a-z]/suite.c \
 	tests/exercises/P[0-9]/suite.c))
-# Projects are exercises that are whole programs. YEAR=2027 gives them other numbers.
+# Projects are exercises that are whole programs. YEAR=2027 changes the numbers in them.
 projects := $(filter P%,$(exercises))
 year = $(if $(filter P%,$*),$(YEAR:%=-DPROJECT_YEAR=%))
 build/made/check/year: FORCE
 	@mkdir -p $(@D)
 	@echo '$(YEAR)' | cmp -s - $@ || echo '$(YEAR)' >$@
 
-# How exercises are compiled. examine reads it from build/check/flags: the compiler with
+# The commands that compile exercises. examine reads build/check/flags: the compiler with
 # its flags on the first line, the libraries on the second. _XOPEN_SOURCE gives students
 # M_PI, which the kit itself does without. Some warnings are made errors, so that a
 # function without its return, say, does not compile, whatever the compiler.
@@ -26,9 +26,9 @@ lists := $(exercises:%=build/check/%.list)
 CHECK_BUILT = $(runner) $(exercises:%=build/check/%.suite.o) $(lists) \
 	$(projects:%=build/check/%.given.o)
 
-# Which exercises are checked: those in EX (01a,02b or '01a 02b'), or else those that are
-# begun, that is, whose file differs from the stub. Only their suites are built. When a
-# student begins another one under make watch, examine has make build its suite.
+# The exercises to be checked are those in EX (01a,02b or '01a 02b'), or else those that
+# are begun, that is, whose file differs from the stub. Only their suites are built. When
+# a student begins another one under make watch, examine builds its suite by make.
 comma = ,
 named := $(subst $(comma), ,$(EX))
 asked_for = $(filter $(named:=%),$(exercises))
@@ -104,10 +104,10 @@ kept += build/check/flags build/check/libcheck.a build/check/examine \
 # is compiled for the side of the suite and, with -DREMOTE_SERVER, for that of the
 # student's function (src/examiner/remote.h). Both sides have functions of the same names;
 # so those of the suite are called suite_NAME. A students' course has calls.c,
-# which is remote.c without comments. Nothing here is optimized: that takes the
-# compiler a third of the time, and checks last a twentieth longer. (The grader's judge
-# is optimized, and so it gets the warnings that only an optimizer can give.)
-# Where an exercise has a call.h, remote.c is made from it (tests/remote.awk).
+# which is remote.c without comments. Nothing here is optimized: the compiler then
+# needs a third of the time, and checks run a twentieth longer. (The grader's judge is
+# optimized, for the warnings that only an optimizer can give.) If an exercise has a
+# call.h, remote.c is made from it (tests/remote.awk).
 remote_file = $(or $(wildcard $(addprefix tests/exercises/$(1)/,remote.c calls.c)),\
 	$(patsubst tests/exercises/%/call.h,build/check/remote/%/remote.c,\
 	$(wildcard tests/exercises/$(1)/call.h)))

@@ -23,7 +23,7 @@ struct exercise {
     char stub[COURSE_PATH];     /* the file as the book gives it */
     char stray[COURSE_PATH];    /* perhaps the student's, misnamed */
     char solution[COURSE_PATH]; /* worked solution; "": none */
-    bool chosen;                /* the command names it, or names none */
+    bool chosen;                /* to be judged: named, or none is named */
     bool judged;                /* the fields below are set */
     enum state state;
     int earned;  /* points earned */

@@ -331,7 +331,7 @@ static void choose_seed(struct batch *b)
             b->grading.seed = seed;
             return;
         }
-        file = fopen(path, "r"); /* another grader was first */
+        file = fopen(path, "r"); /* another grader has written one */
     }
     if (!file)
         text_fail("cannot read '%s': %s", path, strerror(errno));

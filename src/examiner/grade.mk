@@ -1,4 +1,5 @@
-# The grader. It needs a C compiler, make, CUnit, jansson, libxml2 and bubblewrap.
+# Rules for the grader, which needs a C compiler, make, CUnit, jansson, libxml2 and
+# bubblewrap.
 
 # make grade SUBMISSIONS=dir [REPORT=gradescope,...] [JOBS=n] [HIDDEN=seed]
 # [EX=01a,02] [SECONDS=5] [RESULTS=dir] [UNSAFE=1] [YEAR=2027]
@@ -14,8 +15,8 @@ GRADE_BUILT = build/grade/grade build/grade/flags \
 	$(patsubst %,build/grade/%.types.h,$(filter-out P%,$(graded)))
 
 .PHONY: grade grade-parts grade-bench has-submissions hostile-programs jobs-grade
-# Runs every hostile submission of the tests as a project, too: as part of a program with
-# its own main.
+# Runs each hostile submission of the tests in a project as well, from the main of a
+# right answer.
 hostile-programs: grade-parts
 	@ALL=1 tests/grader/programs.sh
 grade-bench: grade-parts
@@ -40,7 +41,7 @@ has-grade-parts:
 		'apt-get install --no-install-recommends libjansson-dev' \
 		'libxml2-dev bubblewrap' >&2; exit 1; }
 
-# The flags of libxml2; pkg-config is asked only when the grader is built.
+# The flags of libxml2, from pkg-config, which runs only when the grader is built.
 xml_flags = $$(pkg-config --cflags libxml-2.0 2>/dev/null || \
 	echo -I/usr/include/libxml2)
 build/made/grade/obj/grade/%.o: src/examiner/%.c build/compiler/key
@@ -58,15 +59,15 @@ build/made/grade/grade: $(patsubst %,build/grade/obj/grade/%.o,grade grading \
 		-ljansson -lxml2
 	@$(take)
 
-# build/grade/flags has, a line each: the compiler for students' files, without
-# sanitizers and with; the flag by which it quotes no source lines; how the program
-# without sanitizers is linked; the flag by which the compiler notes lines but no
-# variables for debuggers; how the program with sanitizers is linked.
+# build/grade/flags has six lines: the compiler for students' files without sanitizers;
+# the compiler with them; its flag that omits source lines in messages; the command that
+# links without sanitizers; the flag for line numbers without variables in debugging
+# information; the command that links with sanitizers.
 #
-# A linker is tried with these flags before it is used; what it prints counts as
-# failure. gold takes a third of the time of the usual one with sanitizers; it is told
-# not to map whole libraries of which it reads a part. Debian 13 has LLVM's instead.
-# Where neither works the line is empty, and the compiler links as it always does.
+# A linker is tried with these flags before it is used, and has failed if it prints
+# anything. gold takes a third of the usual linker's time with sanitizers; a flag keeps
+# it from mapping whole libraries. Debian 13 has LLVM's linker instead. If neither works
+# the line is empty, and the compiler links as usual.
 build/made/grade/flags: build/check/flags src/examiner/grade.mk
 	$(begin)
 	@echo 'int main(void) { return 0; }' >build/grade/probe.c; \
@@ -104,11 +105,11 @@ kept += build/grade/grade build/grade/flags build/grade/libjudge.a \
 	$(wildcard src/examiner/*.c)) \
 	$(graded:%=build/grade/%.judge) $(graded:%=build/grade/%.inside.o)
 
-# Of each exercise there are four files: EX.judge, the program with the suite;
+# Four files are made for each exercise: EX.judge, the program with the suite;
 # EX.inside.o, which is copied into the sandbox and linked with the student's file there;
 # EX.list, its tests; and EX.names, the symbols that the student's file may export, as
-# options of objcopy. The judge is compiled with -g1, which is faster than -g, and the
-# symbols are stripped from EX.inside.o, which leaves a sixth of it to be copied.
+# options of objcopy. The judge is compiled with -g1, which is faster than -g, and
+# EX.inside.o is stripped of its symbols, so that only a sixth of it is copied.
 judge_part = build/grade/obj/judge/$*
 judge_of = $(wildcard $(addprefix tests/exercises/$*/,suite.c hidden.c)) $(remote_of)
 build/made/grade/%.judge: tests/exercises/%/suite.c build/grade/libjudge.a

@@ -30,17 +30,17 @@ struct grading {
     const char *root; /* absolute path of the kit */
     const char *work; /* absolute path for temporary folders */
     enum sandbox_kind kind;
-    uint64_t seed;              /* of the hidden tests */
-    int seconds;                /* of processor time, for each test */
+    uint64_t seed;              /* seed of the hidden tests */
+    int seconds;                /* processor time of a test */
     const struct marks *before; /* the marks of the first try, or NULL */
     struct grading_page *page;  /* the figure of a project, or NULL */
 };
 
-/* The figure that a project asks for. */
+/* The figure of a project. */
 struct grading_page {
     char *script; /* the script for gnuplot, or NULL */
     size_t length;
-    char *refusal;     /* why the script is not taken, or NULL */
+    char *refusal;     /* why the script was refused, or NULL */
     const char *place; /* path of the figure, for the note */
     char *figure;      /* a PNG; if NULL the note says why */
     size_t drawn;      /* size of the figure, bytes */

@@ -28,7 +28,7 @@ enum { MARKS_MOST = 96 };
 struct marks {
     char *student;    /* name of the student's folder */
     char *exercise;   /* "01a" */
-    char *title;      /* of the exercise */
+    char *title;      /* title of the exercise */
     char *file;       /* the file that was graded, or "no file" */
     char *note;       /* a note for the lecturer, or "" */
     enum state state; /* of the first test that is wrong */

@@ -193,9 +193,9 @@ static const char *header_of(const char *name)
     return NULL;
 }
 
-/* Explains an unknown name. Its header is looked up before the compiler's
-   proposal is: for NAN without <math.h> a compiler may propose any other
-   name of three letters. */
+/* Explains an unknown name. The header that declares it is looked up before
+   the compiler's proposal is used: for NAN without <math.h> a compiler may
+   propose any other name of three letters. */
 static void explain_stranger(FILE *story, const char *line)
 {
     char name[NAME_ROOM], meant[NAME_ROOM], text[LINE_ROOM];

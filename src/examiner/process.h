@@ -9,8 +9,8 @@
 
 /* The limits of a program; RLIM_INFINITY means none. An endless loop is
    stopped when its processor time is used up, which is fair on a busy
-   machine; a program that sleeps or waits uses none, so it is stopped after
-   twice that time by the wall clock. */
+   machine; a program that sleeps or waits uses no processor time, so it is
+   stopped after twice that wall-clock time. */
 struct process_limits {
     int seconds;         /* processor time; half the wall-clock limit */
     rlim_t memory_bytes; /* address space, bytes */

@@ -29,7 +29,7 @@ const struct exercise *round_current(const struct course *course);
 /* Prints the exercise to work on next and the command to type. */
 void round_next(const struct course *course);
 
-/* Prints a bar for each chapter, and the next step. */
+/* Prints a bar for each chapter and one for the whole course. */
 void round_progress(const struct course *course);
 
 #endif

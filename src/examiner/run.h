@@ -46,7 +46,7 @@ struct run {
     int status;   /* exit status */
     bool flooded; /* it printed more than RUN_PRINTS */
     size_t rows, columns;
-    double *numbers;    /* row by row */
+    double *numbers;    /* all rows, one after the other */
     const char *broken; /* the first line that breaks it, or "" */
     char *remarks;      /* the lines that begin with a # */
     char *complaint;    /* its output on standard error */

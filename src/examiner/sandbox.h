@@ -27,7 +27,7 @@ struct sandbox_order {
     const char *included; /* its name, "kit/exercise.h" */
     int header;           /* the header that the stub includes */
     int inside;           /* object with the driver and the remote calls */
-    const char *compiler; /* command and flags, split at blanks */
+    const char *compiler; /* compiler with flags, split at blanks */
     const char *terse;    /* flag that omits source lines in messages */
     const char *lean;     /* flags for less debugging information */
     const char *linker;   /* command that links fast, or "" */
@@ -50,7 +50,7 @@ enum sandbox_stage {
     SANDBOX_NOT_BUILT, /* the compiler or the linker refused */
     SANDBOX_TOO_LONG,  /* compiler or linker took too long */
     SANDBOX_NO_MAIN,   /* the program ended before its main */
-    SANDBOX_STUCK,     /* it did not reach its main in time */
+    SANDBOX_STUCK,     /* the program did not reach its main in time */
     SANDBOX_READY
 };
 

@@ -176,7 +176,7 @@ static const char canvas[] =
    with a note: in doubt there should be too many students, never one too
    few. */
 struct owner {
-    char name[256]; /* without LATE_ */
+    char name[256]; /* the student's name, without LATE_ */
     bool late, guessed, canvas;
     long long attempt; /* date or number in the name, or 0 */
 };

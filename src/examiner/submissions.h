@@ -9,7 +9,7 @@ enum { SUBMISSIONS_BYTES = 1 << 20 }; /* most bytes of a student's file */
 
 /* A file that may be a student's answer to an exercise. */
 struct answer {
-    char *path;        /* below the folder of submissions */
+    char *path;        /* path below the folder of submissions */
     char exercise[4];  /* "01a" */
     int rank;          /* the lowest is best: place, then name */
     long long attempt; /* larger: handed in later */

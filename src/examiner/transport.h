@@ -11,7 +11,7 @@ enum {
     TRANSPORT_CALL = 'c', /* call the function; arguments follow */
     TRANSPORT_CALLBACK_REPLY = 'a', /* the answer to a callback follows */
     TRANSPORT_OVER = 'x',           /* the test is over */
-    TRANSPORT_ECHO = 's'            /* the driver sends it back */
+    TRANSPORT_ECHO = 's'            /* the driver must return this byte */
 };
 /* and from the sandbox. */
 enum {

@@ -34,7 +34,7 @@ static void take_terminal(void)
 }
 
 struct seen {
-    uint64_t judged, last; /* checksums */
+    uint64_t judged, last; /* checksums of the file judged and seen last */
 };
 
 /* Returns whether a file was saved and has to be judged: its checksum

@@ -121,7 +121,7 @@ static double lost_product(double a, double b, double product)
    high - head * p, being a double again. Either way the number is head +
    tail + rest, with |tail| <= 2^-41 |head|, and as the tail is rounded two
    or three times to its own 53 bits, |rest| < 2^-90 |head|. If head + (tail
-   -+ 2^-90 head) round to the same double, so does all that lies between;
+   -+ 2^-90 head) round to the same double, so does every number between;
    for random digits they differ once in 2^36 times. */
 static bool round_pair(const struct decimal *d, double *value)
 {

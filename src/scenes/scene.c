@@ -236,7 +236,7 @@ static bool fail(struct reader *r, struct piece found, const char *format,
 struct line {
     const char *word, *fields;
     int pass; /* the number of the pass over the text that reads it */
-    /* Puts the values into the scene. NULL: they are copied to `offset`
+    /* Stores the values. NULL: they are copied into the scene, `offset`
        bytes from its beginning. */
     bool (*store)(struct reader *r, const double value[], size_t count);
     size_t offset;

@@ -33,7 +33,7 @@ struct scene_spring {
    bodies read memory in sequence. */
 struct scene {
     size_t bodies, kinds, springs;
-    double *mass, *charge, *radius; /* [bodies] kg, none, m */
+    double *mass, *charge, *radius; /* [bodies] kg, no unit, m */
     double *position, *velocity;    /* [3 * bodies] m, m/s */
     unsigned char *freedom;         /* [3 * bodies] 1: free, 0: fixed */
     double *colour;                 /* [3 * bodies] red, green, blue */
@@ -44,8 +44,8 @@ struct scene {
                       method continues with from this state */
     struct scene_kind *kind;
     struct scene_spring *spring;
-    double k2;                  /* gravity between bodies; 0: none */
-    double softening;           /* of that gravity, m */
+    double k2;        /* strength of gravity between bodies; or 0 */
+    double softening; /* of that gravity, m */
     double gravity[SCENE_AXES]; /* uniform acceleration, m/s^2 */
     double damping;  /* each body feels the force -damping * v, kg/s */
     double dt, time; /* s; a dt of 0: not given */
@@ -55,12 +55,12 @@ struct scene {
     enum scene_law law;        /* how bodies collide */
     double stiffness, dashpot; /* of soft contacts, N/m or N/m^1.5; kg/s */
     enum scene_wall wall[SCENE_AXES];
-    double low[SCENE_AXES], high[SCENE_AXES]; /* of the box, m */
+    double low[SCENE_AXES], high[SCENE_AXES]; /* ends of the box, m */
 };
 
 /* The first error in the text of a scene. */
 struct scene_error {
-    size_t line;    /* the first line is 1 */
+    size_t line;    /* number of the line, from 1 */
     char text[240]; /* "found this, expected that" */
 };
 

@@ -10,7 +10,7 @@
 
 #include <stddef.h>
 
-enum { BENCH_ROUNDS = 5 }; /* runs to take a median of */
+enum { BENCH_ROUNDS = 5 }; /* runs for a median */
 
 /* Returns the processor time that this process has used, s. */
 double bench_seconds(void);

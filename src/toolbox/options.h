@@ -24,7 +24,7 @@
 struct options_entry {
     const char *name;     /* the long name, without the dashes */
     int letter;           /* the short name or 0, plus flags: see below */
-    const char *argument; /* what --help calls its value; NULL: none */
+    const char *argument; /* name of its value; NULL: it has none */
     const char *help;     /* one phrase; \n breaks the line */
 };
 

@@ -25,7 +25,7 @@ void program_open(const char *program, const char *output,
                   struct table **out, struct table **results);
 
 /* Closes the table and, if the run was whole and the table could be
-   written, the summary; else gives the summary up: the rows of a run cut
+   written, the summary; else discards the summary: the rows of a run cut
    short are true, but a mean over half of them would look like one over
    all. Returns the status to exit with: EXIT_SUCCESS if both are there. */
 int program_close(struct table *out, struct table *results, bool whole);

@@ -54,7 +54,7 @@ static void print_progress(struct progress *p, double elapsed,
     p->width = width;
 }
 
-/* Prints nothing in the first second, within which most runs end. */
+/* Prints the line, but not in the first second, in which most runs end. */
 void progress_update(struct progress *p, uint64_t done, uint64_t events)
 {
     p->done = done;

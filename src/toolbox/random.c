@@ -104,23 +104,24 @@ double random_log_uniform(struct random *r, double low, double high)
     return x;
 }
 
-/* Only + - * / are used, which IEEE 754 rounds alike everywhere; the C
-   library's log differs in last bits, which is enough to make two gases
-   that began alike differ altogether.
+/* Uses only + - * /, which IEEE 754 rounds alike everywhere; the C
+   library's log differs in its last bits, which is enough to make two runs
+   of a gas differ altogether.
 
-   x = 2^e m with m from sqrt(1/2) to sqrt(2), and with s = (m-1)/(m+1)
-   log m = 2 (s + s^3/3 + s^5/5 + ...), where s^2 <= 0.02944. Behind s^19/19
-   the rest is less than s^20 / (21 (1 - s^2)) = 2.4e-17 of s, which is 0.11
+   x = 2^e m with m from sqrt(1/2) to sqrt(2), and with s = (m-1)/(m+1) log
+   m = 2 (s + s^3/3 + s^5/5 + ...), where s^2 <= 0.02944. After s^19/19 the
+   rest is less than s^20 / (21 (1 - s^2)) = 2.4e-17 of s, which is 0.11
    epsilon. s stays outside the loop, so that the loop's roundings concern a
    correction of at most 1 %. log 2 comes in two parts, the first of 42
    bits, so that its product with the exponent (11 bits) is exact.
 
-   Error: m - 1 is exact, m + 1 and the quotient are rounded once each, so
-   s is right within epsilon; the loop adds 0.05, the series 0.11, and for
+   Error: m - 1 is exact, m + 1 and the quotient are rounded once each, so s
+   is right within epsilon; the loop adds 0.05, the series 0.11, and for
    exponent 0 the last addition 0.5 epsilon: less than 1.7 epsilon, that is
-   3.4 units in the last place. Else |log x| >= 0.347 and |2s| <= 0.343, so
-   the sum is off by at most 0.7 epsilon, less than 3 units. Hence the 4 of
-   the header. Measured at four million points against long double: 2. */
+   3.4 units in the last place. For other exponents |log x| >= 0.347 and
+   |2s| <= 0.343, so the sum is off by at most 0.7 epsilon, less than 3
+   units. Hence the header promises 4. Measured at four million points
+   against long double: 2. */
 double random_log(double x)
 {
     int exponent;

@@ -1,8 +1,8 @@
 /* Makes temporary files and renames them; removes them at an early end. */
 /* If a program wrote straight to the final name, a run killed half way
-   would leave a file that looks like a result, and the good one of
-   yesterday would be gone. Renaming in one folder is a single act of the
-   file system. */
+   would leave a file that looks like a result, and the previous result
+   would be lost. Renaming within a folder is a single act of the file
+   system. */
 #include "toolbox/replace.h"
 
 #include <errno.h>

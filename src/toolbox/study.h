@@ -28,7 +28,7 @@ struct study_entry {
     void (*run)(struct study *s);
     /* A phrase for --help; with the name at most STUDY_WIDTH letters. */
     const char *about;
-    const struct table_key *keys; /* of its summary; NULL: it is empty */
+    const struct table_key *keys; /* keys of its summary; NULL: none */
 };
 
 /* A program of fewer than STUDY_MOST studies. Its options are --study,

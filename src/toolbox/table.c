@@ -130,17 +130,17 @@ static char *resolve_new(const char *path)
     return name;
 }
 
-/* Opens what `path` names (NULL: standard output). Returns false with errno
-   set, or 0 if another table goes there.
+/* Opens the file or device `path` (NULL: standard output). Returns false
+   with errno set, or with errno 0 if another table goes there.
 
-   - fstat notices a closed standard output before an hour is computed.
+   - fstat notices a closed standard output before a long run, not after.
    - A file that this process writes already is opened by a copy of the
      descriptor: both share one position, so nothing is written over.
-   - What must not be replaced is opened with O_APPEND, which adds to what
-     is there, and without O_CREAT, so that the mistyped /dev/nul is an
-     error and no new file.
-   - Replacing a file needs permission for its folder only; but a table made
-     read-only is meant to stay, so access() asks for the file as well.
+   - A device or pipe is opened with O_APPEND, which keeps earlier output,
+     and without O_CREAT, so that the mistyped /dev/nul is an error and no
+     new file.
+   - Replacing a file needs permission for its folder only; but a read-only
+     table must not be replaced, so access() checks the file as well.
    - A name that lstat finds and stat does not is a link to nothing; an
      empty name comes from an unset variable of a script. Both are refused
      now and not after the run. */

@@ -2,7 +2,7 @@
 #ifndef CHECK_H
 #define CHECK_H
 
-/* What a suite measures and draws with is included for all suites here. */
+/* Includes the headers that nearly all suites need. */
 #include <float.h>
 #include <math.h>
 #include <stdbool.h>

@@ -95,7 +95,8 @@ static bool read_about(struct exercise *e, const char *name)
     return true;
 }
 
-/* Finds all exercises, the folders of tests/exercises with a list. */
+/* Finds all exercises: the folders of tests/exercises for which there is a
+   list in build/check. */
 struct course course_learn(void)
 {
     struct course course = {NULL, 0};

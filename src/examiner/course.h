@@ -19,7 +19,7 @@ struct exercise {
     int worth[CHECK_TESTS]; /* points of each test */
     bool idle[CHECK_TESTS]; /* whether an empty function passes it */
     int count, minutes, points;
-    char file[COURSE_PATH];     /* the student's; "": missing */
+    char file[COURSE_PATH];     /* the student's file; "": missing */
     char stub[COURSE_PATH];     /* the file as the book gives it */
     char stray[COURSE_PATH];    /* perhaps the student's, misnamed */
     char solution[COURSE_PATH]; /* worked solution; "": none */

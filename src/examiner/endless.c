@@ -31,8 +31,8 @@ enum {
     MEMORY_MOST = 1 << 23 /* bytes; larger states are not checked */
 };
 
-/* All that the checks themselves write to, in one piece, so that it can be
-   left out of the state. */
+/* The memory that the checks themselves write to, in one piece, so that it
+   can be left out of the state. */
 static struct {
     unsigned char stack[1 << 16];
     char maps[1 << 14];

@@ -49,8 +49,8 @@ struct batch {
     struct settings settings;
     struct kit *kits;
     struct submissions handed;
-    struct submission *submissions; /* all of `handed', or one */
-    size_t kit_count, count;        /* of exercises; of students */
+    struct submission *submissions; /* the list of `handed', or one of it */
+    size_t kit_count, count;        /* numbers of exercises, students */
     struct grading grading;
     char root[4096], work[4200];
     uint64_t compiler;   /* checksum of the compiler's version */
@@ -408,9 +408,7 @@ static void result_path(const struct batch *b, size_t s, size_t e,
     snprintf(path + strlen(path), 32, "/%s.json", b->kits[e].exercise);
 }
 
-/* Chooses the one student of --job. A job for one of ten thousand students
-   does not read all submissions: it considers only names that begin as the
-   student's does. */
+/* Chooses the student whom --job names. */
 static void choose_student(struct batch *b)
 {
     const char *job = b->settings.job;
@@ -863,8 +861,10 @@ static void publish_all(struct batch *b)
                 b->failed);
 }
 
-/* Finds all submissions. This comes before exercises are chosen, since an
-   answer to an exercise that was not chosen is no stray file. */
+/* Finds all submissions, before exercises are chosen: an answer to an
+   exercise that was not chosen is no stray file. With --job it reads only
+   names that begin as the student's does, since he may be one of ten
+   thousand. */
 static void find_submissions(struct batch *b)
 {
     const char **usual = calloc(b->kit_count + 1, sizeof *usual);

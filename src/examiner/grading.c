@@ -119,11 +119,11 @@ struct job {
     struct sandbox sandbox;
     bool open;
     int prints;
-    int late, waited;   /* tests timed out; those by wall-clock */
+    int late, waited;   /* tests timed out; by wall-clock time */
     bool slow;          /* a test took more than SLOW_MS */
-    int crashed, named; /* tests; those with a known mistake */
+    int crashed, named; /* tests crashed; with a known mistake */
     int left;           /* tests that wrote outside an output */
-    char mistake[64];   /* the first one known, in brackets */
+    char mistake[64];   /* first known mistake, in brackets */
     char types[8192], judge[4096], name[256], header[64];
 };
 
@@ -153,8 +153,8 @@ static void enter_new_folder(const struct grading *g, const char *exercise)
                   strerror(errno));
 }
 
-/* Returns the header that the stub includes: exercise.h or another of the
-   kit's. */
+/* Returns the header that the stub includes: exercise.h or another header
+   of the kit. */
 static const char *find_header(struct job *job)
 {
     char path[8192], name[48] = "exercise.h";

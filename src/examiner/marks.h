@@ -31,7 +31,7 @@ struct marks {
     char *title;      /* title of the exercise */
     char *file;       /* the file that was graded, or "no file" */
     char *note;       /* a note for the lecturer, or "" */
-    enum state state; /* of the first test that is wrong */
+    enum state state; /* state of the first test that is wrong */
     int count;
     struct mark marks[MARKS_MOST];
     char *story;    /* messages of the compiler, or "" */

@@ -30,7 +30,7 @@ struct process_files {
 struct process_end {
     int status;     /* as waitpid gives it */
     bool timed_out; /* a limit on time was reached */
-    bool waited;    /* that of wall-clock time */
+    bool waited;    /* it was the limit on wall-clock time */
 };
 
 /* Runs a command (a NULL-terminated list, the program looked up in PATH)

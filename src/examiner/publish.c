@@ -490,8 +490,8 @@ static void write_tree(const char *folder, const char *name, json_t *json)
     json_decref(json);
 }
 
-/* Writes one JSON file for each student whose exercises were all graded. A
-   missing file is asked about; too few points would be believed. */
+/* Writes one JSON file for each student whose exercises were all graded.
+   Somebody will ask for a missing file, but nobody about too few points. */
 static void write_json(const struct course *c, const char *folder,
                        const char *kind,
                        json_t *build(const struct course *, size_t))

@@ -15,13 +15,13 @@ enum {
 /* The way to count the calls of the function that a project is given. */
 enum run_count {
     RUN_UNCOUNTED,
-    RUN_INSIDE, /* by the function itself */
+    RUN_INSIDE, /* by the function itself, in shared memory */
     RUN_OUTSIDE /* by another process, which alone knows the law's constant,
                    so that the program must ask it for each value */
 };
 
 enum {
-    RUN_COUNTER = 3, /* descriptor of that memory or process */
+    RUN_COUNTER = 3, /* descriptor of that memory, or of that process */
     RUN_BODIES = 64  /* most bodies in a call */
 };
 

@@ -334,8 +334,8 @@ static double take_calls(const struct counter *c)
     return (double)calls;
 }
 
-/* Removes the files of the order and those the program has written, so that
-   the next program does not find them. */
+/* Removes the files of the order, the link to the program and, if nothing
+   else is in it, the folder. */
 static void clean_up(void)
 {
     char path[96];

@@ -98,7 +98,7 @@ static void add_user(struct words *w)
         "--no-new-privs");
 }
 
-static bool bounded; /* mount_disk works; set by sandbox_probe */
+static bool bounded; /* whether mount_disk works; set by sandbox_probe */
 /* Settings of enter(), in which a new process changes its user, empties its
    environment and mounts a folder before it becomes bubblewrap. Commands
    for these steps (setpriv, env, unshare, mount) took longer to start than

@@ -298,9 +298,9 @@ static const char *part_name(const char *name, struct owner *owner)
     return rest;
 }
 
-/* Terms of an answer's rank, of which the lowest is best: for each folder
-   above it, a folder not called exercises, an unusual name, a name without
-   .c. */
+/* Terms of an answer's rank, the lowest of which is best: for each folder
+   above the file, for a folder not called exercises, for an unusual name,
+   for a name that does not end in .c. */
 enum { DEEPER = 4, ELSEWHERE = 2, UNUSUAL = 1, MISNAMED = 1000 };
 
 /* Returns the number that Canvas adds to the name of a file handed in

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* The first bytes of messages to the sandbox, */
+/* The first bytes of messages to the sandbox. */
 enum {
     TRANSPORT_TEST = 't', /* start the process of a test */
     TRANSPORT_CALL = 'c', /* call the function; arguments follow */
@@ -13,7 +13,7 @@ enum {
     TRANSPORT_OVER = 'x',           /* the test is over */
     TRANSPORT_ECHO = 's'            /* the driver must return this byte */
 };
-/* and from the sandbox. */
+/* The first bytes of messages from the sandbox. */
 enum {
     TRANSPORT_BUILT = 'b',      /* the program is compiled and linked */
     TRANSPORT_NO_GNUPLOT = 'g', /* there is no gnuplot */
@@ -22,7 +22,7 @@ enum {
         'q', /* a callback: its number and arguments follow */
     TRANSPORT_OVERRUN = 'w',  /* a guard was changed; details follow */
     TRANSPORT_REPLY = 'r',    /* the values of the answer follow */
-    TRANSPORT_NOT_DONE = 'u', /* its line follows */
+    TRANSPORT_NOT_DONE = 'u', /* NOT_DONE_YET reached; its line follows */
     TRANSPORT_ENDED =
         'e' /* the test's process ended; TRANSPORT_HOW ints follow */
 };

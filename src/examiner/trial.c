@@ -24,8 +24,8 @@ const char *state_name(enum state state)
     return names[state];
 }
 
-/* An exercise that is not begun is not wrong: a fresh copy of the kit shows
-   no red. */
+/* Counts an exercise that is not begun as not wrong, so that a fresh copy
+   of the kit shows no red. */
 bool state_wrong(enum state state)
 {
     return state != NOT_BEGUN && state != PASSED;

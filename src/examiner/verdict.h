@@ -4,7 +4,7 @@
 
 #include "examiner/course.h"
 
-/* How an exercise is to be judged. */
+/* The rules by which an exercise is judged. */
 struct verdict_rules {
     bool strict;    /* warnings are errors */
     bool use_cache; /* read verdicts from the cache, store them */

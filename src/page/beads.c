@@ -64,9 +64,8 @@ double page_run(double until, double events)
     return (double)(beads.collisions - before);
 }
 
-/* Returns the time, the numbers of collisions and bodies with the energy
-   between them; all x, all v, all masses. The first and last bodies are
-   walls. */
+/* Returns the time, the number of collisions, the energy, the number of
+   bodies; all x, all v, all masses. The first and last bodies are walls. */
 const double *page_look(void)
 {
     const size_t bodies = beads.gaps + 1;

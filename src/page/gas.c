@@ -89,7 +89,7 @@ static double count_speeds(double density[BINS])
 }
 
 /* Returns the time, the numbers of collisions between disks and with walls,
-   kT, energy, <v^4>/<v^2>^2, the numbers of disks and, behind their radius,
+   kT, energy, <v^4>/<v^2>^2, the number of disks, their radius, the number
    of bins; the density in each bin, the law in each; of each disk x and y,
    folded back into a periodic box, and the speed. */
 const double *page_look(void)

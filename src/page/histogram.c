@@ -79,7 +79,8 @@ bool page_begin(void)
 /* Estimates the statistical inefficiency, the number of samples that are
    worth one independent sample, as the program histogram does. It does so
    again whenever there are 5 % more samples: then the error bars allow for
-   correlations, and the total cost is a small multiple of the last one. */
+   correlations, and the total cost is a small multiple of the last
+   estimate's. */
 static void measure(void)
 {
     struct statistics_description d;

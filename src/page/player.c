@@ -93,8 +93,8 @@ static const char *name_of(size_t k)
     return name ? message : NULL;
 }
 
-/* Returns words; among the methods are all, also those with steps of
-   variable length, which the other figures leave out. */
+/* Returns words. The methods include those with steps of variable length,
+   which the other figures leave out. */
 const char *page_word(double number)
 {
     const size_t k = (size_t)number % 1000;

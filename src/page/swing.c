@@ -16,12 +16,13 @@ double page_number[PAGE_NUMBERS];
 static struct swing {
     struct scene scene;
     struct motion motion;
-    double matrix[4]; /* of a step, from x and v to x and v */
+    double matrix[4]; /* matrix of a step, from x and v to x and v */
     bool begun, stopped;
 } swing[METHODS];
 static double seen[1 + METHODS * OWN];
 
-/* Returns method `number` of those with fixed steps and not for planets. */
+/* Returns method `number`, not counting those that choose their steps and
+   those for planets. */
 static const struct stepping_method *method_of(double number)
 {
     const struct stepping_method *m = stepping_next(NULL);

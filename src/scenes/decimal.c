@@ -63,8 +63,8 @@ static const char *read_exponent(const char *c, const char *end,
     return c;
 }
 
-/* Splits a text into sign, digits and exponent. Returns whether they are
-   all of it. */
+/* Splits a text into sign, digits and exponent. Returns whether it has
+   nothing else. */
 static bool find_decimal(const char *c, size_t length, struct decimal *d)
 {
     const char *end = c + length;

@@ -66,7 +66,8 @@ static void *copy_list(const void *list, size_t count, size_t size)
     return copy;
 }
 
-/* Copies the lists that may be NULL. Returns false without memory. */
+/* Copies the lists that may be NULL; returns false if there is no
+   memory. */
 static bool copy_rare(struct scene *to, const struct scene *from)
 {
     const size_t n = from->bodies, size = sizeof(double);
@@ -173,7 +174,7 @@ struct reader {
     const char *next, *end;                /* the rest of the line */
     size_t line;                           /* number of that line */
     struct piece first, word[MOST_FIELDS]; /* its first word, the others */
-    size_t lines[LINES], read[LINES];      /* in all and so far, by sort */
+    size_t lines[LINES], read[LINES]; /* numbers of each sort: all, read */
     unsigned char *seen; /* [bodies + kinds] bit s: sort s was read */
 };
 
@@ -297,7 +298,7 @@ static const char *const wall_names[] = {"open", "hard", "periodic", NULL};
 static const char *const axial_names[] = {"axial", NULL};
 
 /* Reads a word as a value of the type that the mark stands for. Returns
-   false if it is none. */
+   false if it is not of this type. */
 static bool read_value(const struct reader *r, char mark, struct piece p,
                        double *value)
 {

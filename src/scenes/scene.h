@@ -45,7 +45,7 @@ struct scene {
     struct scene_kind *kind;
     struct scene_spring *spring;
     double k2;        /* strength of gravity between bodies; or 0 */
-    double softening; /* of that gravity, m */
+    double softening; /* softening length of gravity, m */
     double gravity[SCENE_AXES]; /* uniform acceleration, m/s^2 */
     double damping;  /* each body feels the force -damping * v, kg/s */
     double dt, time; /* s; a dt of 0: not given */

@@ -33,7 +33,7 @@ void lines_release_head(struct table *t)
     t->head = NULL;
 }
 
-/* Bytes of a head that are kept in memory at most: a head may be long. */
+/* The most bytes of a head that are kept in memory. */
 enum { MOST_HEAD = 65536 };
 
 /* Returns whether a text of this format continues the head: as one of its

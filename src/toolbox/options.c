@@ -196,7 +196,8 @@ static const struct options_entry *named(const struct options *o,
 }
 
 /* Copies the value of an option or, if it was not given, its default, which
-   is in parentheses at the end of its help. Returns whether it has one. */
+   is in parentheses at the end of its help. Returns false if it has
+   neither. */
 static bool get_value(const struct options *o,
                       const struct options_entry *e, char value[],
                       size_t size)

@@ -58,13 +58,12 @@ struct options {
     int count;
     char **arguments;
     const char *value, *command;
-    const char *given[OPTIONS_MAXIMUM]; /* by index in the list */
+    const char *given[OPTIONS_MAXIMUM]; /* values, by index in the list */
     bool input[OPTIONS_MAXIMUM]; /* true: the value names a file to read */
     bool ended;
 };
 
-/* The lower bound for options_real that means, and prints, "more than
-   0". */
+/* The lower bound for options_real that stands for "more than 0". */
 #define OPTIONS_POSITIVE DBL_TRUE_MIN
 
 /* Prints what is wrong, formatted as by printf, after "program: --option: "

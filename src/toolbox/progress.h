@@ -9,7 +9,7 @@
 struct progress {
     const char *program, *what;
     uint64_t total, done;
-    double start, last; /* times of the first and latest call, s */
+    double start, last; /* times of the start and the last line, s */
     int width;          /* of the line on the terminal; 0: none */
     bool visible;
 };

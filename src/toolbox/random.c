@@ -1,4 +1,4 @@
-/* xoshiro256**, a logarithm of our own, and variates from both. */
+/* Implements xoshiro256**, a logarithm, and variates made with both. */
 #include "toolbox/random.h"
 
 #include <assert.h>
@@ -63,8 +63,8 @@ double random_between(struct random *r, double low, double high)
 }
 
 /* Rejects the lowest draws. With 2^64 = q n + surplus, plain remainders
-   would favour the first `surplus` values; after `surplus` draws are
-   rejected, each remainder has exactly q of the others. */
+   would favour the first `surplus` values; without the lowest `surplus`
+   values each remainder has exactly q draws. */
 uint64_t random_below(struct random *r, uint64_t n)
 {
     uint64_t bits;

@@ -24,7 +24,7 @@ struct study {
 
 /* One study; a list of them ends with {0}. */
 struct study_entry {
-    const char *name; /* what --study calls it */
+    const char *name; /* its name for --study */
     void (*run)(struct study *s);
     /* A phrase for --help; with the name at most STUDY_WIDTH letters. */
     const char *about;

@@ -52,9 +52,10 @@ bool table_sum_so_far(struct table *t, uint64_t *sum);
    write already (standard output sent to that file). On failure prints the
    reason on standard error, after program, and returns NULL. program is
    kept, not copied. At most 8 files are open at once; a second on the same
-   file is refused, whatever its name, unless it is a device. From the first
-   call on table_close reports a closed pipe, which is no signal any more,
-   and signals that end the process remove the temporaries first. */
+   file is refused, whatever its name, unless it is a device. The first call
+   makes a closed pipe an error that table_close reports, no longer a
+   signal, and makes signals that end the process remove the temporaries
+   first. */
 struct table *table_open(const char *program, const char *path);
 
 /* Writes text as printf does. Returns false once writing has failed. Lines

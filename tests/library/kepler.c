@@ -1,6 +1,6 @@
 /* Kepler's equation against values of 18 digits (computed for this book
    with 40), cosine and sine against the library, places and velocities
-   against each other, and the closed form against a year in small steps. */
+   against each other. */
 #include "unit.h"
 
 #include <forces/kepler.c> /* of src: what the search begins with */
@@ -122,30 +122,6 @@ TEST(test_move, "the closed form goes from place to place")
                 for (int k = 0; k < 3; ++k)
                     UNIT_NEAR(x[k], right[k], 1e-13 * speed * speed);
             }
-}
-
-/* Against a way that knows nothing of ellipses: leapfrog, whose error over
-   a tenth of a period is h^2 / 10 or so. */
-TEST(test_steps, "and agrees with small steps")
-{
-    double x[3] = {1, 0, 0}, v[3] = {0.1, 0.8, 0.2}, y[3], u[3];
-    memcpy(y, x, sizeof x);
-    memcpy(u, v, sizeof v);
-    const double h = 1e-5;
-    for (int n = 0; n < 60000; ++n) {
-        for (int k = 0; k < 3; ++k)
-            y[k] += h / 2 * u[k];
-        const double r = sqrt(y[0] * y[0] + y[1] * y[1] + y[2] * y[2]);
-        for (int k = 0; k < 3; ++k)
-            u[k] -= h * y[k] / (r * r * r);
-        for (int k = 0; k < 3; ++k)
-            y[k] += h / 2 * u[k];
-    }
-    kepler_move(1, 0.6, x, v);
-    for (int k = 0; k < 3; ++k) {
-        UNIT_NEAR(x[k], y[k], 1e-10);
-        UNIT_NEAR(v[k], u[k], 1e-10);
-    }
 }
 
 /* What the first guess of the search is wrong by is of the third order in

@@ -153,23 +153,6 @@ TEST(test_true_law, "a true law passes as often as it should")
     }
 }
 
-/* 1e5 draws tell ten velocities from a Gaussian of the same spread, whose
-   distribution differs by up to 0.008; 400 draws do not. */
-TEST(test_false_law, "a false law fails, given enough samples")
-{
-    const struct law normal = law_of("normal:0,0.316227766016838");
-    SEEDED(r, 42);
-    struct law_test test;
-    for (int i = 0; i < MOST; ++i)
-        x[i] = draw_component(&r, 10);
-    UNIT_TRUE(laws_test(&normal, MOST, x, 1, 0, 0, &test));
-    UNIT_TRUE(test.distance_probability < 1e-4);
-    UNIT_TRUE(test.chi2_probability < 1e-6);
-    UNIT_TRUE(laws_test(&normal, 400, x, 1, 0, 0, &test));
-    UNIT_TRUE(test.distance_probability > 0.01);
-    UNIT_TRUE(test.chi2_probability > 0.01);
-}
-
 /* Normal numbers with the correlations phi^lag, of the variance 1. */
 static void draw_series(struct random *r, double phi, size_t n)
 {
@@ -222,23 +205,6 @@ TEST(test_correlated, "correlated samples need their inefficiency")
         if (p == 0)
             UNIT_NEAR(nu, 19, 1);
     }
-}
-
-/* Taken for independent, they cry wolf. */
-TEST(test_naive, "taken for independent, they cry wolf")
-{
-    enum { TIMES = 100, SAMPLES = 4000 };
-    const struct law law = law_of("normal:0,1");
-    SEEDED(r, 46);
-    int naive[2] = {0, 0};
-    for (int t = 0; t < TIMES; ++t) {
-        struct law_test test;
-        draw_series(&r, 0.9, SAMPLES);
-        UNIT_TRUE(laws_test(&law, SAMPLES, x, 1, 0, 0, &test));
-        naive[0] += test.distance_probability < 0.05;
-        naive[1] += test.chi2_probability < 0.05;
-    }
-    UNIT_TRUE(naive[0] > 0.5 * TIMES && naive[1] > 0.5 * TIMES);
 }
 
 /* A law with two numbers from the samples: fewer degrees of freedom, and

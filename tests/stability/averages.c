@@ -217,14 +217,3 @@ TEST(test_slow_lines, "lines that hardly forget are not believed")
                       fabs(f.value - law) <= 1.5 * f.error * f.scale);
         }
 }
-
-/* Steps have a bias that no sample mends: no way to a pressure. */
-TEST(test_steps, "steps are no way to a pressure")
-{
-    FREED(scene) s;
-    make_four(&s, 0.15);
-    const struct averages_found f = ask(&s, "pressure", 1e6, 0.02, NULL);
-    UNIT_TRUE(taken(&f, "events"));
-    const struct averages_found g = ask(&s, "pressure", 1e6, 0.02, "steps");
-    UNIT_TRUE(refused(&g) && strstr(g.refusal, "no way"));
-}

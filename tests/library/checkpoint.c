@@ -246,10 +246,9 @@ TEST(test_end, "a checkpoint goes before its rows")
 
 /* What a child says, and how it ends, which begins or resumes. */
 enum { BEGUN = 0, REFUSED = 1, TAKEN = 2 };
-static int begins(void *unused)
+static int begins(UNUSED void *unused)
 {
     struct checkpoint c;
-    (void)unused;
     const bool good = checkpoint_begin(&c, "step", command, OUTPUT);
     const bool locked = c.locked;
     if (good)

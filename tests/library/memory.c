@@ -33,20 +33,18 @@ static void make(const char *name)
 }
 
 /* What asks for memory, as heap_fails wants it. */
-static bool copies(void *unused)
+static bool copies(UNUSED void *unused)
 {
     struct scene s;
-    (void)unused;
     const bool well = scene_copy(&s, &scene);
     if (well)
         scene_free(&s);
     return well;
 }
 
-static bool builds(void *unused)
+static bool builds(UNUSED void *unused)
 {
     struct scene s;
-    (void)unused;
     if (!scene_create(&s, 3))
         return false;
     const bool well = scene_add_kind(&s, 1, 0) &&
@@ -90,22 +88,20 @@ static bool carries(void *text)
     return end == MODELS_DONE && counted;
 }
 
-static bool averages(void *unused)
+static bool averages(UNUSED void *unused)
 {
     const struct averages_request q = {
         .scene = &scene, .until = 20, .tolerance = 0.3, .budget = 5};
     struct averages_found f;
-    (void)unused;
     return averages_find(&f, &q) && f.refusal[0] == '\0';
 }
 
 static const struct gallery_scene *laid; /* which scene */
 
-static bool lays(void *unused)
+static bool lays(UNUSED void *unused)
 {
     struct scene s;
     double value[GALLERY_KEYS];
-    (void)unused;
     gallery_usual(laid, value);
     const char *why = laid->build(&s, value);
     if (!why)
@@ -113,10 +109,9 @@ static bool lays(void *unused)
     return !why;
 }
 
-static bool plants(void *unused)
+static bool plants(UNUSED void *unused)
 {
     struct gravity g;
-    (void)unused;
     if (!gravity_create(&g, scene.bodies, scene.mass, 1, 0))
         return false;
     const bool well =
@@ -125,10 +120,9 @@ static bool plants(void *unused)
     return well;
 }
 
-static bool shares(void *unused)
+static bool shares(UNUSED void *unused)
 {
     struct springs p;
-    (void)unused;
     if (!springs_create(&p, &scene))
         return false;
     const bool well = springs_threads(&p, 3);
@@ -227,10 +221,9 @@ static bool pack(struct disks *d, size_t dimensions, size_t count)
 }
 
 /* Asks for memory only where it makes plans. */
-static bool plans(void *unused)
+static bool plans(UNUSED void *unused)
 {
     struct disks d;
-    (void)unused;
     if (!pack(&d, 2, 40))
         return false;
     const bool well = disks_plan(&d);
@@ -242,11 +235,10 @@ static bool plans(void *unused)
 
 /* All fly to the middle, where cells and lists have to grow; a run that
    gets no memory for it stops before its time. */
-static bool runs_cells(void *unused)
+static bool runs_cells(UNUSED void *unused)
 {
     struct disks d;
     struct cells c;
-    (void)unused;
     if (!pack(&d, 2, 100))
         return false;
     for (size_t i = 0; i < d.count; ++i) {
@@ -265,13 +257,12 @@ static bool runs_cells(void *unused)
     return well;
 }
 
-static bool samples(void *unused)
+static bool samples(UNUSED void *unused)
 {
     const double box[] = {5, 5};
     struct sampling s;
     struct means m;
     SEEDED(r, 2);
-    (void)unused;
     if (!sampling_create(&s, 2, DISKS_WALLS, box, 3, 0.5, 4, 0.1))
         return false;
     UNIT_TRUE(sampling_start(&s, &r));
@@ -282,11 +273,10 @@ static bool samples(void *unused)
     return well;
 }
 
-static bool keeps(void *unused)
+static bool keeps(UNUSED void *unused)
 {
     struct calendar c;
     struct blocks b;
-    (void)unused;
     if (!calendar_create(&c, 9, 0, 1))
         return false;
     const bool well = blocks_create(&b, 2);

@@ -40,18 +40,7 @@ static void make_bodies(size_t n)
 static struct models_run run_of(const char *text, double every,
                                 uint64_t rows)
 {
-    const struct models_plan p = plan(text);
-    struct models_run r;
-    const char *why;
-    if (!models_begin(&r, &p, &scene, every, &why)) {
-        printf("%s: %s\n", text, why);
-        UNIT_TRUE(false);
-        exit(1);
-    }
-    while (r.rows < rows && models_row(&r) == MODELS_DONE)
-        ;
-    UNIT_EQUAL(r.rows, rows);
-    return r;
+    return run_plan(text, &scene, every, rows);
 }
 
 static double apart(const double a[], const double b[], size_t n)

@@ -186,23 +186,6 @@ TEST(test_left_out, "what is left out")
     }
 }
 
-static struct models_run run_of(const char *text, const struct scene *s,
-                                double every, uint64_t rows)
-{
-    const struct models_plan p = plan(text);
-    struct models_run r;
-    const char *why = "";
-    if (!models_begin(&r, &p, s, every, &why)) {
-        printf("%s: %s\n", text, why);
-        UNIT_TRUE(false);
-        exit(1);
-    }
-    while (r.rows < rows && models_row(&r) == MODELS_DONE)
-        ;
-    UNIT_EQUAL(r.work[MODELS_ROW], rows);
-    return r;
-}
-
 /* Closed forms: a flight for each coordinate, of ten times the price with
    an exponential; an ellipse for each body but the central one; modes of n
    coordinates cost 20 n^3 to find, twice for a spring whose place of rest
@@ -210,16 +193,16 @@ static struct models_run run_of(const char *text, const struct scene *s,
 TEST(test_bills_of_forms, "bills of closed forms")
 {
     FREED(scene) s = made(2);
-    RUN r = run_of("free", &s, 1, 2);
+    RUN r = run_plan("free", &s, 1, 2);
     UNIT_EQUAL(r.work[MODELS_FLIGHT], 2 * 6);
     models_end(&r);
     s.damping = 0.1;
-    r = run_of("free", &s, 1, 2);
+    r = run_plan("free", &s, 1, 2);
     UNIT_EQUAL(r.work[MODELS_FLIGHT], 2 * 60);
     models_end(&r);
     scene_free(&s);
     s = light_orbit(1, 1);
-    r = run_of("kepler", &s, 1, 3);
+    r = run_plan("kepler", &s, 1, 3);
     UNIT_EQUAL(r.work[MODELS_ELLIPSE], 3);
     models_end(&r);
     scene_free(&s);
@@ -228,7 +211,7 @@ TEST(test_bills_of_forms, "bills of closed forms")
     for (size_t k = 0; k < 3; ++k)
         s.freedom[2 * k] = 0;
     s.position[1] = 1.25;
-    r = run_of("oscillator", &s, 1, 3);
+    r = run_plan("oscillator", &s, 1, 3);
     UNIT_EQUAL(r.work[MODELS_FLIGHT], 3 * 10);
     UNIT_EQUAL(r.work[MODELS_MODE], 2 * 20 + 3 * 2);
 }
@@ -290,7 +273,7 @@ TEST(test_sorting, "to put in order has a price")
         s.velocity[i] = 1 - (double)i;
         s.freedom[3 + i] = s.freedom[6 + i] = 0;
     }
-    RUN r = run_of("relabel", &s, 1, 4);
+    RUN r = run_plan("relabel", &s, 1, 4);
     UNIT_EQUAL(r.work[MODELS_FLIGHT], 4 * 3);
     UNIT_EQUAL(r.work[MODELS_ORDER], 3 * 6 + 4 * 6);
     UNIT_EQUAL(models_collisions(&r), 3);
@@ -340,7 +323,7 @@ TEST(test_upwards, "along a line that rises")
         UNIT_TRUE(why == known[k].why ||
                   (why && strcmp(why, known[k].why) == 0));
         if (!known[k].why) {
-            RUN r = run_of("line", &s, 1, 1);
+            RUN r = run_plan("line", &s, 1, 1);
             UNIT_NEAR(r.scene.position[0], 7, 1e-14);
             UNIT_NEAR(r.scene.velocity[0], 3, 1e-14);
         }
@@ -358,7 +341,7 @@ TEST(test_rod, "a rod")
         s.freedom[2 * k] = 0;
     s.position[1] = 1;
     s.gravity[2] = -1;
-    RUN r = run_of("leapfrog:400,rods", &s, 1.5, 1);
+    RUN r = run_plan("leapfrog:400,rods", &s, 1.5, 1);
     const double x = r.scene.position[1], z = r.scene.position[5];
     const double v = r.scene.velocity[1], w = r.scene.velocity[5];
     UNIT_NEAR(x * x + z * z, 1, 1e-9);
@@ -688,7 +671,7 @@ TEST(test_order, "bodies in the order of their orbits")
         s.position[i] = x[i];
         s.velocity[3 + i] = v[i];
     }
-    RUN r = run_of("wisdom-holman:50", &s, 0.5, 2);
+    RUN r = run_plan("wisdom-holman:50", &s, 0.5, 2);
     UNIT_NEAR(r.work[MODELS_ELLIPSE],
               0.8 * 2 * 100 * (double)method("wisdom-holman")->drifts,
               1e-9);

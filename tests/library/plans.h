@@ -22,6 +22,25 @@ static inline struct models_plan plan(const char *text)
     return p;
 }
 
+/* So many rows of a scene by the plan. */
+static inline struct models_run run_plan(const char *text,
+                                         const struct scene *s,
+                                         double every, uint64_t rows)
+{
+    const struct models_plan p = plan(text);
+    struct models_run r;
+    const char *why = "";
+    const bool begun = models_begin(&r, &p, s, every, &why);
+    if (!begun)
+        printf("# %s: %s\n", text, why);
+    UNIT_MUST(begun);
+    while (r.rows < rows && models_row(&r) == MODELS_DONE)
+        ;
+    UNIT_EQUAL(r.rows, rows);
+    UNIT_EQUAL(r.work[MODELS_ROW], rows);
+    return r;
+}
+
 /* About a mass of 1 at the origin, with k = 1: from (distance, 0), with the
    velocity (0, speed). */
 static inline struct scene light_orbit(double distance, double speed)

@@ -42,7 +42,7 @@ static void say_once(const char *program, uint64_t total, double at,
     progress_update(&p, done, events);
 }
 
-static int whole_run(void *unused)
+static int whole_run(UNUSED void *unused)
 {
     static const struct {
         double at;
@@ -53,7 +53,6 @@ static int whole_run(void *unused)
                  {101.203125, 100, 77}, /* more */
                  {110, 199, 5},         {120, 20, 20}};
     struct progress p;
-    (void)unused;
     now = 100;
     progress_begin(&p, "drop", 200, "falls");
     for (size_t i = 0; i < sizeof steps / sizeof *steps; ++i) {
@@ -78,10 +77,9 @@ TEST(test_lines, "five times a second at most a line is renewed")
     UNIT_TRUE(c.status == 0 && *c.err == '\0');
 }
 
-static int short_line(void *unused)
+static int short_line(UNUSED void *unused)
 {
     struct progress p;
-    (void)unused;
     now = 100;
     progress_begin(&p, "drop", 4, "falls");
     now = 200;
@@ -106,9 +104,8 @@ TEST(test_short_line, "what is not known is not said")
                      "\rdrop: 100 % done, 5 falls/s, 0 s left");
 }
 
-static int long_lines(void *unused)
+static int long_lines(UNUSED void *unused)
 {
-    (void)unused;
     say_once("a-program-whose-name-alone-is-so-long-that-the-line-does-not-"
              "fit-into-eighty-columns",
              2, 101, 1, 1);
@@ -161,9 +158,8 @@ TEST(test_caught, "a signal is noted, with how far the run was")
     }
 }
 
-static int ignored(void *unused)
+static int ignored(UNUSED void *unused)
 {
-    (void)unused;
     signal(signal_number, SIG_IGN);
     progress_catch_signals();
     raise(signal_number);
@@ -185,12 +181,11 @@ static int second;
 
 /* The second signal, or the alarm, ends it at once, and its file is gone.
  */
-static int ended(void *unused)
+static int ended(UNUSED void *unused)
 {
     static struct table
         *volatile t; /* so that it does not count as leaked */
     char path[64];
-    (void)unused;
     snprintf(path, sizeof path, "%s/table", folder);
     t = table_open("drop", path);
     progress_catch_signals();
@@ -214,13 +209,12 @@ TEST(test_ended, "a second signal ends it, or ten seconds")
 }
 
 /* A signal while it reads does not end the reading. */
-static int reading(void *unused)
+static int reading(UNUSED void *unused)
 {
     const struct timespec moment = {.tv_nsec = 10000000};
     const pid_t reader = getpid();
     int ends[2];
     char letter = 'a';
-    (void)unused;
     progress_catch_signals();
     if (pipe(ends) != 0)
         return 3;

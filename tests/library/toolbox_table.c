@@ -331,11 +331,10 @@ static int print_parts(void *text)
     return 0;
 }
 
-static int print_long_head(void *unused)
+static int print_long_head(UNUSED void *unused)
 {
     static struct table
         *volatile t; /* so that it does not count as leaked */
-    (void)unused;
     t = table_open("gas", NULL);
     for (int line = 0; line < 2200; ++line) /* of 32 bytes each */
         table_print(t, "# head of a table of %9d\n", line);
@@ -385,11 +384,10 @@ TEST(test_sum, "sums are those of FNV-1a")
     UNIT_TRUE(sweep() == 1);
 }
 
-static int sum_of_pipe(void *unused)
+static int sum_of_pipe(UNUSED void *unused)
 {
     int ends[2];
     uint64_t sum;
-    (void)unused;
     if (pipe(ends) != 0 || dup2(ends[1], STDOUT_FILENO) == -1)
         return 3;
     struct table *t = table_open("gas", NULL);
@@ -718,12 +716,11 @@ TEST(test_closed_pipe, "a closed pipe is an error")
                "gas: cannot write standard output: Broken pipe\n");
 }
 
-static int too_many(void *argument)
+static int too_many(UNUSED void *argument)
 {
     static struct table
         *volatile tables[10]; /* so that none counts as leaked */
     char name[] = "0";
-    (void)argument;
     for (int i = 0; i < 10; ++i, ++name[0])
         if (!(tables[i] = table_open("gas", name)))
             return name[0];
@@ -762,11 +759,10 @@ TEST(test_early_end, "an early end leaves no temporary")
     UNIT_TRUE(sweep() == 1);
 }
 
-static int hold_and_fork(void *argument)
+static int hold_and_fork(UNUSED void *argument)
 {
     struct table *t = table_open("gas", "a");
     int status;
-    (void)argument;
     table_print(t, "key whole\n");
     fflush(NULL);
     const pid_t pid = fork();

@@ -1,4 +1,4 @@
-/* Steps by a pair 5(4) and by Radau's method of order 15, with control. */
+/* Steps of a pair 5(4) and of Radau's method, with control of length. */
 #include "forces/adaptive.h"
 
 #include "forces/largest.h"
@@ -11,18 +11,17 @@
 
 enum { STAGES = 7, MOST_ROUNDS = 12 };
 
-/* What follows from the numbers of a row, in units of the step. */
+/* Weights computed from a method's coefficients, for a step of length 1. */
 struct adaptive_weights {
     double c[STAGES], a2[STAGES][STAGES]; /* of a pair */
     double error2[STAGES], dense2[STAGES];
-    /* Radau's: how far g_k moves a body by node i */
+    /* Radau's: displacements at node i for g_k = 1 */
     double x[STAGES][STAGES], v[STAGES][STAGES];
-    double gap[STAGES][STAGES]; /* 1 / (c_i - c_j), j = 0: c_0 = 0 */
+    double gap[STAGES][STAGES]; /* 1 / (c_i - c_j); c_0 = 0 */
     double last[STAGES];        /* 1 / (1 - c_j), j = 1 .. 7 */
-    double amplified; /* by how much g_8 changes with the forces, at
-                         most */
-    double power[STAGES][STAGES];  /* how much of s^(m+1) is in N_k+1 */
-    double newton[STAGES][STAGES]; /* how much of N_k+1 is in s^(m+1) */
+    double amplified; /* largest change of g_8 per change of a force */
+    double power[STAGES][STAGES];  /* coefficient of s^(m+1) in N_k+1 */
+    double newton[STAGES][STAGES]; /* coefficient of N_k+1 in s^(m+1) */
     double binomial[STAGES][STAGES];
 };
 
@@ -36,9 +35,9 @@ static double power_of(double z, int n)
 }
 
 /* Returns the n-th root of z > 0, to a few millionths. A library's root
-   differs in its last bit from one machine to the next, and with it every
-   step that follows. Newton's method needs the four operations only, and
-   from above it falls to the root without ever passing it. */
+   differs in its last bit between machines, and so would every later step.
+   Newton's method uses only + - * /, and from above it decreases to the
+   root without passing it. */
 static double root(double z, int n)
 {
     double y = z > 1 ? z : 1, down;
@@ -53,8 +52,9 @@ static double root(double z, int n)
 #define LEAST 0.2
 #define MOST 5.0
 
-/* Returns the ratio of the next step to one whose error, in units of what
-   is allowed, grows with its n-th power: (8.16, eq:stretch). */
+/* Returns the ratio of the next step to the last one, whose error was
+   `error` times the allowed one and grows with the n-th power of the step:
+   (8.16, eq:stretch). */
 static double stretch(double error, int n)
 {
     if (error <= power_of(SAFETY / MOST, n))
@@ -71,14 +71,14 @@ static void evaluate(struct adaptive *s, const double x[], const double v[],
     ++s->evaluations;
 }
 
-/* Returns whether steps choose their length. */
+/* Returns whether the method chooses the length of its steps. */
 static bool is_free(const struct adaptive *s)
 {
     return s->tolerance > 0;
 }
 
-/* Adds `by` to `from`, compensated. Sums are compensated always: with fewer
-   and larger steps they are nearly all of the rounding. */
+/* Adds `by` to `from`, always compensated, since with fewer and larger
+   steps the sums are the main source of rounding errors. */
 static void add(double *restrict to, double *restrict owed,
                 const double *restrict from, const double *restrict carry,
                 const double *restrict by, size_t n)
@@ -90,13 +90,13 @@ static void add(double *restrict to, double *restrict owed,
     }
 }
 
-/* Computes the end of a step that is tried, from place and speed, which
-   hold by how much it moves. It is written over the beginning of the last
-   step, which nobody needs any more once later times are asked for. */
+/* Computes the end of a trial step from its displacements in place and
+   speed, and stores it over the beginning of the last step, which is not
+   needed once later times are requested. */
 static void arrive(struct adaptive *s)
 {
     const size_t n = s->forces.size;
-    struct adaptive_state *const end = &s->from; /* is no longer needed */
+    struct adaptive_state *const end = &s->from; /* to be overwritten */
     add(end->x, end->carry, s->to.x, s->to.carry, s->place, n);
     add(end->v, end->carry + n, s->to.v, s->to.carry + n, s->speed, n);
 }
@@ -117,8 +117,8 @@ static void measure_pair(struct adaptive *s)
         }
 }
 
-/* Returns coordinate k of the sum of the first `stages` accelerations, each
-   with its weight. */
+/* Returns the weighted sum of the first `stages` accelerations for
+   coordinate k. */
 static double mix(const struct adaptive *s, const double by[],
                   size_t stages, size_t k)
 {
@@ -128,7 +128,7 @@ static double mix(const struct adaptive *s, const double by[],
     return sum;
 }
 
-/* Finds by how much places and velocities move up to stage i: (8.10,
+/* Computes how far places and velocities move up to stage i: (8.10,
    eq:stage). */
 static void move_to_stage(struct adaptive *s, size_t i, double h)
 {
@@ -141,8 +141,8 @@ static void move_to_stage(struct adaptive *s, size_t i, double h)
     }
 }
 
-/* Returns the error of a step that was tried, (8.15, eq:embedded), as a
-   fraction of the largest coordinate or velocity. */
+/* Returns the error of a trial step, (8.15, eq:embedded), as a fraction of
+   the largest coordinate or velocity. */
 static double error_of_pair(const struct adaptive *s, double h)
 {
     const size_t n = s->forces.size, stages = s->method->stages;
@@ -156,8 +156,8 @@ static double error_of_pair(const struct adaptive *s, double h)
     return larger(dx == 0 ? 0 : h * h * dx / x, dv == 0 ? 0 : h * dv / v);
 }
 
-/* Tries a step of length h. The first stage is the end of the last step,
-   and the last one is the end of this. Returns the error in units of the
+/* Tries a step of length h. Its first stage is the end of the last step,
+   and its last stage is its own end. Returns the error in units of the
    tolerance. */
 static double try_pair(struct adaptive *s, double h)
 {
@@ -180,7 +180,7 @@ static double try_pair(struct adaptive *s, double h)
 
 /* Returns a coordinate within a step, at the fraction r of it, (8.17,
    eq:dense): p and q are its values at the ends, dp and dq its slopes there
-   times the step, and mixed is the sum of the stages. */
+   times the step, and mixed is the weighted sum of the stages. */
 static double look_between(double r, double p, double q, double dp,
                            double dq, double mixed)
 {
@@ -189,7 +189,7 @@ static double look_between(double r, double p, double q, double dp,
                                 r * rest * mixed));
 }
 
-/* Finds places and velocities within the last step, at the fraction r. */
+/* Computes places and velocities at the fraction r of the last step. */
 static void look_in_pair(const struct adaptive *s, double r, double x[],
                          double v[])
 {
@@ -205,20 +205,19 @@ static void look_in_pair(const struct adaptive *s, double r, double x[],
 }
 
 /* Radau's method writes the acceleration in a step as a_0 + sum g_k N_k(s),
-   s being the fraction of the step, with Newton's polynomials
-   N_k = s (s - c_1) ... (s - c_(k-1)), k = 1 to 7. N_k is zero at all nodes
-   before the k-th: the force found at node k settles g_k and leaves what
-   the earlier ones said, while it moves what is expected at later ones.
-
-   Returns node i: c_0 is 0, and c_1 to c_7 are those of the row. */
+   with s the fraction of the step and Newton's polynomials N_k = s (s -
+   c_1) ... (s - c_(k-1)), k = 1 to 7. N_k is zero at all nodes before the
+   k-th, so the force at node k determines g_k without changing the values
+   at earlier nodes. node() returns c_i: c_0 is 0, and c_1 to c_7 are a
+   method's list. */
 static double node(const struct adaptive *s, size_t i)
 {
     return i > 0 ? s->method->node[i - 1] : 0;
 }
 
-/* Finds the powers of s in N_k, from N_(k+1) = (s - c_k) N_k, and N_k in
-   those powers, from s N_k = N_(k+1) + c_k N_k; and the binomial
-   coefficients without the first of each row. */
+/* Computes the coefficients of N_k in powers of s, from N_(k+1) = (s - c_k)
+   N_k, those of the powers in N_k, from s N_k = N_(k+1) + c_k N_k, and the
+   binomial coefficients without the first of each row. */
 static void measure_polynomials(struct adaptive *s)
 {
     struct adaptive_weights *const w = s->weights;
@@ -240,7 +239,8 @@ static void measure_polynomials(struct adaptive *s)
 }
 
 /* Returns the product of the distances of node i from all others; node 8 is
-   the end. A force that changes there changes g_8 by one over it. */
+   the end of the step. A change of the force at node i changes g_8 by the
+   change divided by this product. */
 static double product_of_gaps(const struct adaptive *s, size_t i)
 {
     double product = 1;
@@ -251,7 +251,7 @@ static double product_of_gaps(const struct adaptive *s, size_t i)
     return product;
 }
 
-/* Integrates the powers of each N_k once and twice, up to each node:
+/* Integrates the powers in each N_k once and twice, up to each node:
    s^(m+1) becomes s^(m+2) / (m+2) and s^(m+3) / ((m+2) (m+3)). */
 static void measure_radau(struct adaptive *s)
 {
@@ -276,19 +276,19 @@ static void measure_radau(struct adaptive *s)
         w->amplified += 1 / product_of_gaps(s, i);
 }
 
-/* Returns how far a body moves in a part of a step that it begins with v
-   and a, if the change of a, integrated twice, is change * part^2. The part
-   has a length of its own, and small terms are summed first: a c^2/2 that
-   was rounded once would be another error that all steps share. */
+/* Returns how far a body with velocity v and acceleration a at the start
+   moves in the time `part`, if the change of a, integrated twice, is change
+   * part^2. Small terms are summed first; using a product a c^2/2 rounded
+   beforehand would add an error common to all steps. */
 static inline double way(double part, double v, double a, double change)
 {
     return part * (v + part * (a / 2 + change));
 }
 
-/* Finds by how much places and velocities move in a part of a step, from g.
-   Nine tenths of the time of a membrane of 81 nodes were spent in these
-   sums, one coordinate after the other; compiled for vectors a step takes
-   less than half the time. */
+/* Computes from g how far places and velocities move in a part of a step. A
+   membrane of 81 nodes spent nine tenths of its time in these sums, done
+   one coordinate after the other; with vector code a step takes less than
+   half the time. */
 VECTOR_LOOP static void lead(double *restrict place, double *restrict speed,
                              const double *restrict g,
                              const struct adaptive_state *start,
@@ -309,15 +309,16 @@ VECTOR_LOOP static void lead(double *restrict place, double *restrict speed,
     }
 }
 
-/* Finds where node i is with the forces as they are guessed to be. */
+/* Computes the displacements at node i with the forces as guessed. */
 static void move_to_node(struct adaptive *s, size_t i, double h)
 {
     lead(s->place, s->speed, s->g, &s->to, s->weights->x[i],
          s->weights->v[i], h * node(s, i + 1), s->forces.size);
 }
 
-/* Sets by = from + (owed + by). What the sums owe counts: without it all
-   forces of a step would be those of places rounded once. */
+/* Sets by = from + (owed + by), with owed the rounding errors of the
+   compensated sums: without them all forces of a step would be those at
+   rounded places. */
 VECTOR_LOOP static void start_from(double *restrict by,
                                    const double *restrict from,
                                    const double *restrict owed, size_t n)
@@ -334,8 +335,8 @@ VECTOR_LOOP static void divide(double *restrict d, const double *restrict g,
         d[k] = (d[k] - g[k]) * gap;
 }
 
-/* Computes the forces at node i and, from the divided differences of all
-   forces so far, g_i; returns the largest change of it. */
+/* Computes the forces at node i and then g_i, from the divided differences
+   of all forces so far; returns the largest change of g_i. */
 static double correct_node(struct adaptive *s, size_t i)
 {
     const double *const gap = s->weights->gap[i];
@@ -354,8 +355,8 @@ static double correct_node(struct adaptive *s, size_t i)
     return most;
 }
 
-/* Sets `to` to coefficient m in the other form of a polynomial: a sum over
-   the coefficients from m on. */
+/* Sets `to` to coefficient m of a polynomial in its other form: a weighted
+   sum of the coefficients from m on. */
 VECTOR_LOOP static void turn_one(double *restrict to,
                                  const double *restrict from,
                                  double by[STAGES][STAGES], size_t m,
@@ -389,9 +390,9 @@ VECTOR_LOOP static void guess_one(double *restrict new_b,
 
 /* Guesses the force in the next step, of length h, by extrapolating the
    polynomial of the last step. With q the ratio of the two lengths, the
-   place s of the new step is the place 1 + q s of the old one, so s^m has
-   the coefficient q^m sum_k binomial(k, m) b_k. The error of the last guess
-   is added, since that of the next one is likely to be much the same. */
+   fraction s of the new step is the fraction 1 + q s of the old one, so s^m
+   has the coefficient q^m sum_k binomial(k, m) b_k. The error of the last
+   guess is added, since the next one is likely to be similar. */
 static void guess_force(struct adaptive *s, double h)
 {
     const size_t n = s->forces.size;
@@ -408,20 +409,20 @@ static void guess_force(struct adaptive *s, double h)
 
 #define RADAU_SCALE 50 /* calibrated, not derived */
 
-/* Returns whether a round is the last: the change of g_7 no longer counts
-   beside the tolerance, or falls no more. A seventh difference changes some
-   thousand times as much as the force behind it; below 1e-11 it is
-   rounding. */
+/* Returns whether an iteration is the last: the change of g_7 is negligible
+   compared with the tolerance, or no longer decreases. A seventh difference
+   amplifies changes of the force some thousand times; below 1e-11 its
+   change is rounding. */
 static bool settled(const struct adaptive *s, double change, double last)
 {
     return change <= 1e-11 + s->tolerance || !(change < last);
 }
 
 /* Sets *to to from + by + small, and *owed to the rounding error. The
-   contribution of the tails of the weights, `small`, is less than the last
+   contribution `small` of the tails of the weights is less than the last
    digit of the sum and would be lost each time. It is therefore added to
-   the exact rounding error of from + by first; that error is found for
-   terms of any size. */
+   the exact rounding error of from + by first, found for terms of any
+   size. */
 static void add_tail(double *to, double *owed, double from, double by,
                      double small)
 {
@@ -431,9 +432,9 @@ static void add_tail(double *to, double *owed, double from, double by,
     *owed = small - (*to - sum);
 }
 
-/* Computes the end of the whole step as the weighted sum of the forces.
-   Thus a step of the circumbinary planet, with a tolerance of 1e-14, costs
-   some 1e-19 of its energy in the mean and 1.5e-16 at random, which is the
+/* Computes the end of the whole step as the weighted sum of the forces. A
+   step of the circumbinary planet, with a tolerance of 1e-14, then changes
+   its energy by some 1e-19 on average and 1.5e-16 at random, which is the
    rounding of the forces. */
 static void move_to_end(struct adaptive *s, double h)
 {
@@ -455,20 +456,20 @@ static void move_to_end(struct adaptive *s, double h)
     }
 }
 
-/* Returns the acceleration that a difference is compared with: that at the
-   start of the step, or, where it is nothing, as at the middle of a swing,
-   the largest along the step. */
+/* Returns the acceleration with which a difference is compared: that at the
+   start of the step, or, if it is almost zero there, as at the middle of an
+   oscillation, the largest along the step. */
 static double scale_of(double start, double along)
 {
     const double scale = start > 1e-6 * along ? start : along;
     return scale > 0 ? scale : 1;
 }
 
-/* Returns the largest g_8, with the end of the step for an eighth node. The
-   last node is at 0.977 of the step: a force that jumps behind it, as that
-   of a spring whose ends pass through each other, is seen by no node, nor
-   by those of the next step; one of some fifty edges was passed over so. In
-   a smooth step g_8 is smaller than g_7. */
+/* Returns the largest g_8, with the end of the step as an eighth node. The
+   last node is at 0.977 of the step: if the force jumps after it, as that
+   of a spring whose ends pass through each other does, neither this node
+   nor those of the next step notice; this happened at one of some fifty
+   jumps. In a smooth step g_8 is smaller than g_7. */
 static double beyond(struct adaptive *s)
 {
     const size_t n = s->forces.size;
@@ -480,8 +481,8 @@ static double beyond(struct adaptive *s)
     return largest(d, n);
 }
 
-/* Tries a step of length h, in three rounds as a rule. Returns its error,
-   in units of the tolerance, or zero if all steps are dt. */
+/* Tries a step of length h, usually in three iterations. Returns its error,
+   in units of the tolerance, or zero if all steps have the length dt. */
 static double try_radau(struct adaptive *s, double h)
 {
     const size_t n = s->forces.size, last = STAGES - 1;
@@ -507,18 +508,17 @@ static double try_radau(struct adaptive *s, double h)
     return (off - s->noise) / scale / (RADAU_SCALE * sqrt(s->tolerance));
 }
 
-/* Measures, at every sixteenth step, what rounding contributes to g_8. A
+/* Measures, at every sixteenth step, the contribution of rounding to g_8. A
    stiff spring that is hardly stretched pulls by the difference of two
-   places, times its stiffness: with 5e7 N/m and 10 m/s^2 in all, the last
-   bit of a place is 1e-9 of the force, and seven differences make that a
-   thousand times as large. No step is short enough to get rid of it, and a
-   control that does not know of it makes them shorter without end. So the
-   forces are computed once more with the last bits of places and velocities
-   moved up and down in turn, at less than half a per cent of all forces,
-   and what may come of that is taken off the difference. It is an
-   acceleration, and no fraction of what acts: of a body that rests on its
-   spring that fraction is large, and too long steps would make its rest a
-   swing. */
+   places, times its stiffness: with 5e7 N/m and a total of 10 m/s^2, the
+   last bit of a place is 1e-9 of the force, and seven differences amplify
+   that a thousand times. No shorter step would reduce it, and step control
+   would shorten steps without end. So the forces are computed once more
+   with the last bits of places and velocities moved up and down in turn, at
+   less than half a per cent of all evaluations, and the result is
+   subtracted from the difference. It is an acceleration, not a fraction of
+   the total: for a body at rest on its spring that fraction is large, and
+   too long steps would make it oscillate. */
 static void measure_noise(struct adaptive *s)
 {
     const size_t n = s->forces.size;
@@ -535,10 +535,11 @@ static void measure_noise(struct adaptive *s)
                largest_difference(s->difference, s->to.a, n);
 }
 
-/* Returns whether a step that is too long for its tolerance but as short as
-   the clock can tell may be taken: if the forces change velocities by less
-   than 1e-9 in it. Then a force jumps here, and one may jump with it. Where
-   two bodies fall into each other that is not so, and the run ends. */
+/* Returns whether a step that is too long for its tolerance, but as short
+   as the clock allows, may be taken: if the forces change velocities by
+   less than 1e-9 in it. Then a force jumps here, and the step may cross the
+   jump. Where two bodies fall into each other, they do not, and the run
+   ends. */
 static bool is_edge(const struct adaptive *s, double h)
 {
     const size_t n = s->forces.size;
@@ -546,8 +547,8 @@ static bool is_edge(const struct adaptive *s, double h)
     return h * a <= 1e-9 * largest(s->to.v, n);
 }
 
-/* Finds places and velocities within the last step of Radau's method, at
-   the fraction r, by Horner's rule. */
+/* Computes places and velocities at the fraction r of the last step of
+   Radau's method, by Horner's rule. */
 static void look_in_radau(const struct adaptive *s, double r, double x[],
                           double v[])
 {
@@ -573,7 +574,7 @@ static void swap(double **a, double **b)
     *b = other;
 }
 
-/* Makes a step that was tried the last one. The time is a compensated sum,
+/* Accepts a trial step as the last step. The time is a compensated sum,
    too: many short steps near a star must not spoil the clock. */
 static void accept(struct adaptive *s, double h)
 {
@@ -595,16 +596,16 @@ static void accept(struct adaptive *s, double h)
         s->shortest = h;
 }
 
-/* Bounds the next step. A bound is the same for all tolerances, as the
-   first length is; two runs that are to be compared must not step alike for
-   that, so one of them sets its slack. */
+/* Limits the next step to `most`, s. This limit, like the first step, does
+   not depend on the tolerance; so that two runs that are compared do not
+   take equal steps for this reason, one of them sets its slack. */
 static void bound(struct adaptive *s, double most)
 {
     s->next = fmin(s->next, (1 - s->slack) * most);
 }
 
-/* Takes a step. Returns false if one that does not change t was too
-   long. */
+/* Takes a step. Returns false if a step too short to change t was still too
+   long for the tolerance. */
 static bool step(struct adaptive *s)
 {
     const bool radau = s->method->family == STEPPING_RADAU,
@@ -631,8 +632,8 @@ static bool step(struct adaptive *s)
     }
 }
 
-/* Returns a guess: a hundredth of the time in which bodies would cross the
-   scene, or fall through it. Control does the rest. */
+/* Returns a first guess of the step, which step control adapts: a hundredth
+   of the time in which bodies would cross the scene, or fall through it. */
 static double first_length(const struct adaptive *s)
 {
     const size_t n = s->forces.size;
@@ -648,7 +649,7 @@ static double first_length(const struct adaptive *s)
     return h / 100;
 }
 
-/* Begins, if that has not been done: asks for the first forces. */
+/* Begins a run, if it has not begun: computes the first forces. */
 static void set_out(struct adaptive *s)
 {
     if (s->begun)
@@ -699,7 +700,7 @@ void adaptive_begin(struct adaptive *s, double tolerance, double dt,
     memset(s->guess, 0, all * sizeof *x);
 }
 
-enum { NOTED = 14 }; /* numbers besides the lists */
+enum { NOTED = 14 }; /* numbers of a note besides the arrays */
 
 size_t adaptive_notes(const struct adaptive *s)
 {
@@ -708,17 +709,17 @@ size_t adaptive_notes(const struct adaptive *s)
 }
 
 /* Copies n numbers from own to note or, if back, from note to own; returns
-   the place behind them in note. */
+   the position behind them in note. */
 static double *pass(double *note, double *own, size_t n, bool back)
 {
     memcpy(back ? own : note, back ? note : own, n * sizeof *note);
     return note + n;
 }
 
-/* Copies what the state needs besides single numbers: both ends of the last
-   step, since the next look may be into it, and what the inside depends on:
-   the stages of a pair, or the polynomial and its guess, from which the
-   next step begins as well. */
+/* Copies the arrays of the state: both ends of the last step, since the
+   next requested time may lie within it, and the stages of a pair, or
+   Radau's polynomial and its guess, from which the next step also
+   begins. */
 static void pass_lists(const struct adaptive *s, double *note, bool back)
 {
     const size_t n = s->forces.size, all = n * s->method->stages;
@@ -773,7 +774,7 @@ static struct adaptive_state take_state(double **next, size_t n)
                                    take(next, n), take(next, 2 * n)};
 }
 
-/* Divides one block of memory. */
+/* Divides one block of memory into the arrays of *s. */
 static void divide_memory(struct adaptive *s, double *next)
 {
     const size_t n = s->forces.size, all = n * s->method->stages;
@@ -827,9 +828,10 @@ bool adaptive_step(struct adaptive *s, double most)
     return step(s);
 }
 
-/* Radau's path is a sum of powers of u, the fraction of the step. u^m is in
-   the control points from the m-th on, with the weight binomial(j, m) over
-   binomial(9, m). */
+/* Writes the path of coordinate i along a step of Radau's method, a sum of
+   powers of u, the fraction of the step. u^m contributes to the control
+   points from the m-th on, with the weight binomial(j, m) / binomial(9,
+   m). */
 static void path_of_radau(const struct adaptive *s, size_t i, double q[])
 {
     enum { DEGREE = ADAPTIVE_DEGREE };
@@ -882,8 +884,8 @@ size_t adaptive_path(const struct adaptive *s, double control[])
     return radau ? ADAPTIVE_DEGREE : 4;
 }
 
-/* Exchanges the ends of the last step: to take it again, which begins where
-   it began. */
+/* Exchanges the ends of the last step, so that it can be repeated from its
+   beginning. */
 static void turn_round(struct adaptive *s)
 {
     const struct adaptive_state end = s->to;
@@ -891,7 +893,7 @@ static void turn_round(struct adaptive *s)
     s->from = end;
 }
 
-/* Lets a step without length end where it begins. */
+/* Makes a step of length 0, which ends where it begins. */
 static void stay(struct adaptive *s)
 {
     const size_t size = s->forces.size * sizeof *s->to.x;
@@ -919,8 +921,8 @@ void adaptive_again(struct adaptive *s, double h, double x[], double v[])
     memcpy(v, s->to.v, s->forces.size * sizeof *v);
 }
 
-/* After a jump the force of the last step says nothing about the next; its
-   length does. */
+/* After a jump in velocity the last force says nothing about the next one;
+   the length of the step is kept. */
 void adaptive_turn(struct adaptive *s, const double x[], const double v[])
 {
     const double t = s->t, next = s->next;

@@ -34,8 +34,8 @@ static void balance(double value[], const double mass[], size_t n)
         value[i] -= sum / all;
 }
 
-/* Moves the centre of mass to the origin, and stops it. Most scenes are
-   described about a central body that rests there, although it moves. */
+/* Moves the centre of mass to the origin, at rest. Most scenes are
+   described relative to a central body at rest there, although it moves. */
 static void centre(struct scene *s)
 {
     for (size_t k = 0; k < 3; ++k) {
@@ -44,7 +44,7 @@ static void centre(struct scene *s)
     }
 }
 
-/* Gives body i a radius and a colour, which are for drawing only. */
+/* Gives body i a radius and a colour, which are used for drawing only. */
 static void paint(struct scene *s, size_t i, double radius, double red,
                   double green, double blue)
 {
@@ -54,8 +54,8 @@ static void paint(struct scene *s, size_t i, double radius, double red,
     s->colour[2 * s->bodies + i] = blue;
 }
 
-/* Builds the first listing of the MPPhys paper, so that our runs can be
-   compared with its figures: the paper's k, and the Sun at rest. */
+/* Builds the first listing of the MPPhys paper, with the paper's k and the
+   Sun at rest, so that our runs can be compared with its figures. */
 static const char *build_sun_earth(struct scene *s, const double value[])
 {
     const double mass = value[0], speed = value[1];
@@ -67,15 +67,15 @@ static const char *build_sun_earth(struct scene *s, const double value[])
     paint(s, 1, 0.03, 0.3, 0.3, 1);
     if (value[2] != 0)
         centre(s);
-    s->freedom[4] = s->freedom[5] = 0; /* as the listing: in the plane */
+    s->freedom[4] = s->freedom[5] = 0; /* in the plane, as in the listing */
     s->k2 = CELESTIAL_K2;
     s->dt = value[3];
     return NULL;
 }
 
-/* A planet: the Sun's mass in units of its own, and its elements in AU and
-   degrees. Mean longitude and longitude of the perihelion count from the
-   equinox. */
+/* A planet: the Sun's mass divided by the planet's, and its elements in AU
+   and degrees. Mean longitude and longitude of the perihelion count from
+   the equinox. */
 struct planet {
     double sun, axis, eccentricity, inclination, longitude, perihelion,
         node;
@@ -102,10 +102,10 @@ static const struct planet planets[] = {
     {19412.26, 30.06992276, 0.00859048, 1.77004347, -55.12002969,
      44.96476227, 131.78422574}};
 
-/* Puts planet number i (1 is Mercury), with this mass, where it was on
-   1 January 2000, as seen from the Sun in the origin. The anomalies of the
-   elements count from the node and the perihelion, the longitudes of the
-   table from the equinox; hence the differences. */
+/* Puts planet number i (1 is Mercury), with this mass, at its place on 1
+   January 2000, relative to the Sun at the origin. The table's longitudes
+   count from the equinox, the anomalies of kepler_elements from the node
+   and the perihelion; hence the differences. */
 static void put_planet(struct scene *s, size_t i, double mass)
 {
     const struct planet *p = &planets[i - 1];
@@ -143,13 +143,12 @@ static const char *build_solar_system(struct scene *s, const double value[])
     return NULL;
 }
 
-/* Kepler-16 (Doyle et al. 2011): the masses of the stars in units of the
-   Sun's, and their distance, AU. */
+/* Kepler-16 (Doyle et al. 2011): masses of the stars, in solar masses, and
+   their separation, AU. */
 static const double star_a = 0.6897, star_b = 0.2026, separation = 0.2243;
 
-/* Builds two stars and a planet on a circle about both. Stars on an
-   eccentric orbit begin where they are farthest from each other, and
-   slowest. */
+/* Builds two stars and a planet on a circle around both. Stars on an
+   eccentric orbit start at their largest separation, at their slowest. */
 static const char *build_circumbinary(struct scene *s, const double value[])
 {
     const double r = value[0], e = value[1], mass = value[3];
@@ -182,8 +181,8 @@ double celestial_choreography(size_t count)
     return sum / sqrt(2);
 }
 
-/* Builds equal bodies on a circle; the key kick displaces the first of
-   them, for a run that is to leave the circle sooner. */
+/* Builds equal bodies on a circle; the key kick displaces the first one, so
+   that the run leaves the circle sooner. */
 static const char *build_choreography(struct scene *s, const double value[])
 {
     const size_t count = (size_t)value[0];
@@ -218,9 +217,8 @@ static double stiffness(size_t count, size_t m)
 }
 
 /* Returns the largest imaginary part of a root of the quartic w^4 + c[2]
-   w^2
-   + c[1] w + c[0]. All four roots are found at once, each as though the
-   others were known (Weierstrass's method). */
+   w^2 + c[1] w + c[0]. All four roots are improved at once, each as though
+   the others were exact (Weierstrass's method). */
 static double largest_imaginary(const double c[3])
 {
     const double complex begin = 0.4 + 0.9 * I;
@@ -253,8 +251,8 @@ double celestial_growth(size_t count)
     return most;
 }
 
-/* The initial values solve the equations of the figure of eight to thirty
-   digits. */
+/* Builds three bodies on a figure of eight; the initial values solve its
+   equations to thirty digits. */
 static const char *build_figure_eight(struct scene *s, const double value[])
 {
     const double x = 0.970004356697333439943496928324;
@@ -274,8 +272,8 @@ static const char *build_figure_eight(struct scene *s, const double value[])
 }
 
 /* Builds Burrau's problem: masses of 3, 4 and 5 kg at rest, with G = 1,
-   each opposite to the side of that length, the centre of mass in the
-   origin. */
+   each opposite to the side of that length; the origin is the centre of
+   mass. */
 static const char *build_pythagorean(struct scene *s, const double value[])
 {
     if (!scene_create(s, 3))
@@ -309,8 +307,8 @@ static double elliptic_difference(double q)
     return KEPLER_PI / (2 * a) * sum;
 }
 
-/* Returns the inward pull at r of a disk of radius a with the mass 1 on
-   each unit of area: (9.13, eq:disk-field). */
+/* Returns the inward acceleration at r, with k2 = 1, due to a disk of
+   radius a with mass 1 per unit of area: (9.13, eq:disk-field). */
 static double disk_pull(double a, double r)
 {
     if (r == 0)
@@ -330,11 +328,11 @@ double celestial_ring_pull(double mass, double inner, double outer,
 struct ring {
     size_t particles;
     double mass, inner, outer, softening, moon, moon_distance;
-    bool own; /* the speeds allow for the pull of the ring itself */
+    bool own; /* speeds include the pull of the ring itself */
     int decades;
 };
 
-/* Returns the speed on a circle of radius r round the planet and its ring;
+/* Returns the speed on a circle of radius r around the planet and its ring;
    NaN where the ring pulls outwards harder than the planet inwards. */
 static double ring_speed(const struct ring *g, double r)
 {
@@ -346,8 +344,8 @@ static double ring_speed(const struct ring *g, double r)
     return sqrt(CELESTIAL_K2 * r * pull);
 }
 
-/* Puts body i at a random place of the ring. Each area is equally likely,
-   so that r^2 is uniform between the edges. */
+/* Puts body i at a random place in the ring. Equal areas are equally
+   likely, so r^2 is uniform between the edges. */
 static void put_random(struct scene *s, size_t i, const struct ring *g,
                        struct random *random)
 {
@@ -360,8 +358,8 @@ static void put_random(struct scene *s, size_t i, const struct ring *g,
     paint(s, i, 0.005, 0.6, 0.6, 0.6);
 }
 
-/* Draws masses that are spread evenly on a logarithmic scale, and keeps
-   their sum. */
+/* Draws masses that are uniform on a logarithmic scale, and scales them to
+   the old sum. */
 static void mix_masses(struct scene *s, const struct ring *g,
                        struct random *random)
 {
@@ -375,7 +373,7 @@ static void mix_masses(struct scene *s, const struct ring *g,
 }
 
 /* Builds a planet (body 0), its ring, and a moon (the last body) if it has
-   a mass. A ring so heavy that nothing can go round is refused. */
+   a mass. Returns an error for a ring too heavy for any orbit. */
 static const char *build_ring(struct scene *s, const double value[])
 {
     const struct ring g = {(size_t)value[0], value[1] * value[2],

@@ -12,9 +12,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* A pipe, a terminal and what lies under /dev cannot be resumed, even if it
-   leads to a file, as /dev/stdout may. /dev/shm is a folder in memory, and
-   as good as any. */
+/* Returns false for a pipe, a terminal and files under /dev, even if the
+   name leads to a regular file, as /dev/stdout may. /dev/shm is a folder in
+   memory, and allowed. */
 bool checkpoint_possible(const char *output)
 {
     struct stat file;
@@ -27,8 +27,7 @@ bool checkpoint_possible(const char *output)
     return stat(output, &file) != 0 || S_ISREG(file.st_mode);
 }
 
-/* Returns both strings together, to be freed, or NULL if memory runs
-   out. */
+/* Returns both strings concatenated, for free, or NULL without memory. */
 static char *join(const char *a, const char *b)
 {
     const size_t size = strlen(a) + strlen(b) + 1;
@@ -46,8 +45,8 @@ bool checkpoint_exists(const char *output)
     return there;
 }
 
-/* Prints a complaint, but only the first: if the disk is full, each further
-   row would say so again. */
+/* Prints an error message, but only the first: on a full disk every further
+   row would repeat it. Returns false. */
 static bool complain(struct checkpoint *c, const char *path,
                      const char *reason)
 {
@@ -57,19 +56,18 @@ static bool complain(struct checkpoint *c, const char *path,
     return false;
 }
 
-/* Reports an error in writing rows. On a full disk half a row may have been
-   written, and the C library drops what it could not write. So there are no
-   more checkpoints after that: the one before, if there is one, is the last
-   whose rows are all there. */
+/* Reports an error in writing rows; returns false. On a full disk half a
+   row may have been written, and the C library drops the rest. So no
+   checkpoint follows: the one before, if any, is the last with complete
+   rows. */
 static bool lose(struct checkpoint *c)
 {
     c->lost = true;
     return complain(c, c->rows_path, strerror(errno));
 }
 
-/* Returns a checksum of a file, by which --resume notices that the scene
-   has been changed since the run began. Returns 0 for a pipe, which can be
-   read only once. */
+/* Returns a checksum of a file, by which --resume notices that a scene has
+   changed since its run began; 0 for a pipe, which is read only once. */
 double checkpoint_sum(const char *path)
 {
     static char piece[65536];
@@ -97,9 +95,9 @@ static bool name_files(struct checkpoint *c, const char *program,
                                    : complain(c, output, "no memory");
 }
 
-/* A checkpoint without rows would be an error, rows without a checkpoint
-   are nothing: hence the order. Both go also when a run ends early and has
-   not come to its first checkpoint. */
+/* The checkpoint is removed before the rows: a checkpoint without rows
+   would be an error, rows without a checkpoint are harmless. Both are also
+   removed if a run ends before its first checkpoint. */
 void checkpoint_end(struct checkpoint *c, bool keep)
 {
     const bool locked = c->locked;
@@ -115,16 +113,16 @@ void checkpoint_end(struct checkpoint *c, bool keep)
     *c = (struct checkpoint){.locked = locked};
 }
 
-/* The first lines of the two files. A file of such a name that begins with
-   another line is somebody else's, and stays. */
+/* The first lines of the two files. A file with such a name but another
+   first line is not ours, and is not touched. */
 static const char rows_begin[] = "# rows of step\n";
 static const char checkpoint_begins[] =
     "# a checkpoint, and a scene: --resume goes on\n";
 
-/* Opens the file of rows and locks it for as long as the run lives: two
-   runs that write one table would mix their rows, and both would end well.
-   A run that has just ended may have taken the name away since we opened
-   it; what we hold then is nobody's file, hence the two inodes. */
+/* Opens the file of rows and locks it until the run ends: two runs writing
+   one table would mix their rows without an error. Another run that has
+   just ended may have removed the name after we opened the file; so the
+   inodes of the open file and of the name are compared. */
 static bool take_rows(struct checkpoint *c, int flags)
 {
     struct flock whole = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
@@ -142,8 +140,8 @@ static bool take_rows(struct checkpoint *c, int flags)
            complain(c, c->rows_path, "another run is writing it");
 }
 
-/* Returns whether there is no such file, an empty one, or one that begins
-   so; else complains. */
+/* Returns whether a file does not exist, is empty, or begins with this
+   line; otherwise prints an error. */
 static bool is_ours(struct checkpoint *c, const char *path,
                     const char *beginning)
 {
@@ -157,8 +155,8 @@ static bool is_ours(struct checkpoint *c, const char *path,
            complain(c, path, "is not step's and stays: another -o will do");
 }
 
-/* Begins the file of rows. The checkpoint of an older run is removed first:
-   it would refer to rows that no longer exist. */
+/* Begins the file of rows, after removing the checkpoint of an older run,
+   which would refer to rows that no longer exist. */
 static bool start_rows(struct checkpoint *c)
 {
     unlink(c->path);
@@ -181,8 +179,7 @@ bool checkpoint_begin(struct checkpoint *c, const char *program,
     return false;
 }
 
-/* Writes the digits, and the word for not-a-number, that table_row writes.
- */
+/* Formats numbers, and nan, exactly as table_row does. */
 bool checkpoint_row(struct checkpoint *c, size_t n, const double values[])
 {
     for (size_t i = 0; i < n; ++i) {
@@ -197,8 +194,8 @@ bool checkpoint_row(struct checkpoint *c, size_t n, const double values[])
     return !ferror(c->rows) || lose(c);
 }
 
-/* Writes out all rows and goes to the end of the file: before they are
-   counted or copied. */
+/* Writes out all buffered rows and moves to the end of the file, before the
+   rows are counted or copied. */
 static bool flush_rows(struct checkpoint *c)
 {
     if (c->lost || fflush(c->rows) != 0 || fseek(c->rows, 0, SEEK_END) != 0)
@@ -206,8 +203,8 @@ static bool flush_rows(struct checkpoint *c)
     return true;
 }
 
-/* Computes the checksum of the rows once more: the table gets its name only
-   if they are the ones that were written. */
+/* Computes the checksum of the rows again while copying: only if it is
+   unchanged does the table get its name. */
 bool checkpoint_copy(struct checkpoint *c, struct table *t)
 {
     static char piece[65536];
@@ -225,12 +222,12 @@ bool checkpoint_copy(struct checkpoint *c, struct table *t)
            complain(c, c->rows_path, "has other rows than were written");
 }
 
-/* The numbers of a checkpoint by name, one list for writing and reading. */
+/* The numbers of a checkpoint by name, for writing and reading. */
 #define PLACE(field) #field, offsetof(struct checkpoint_numbers, field)
 static const struct {
     const char *name;
     size_t offset;
-    bool count; /* whole, and not below zero */
+    bool count; /* a whole number, not negative */
 } numbers[] = {{PLACE(start), false},     {PLACE(steps), true},
                {PLACE(collisions), true}, {PLACE(evaluations), true},
                {PLACE(rows), true},       {PLACE(energy), false},
@@ -245,7 +242,7 @@ static double *number(struct checkpoint_numbers *n, size_t k)
     return (double *)(void *)((char *)n + numbers[k].offset);
 }
 
-/* Notes the state of an adaptive method, if m moves by one. */
+/* Saves the state of an adaptive method in *c, if m steps by one. */
 static bool note_own(struct checkpoint *c, const struct motion *m)
 {
     const struct adaptive *const own = m->stepping.own;
@@ -257,9 +254,9 @@ static bool note_own(struct checkpoint *c, const struct motion *m)
     return !c->own == !own;
 }
 
-/* The rows must be on their way to the disk before the checkpoint speaks of
-   them. Its last line has the sum of all lines before: a file that was cut
-   short has no such line, and one that was changed has another sum. */
+/* Flushes the rows before the checkpoint that refers to them is written.
+   Its last line is the checksum of all lines before: a truncated file has
+   no such line, and a changed file has another checksum. */
 bool checkpoint_write(struct checkpoint *c, struct motion *m,
                       struct checkpoint_numbers n)
 {
@@ -289,21 +286,20 @@ bool checkpoint_write(struct checkpoint *c, struct motion *m,
     return table_close(t);
 }
 
-enum { COUNTS = 3 }; /* besides the numbers */
+enum { COUNTS = 3 }; /* lines with a count, besides the numbers */
 
-/* What the lines "#= KEY VALUE" of a checkpoint say. They must be what they
-   should be: a file that has been tampered with is refused, not guessed at.
- */
+/* The contents of the lines "#= KEY VALUE" of a checkpoint. All are
+   checked: a file that has been edited is refused. */
 struct head {
-    char *line;         /* of getline */
-    size_t room, found; /* numbers and counts */
+    char *line;         /* buffer of getline */
+    size_t room, found; /* found: lines with numbers or counts */
     bool command, end;
-    uint64_t length, sum; /* of the rows */
-    uint64_t own;         /* the sum of the lines so far */
+    uint64_t length, sum; /* length and checksum of the rows */
+    uint64_t own;         /* checksum of the lines read so far */
 };
 
-/* Returns the value of this key in a line behind its "#= ", or NULL if the
-   line has another key. */
+/* Returns the value of this key from a line without its "#= ", or NULL if
+   the line has another key. */
 static const char *after(const char *line, const char *key)
 {
     const size_t n = strlen(key);
@@ -328,8 +324,8 @@ static bool take_number(const char *value, bool count, double *number)
                        *number == floor(*number)));
 }
 
-/* Adds a number of an adaptive method to c->own, whose room doubles: how
-   many there are shows when their lines end. */
+/* Appends a number of an adaptive method to c->own, whose room is doubled
+   when it is full, since the number of these lines is not known before. */
 static bool take_own(struct checkpoint *c, const char *value)
 {
     if ((c->owned & (c->owned - 1)) == 0) { /* 0, 1, 2, 4, 8 ...: full */
@@ -352,8 +348,8 @@ bool checkpoint_recall(const struct checkpoint *c, struct motion *m)
     return true;
 }
 
-/* Reads a line of the head. An unknown key is refused: it was written by a
-   later version or by another program. */
+/* Reads a line of the head. Returns false for an unknown key, which a later
+   version or another program has written. */
 static bool take_line(struct checkpoint *c, struct head *h,
                       struct checkpoint_numbers *n, const char *line)
 {
@@ -376,8 +372,8 @@ static bool take_line(struct checkpoint *c, struct head *h,
     return h->end = value && take_count(h, value, &own) && own == h->own;
 }
 
-/* Reads the lines of the head as far as the last, which has the key end.
-   The scene stands among them. */
+/* Reads the lines of the head up to the last, with the key end. The lines
+   of the scene are between them. */
 static bool read_head(struct checkpoint *c, struct head *h,
                       struct checkpoint_numbers *n)
 {
@@ -405,8 +401,8 @@ static bool read_head(struct checkpoint *c, struct head *h,
                           "begins anew");
 }
 
-/* Adds `length` bytes of the rows to the sum, or fewer if they end before;
-   returns their number. */
+/* Adds up to `length` bytes of the rows to the checksum; returns how many
+   bytes there were. */
 static uint64_t read_rows(struct checkpoint *c, uint64_t length)
 {
     static char piece[65536];
@@ -422,8 +418,8 @@ static uint64_t read_rows(struct checkpoint *c, uint64_t length)
     return done;
 }
 
-/* Checks that the file has all rows that the checkpoint counts, unchanged,
-   and cuts off what was written later: that will be computed again. */
+/* Checks that the file contains all rows that the checkpoint counts,
+   unchanged, and removes later rows, which will be computed again. */
 static bool open_rows(struct checkpoint *c, const struct head *h)
 {
     if (read_rows(c, h->length) < h->length)

@@ -1,4 +1,4 @@
-/* Checkpoints: a run that was killed goes on, and ends with equal bytes. */
+/* Checkpoints: a killed run is resumed and writes equal bytes. */
 #ifndef CHECKPOINT_H
 #define CHECKPOINT_H
 
@@ -11,72 +11,74 @@
 #include <stdint.h>
 #include <stdio.h>
 
-/* What a run knows besides its scene; counts are whole. */
+/* The state of a run besides its scene. Members in the line of steps are
+   whole numbers. */
 struct checkpoint_numbers {
     double start; /* s */
     double steps, collisions, evaluations, rows;
-    double energy, depth, worst; /* J: see struct watch of step */
-    double passed, overlap;      /* the same */
-    double last;                 /* J: the energy of the last row */
-    double scene;                /* checkpoint_sum of its file */
+    double energy, depth, worst; /* J, as in struct watch of step */
+    double passed, overlap;      /* as in struct watch of step */
+    double last;                 /* energy of the last row, J */
+    double scene;                /* checkpoint_sum of the scene's file */
 };
 
-/* The rows of a table in the making, FILE.rows, and what is needed to go
-   on with it, FILE.checkpoint. The fields are private. */
+/* The rows of an unfinished table, in FILE.rows, and the state of its run,
+   in FILE.checkpoint. All members are private. */
 struct checkpoint {
     const char *program, *command;
     char *path, *rows_path;
     FILE *rows;
-    uint64_t sum; /* of the bytes of all rows */
-    bool failed;  /* something could not be written, which has been said */
+    uint64_t sum; /* checksum of all rows */
+    bool failed;  /* an error in writing has been reported */
     bool lost;    /* rows were lost: no more checkpoints */
-    bool locked;  /* the files are another run's, or somebody else's */
+    bool locked;  /* the files belong to another run or program */
     double *own;  /* [owned] the state of an adaptive method */
     size_t owned;
 };
 
-/* Returns whether a table of this name (NULL: standard output) can be
-   resumed: if it is a regular file, or none yet. */
+/* Returns whether the run that writes this table (NULL: standard output)
+   can be resumed: if it is a regular file or does not exist yet. */
 bool checkpoint_possible(const char *output);
 
-/* Returns a whole number below 2^53 that is another one for a file with
-   other bytes; 0 for what is no regular file, or cannot be read. */
+/* Returns a checksum, a whole number below 2^53, of a file's bytes; 0 if it
+   is not a regular file, or cannot be read. */
 double checkpoint_sum(const char *path);
 
-/* Begins with no rows. Returns false, having said why on standard error
-   and with nothing to free, when FILE.rows cannot be written, or
-   is not ours to write: then c->locked is true. program and
-   command are kept, not copied. */
+/* Begins without rows. Returns false, after an error message and with
+   nothing to free, if FILE.rows cannot be written, or belongs to another
+   run or program: then c->locked is true. Pointers program and command are
+   kept. */
 bool checkpoint_begin(struct checkpoint *c, const char *program,
                       const char *command, const char *output);
 
-/* Returns whether there is one to go on from. */
+/* Returns whether FILE.checkpoint exists. */
 bool checkpoint_exists(const char *output);
 
 /* Begins with the rows of FILE.rows and the scene and the numbers of
-   FILE.checkpoint. Returns false as above, also when they are those of
-   another command. */
+   FILE.checkpoint. Returns false as checkpoint_begin does, also if they
+   belong to another command. */
 bool checkpoint_resume(struct checkpoint *c, const char *program,
                        const char *command, const char *output,
                        struct scene *s, struct checkpoint_numbers *n);
 
-/* Puts the adaptive method of a motion that has been resumed where it was.
-   Returns false if what was read is not of its method. */
+/* Restores the state of the adaptive method of a resumed motion. Returns
+   false if the numbers read do not fit the method. */
 bool checkpoint_recall(const struct checkpoint *c, struct motion *m);
 
-/* Adds a row, as table_row writes it. */
+/* Adds a row, formatted as by table_row. */
 bool checkpoint_row(struct checkpoint *c, size_t n, const double values[]);
 
-/* Writes FILE.checkpoint: the motion as it is, and all rows so far. */
+/* Writes FILE.checkpoint: the present state of the motion, and the length
+   and checksum of all rows so far. */
 bool checkpoint_write(struct checkpoint *c, struct motion *m,
                       struct checkpoint_numbers n);
 
-/* Copies all rows into a table. Returns false if their checksum is not that
-   of the rows written, so that the table gets no name. */
+/* Copies all rows into a table. Returns false if their checksum has
+   changed; the table must then not get its name. */
 bool checkpoint_copy(struct checkpoint *c, struct table *t);
 
-/* Closes the files. keep: another run will go on, if there is a checkpoint;
-   else they are removed. */
+/* Closes the files; removes them unless keep is true and there is a
+   checkpoint from which another run can continue. */
 void checkpoint_end(struct checkpoint *c, bool keep);
 
 #endif

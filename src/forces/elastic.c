@@ -5,8 +5,8 @@
 
 static const char no_memory[] = "there is no memory";
 
-/* Returns the sine of x, |x| <= pi, by its series: the same bits on all
-   machines, which libm's sine has not. */
+/* Returns the sine of x, |x| <= pi, by its series, with equal bits on all
+   machines, unlike libm's. */
 static double sine(double x)
 {
     double term = x, sum = 0;
@@ -24,10 +24,10 @@ static double cosine(double x)
     return 1 - 2 * half * half;
 }
 
-/* Returns sin(pi i r / n). Half waves repeat themselves after 2n, change
-   their sign after n and are mirrored at n/2; so the angle is reduced to
-   the first quarter of a wave, and a symmetric membrane begins exactly
-   symmetric, with 0 at multiples of n. */
+/* Returns sin(pi i r / n). The wave repeats after 2n, changes sign after n
+   and is symmetric about n/2; reducing the angle to the first quarter of
+   the wave makes a symmetric membrane exactly symmetric, with 0 at
+   multiples of n. */
 static double sine_of_wave(size_t i, size_t r, size_t n)
 {
     const double pi = 3.141592653589793;
@@ -40,9 +40,9 @@ static double sine_of_wave(size_t i, size_t r, size_t n)
 
 enum { O_MASS, O_STIFFNESS, O_DAMPING, O_PLACE, O_VELOCITY, O_LENGTH };
 
-/* Two bodies, one held, the other free along x. The spring gets its rest
-   length from the bodies before the displacement, which is limited: beyond
-   the held body the force would point the other way. */
+/* Builds two bodies, one held, the other free along x. The rest length of
+   the spring is the distance before the displacement. A displacement beyond
+   the held body, where the force would reverse, is refused. */
 static const char *oscillator(struct scene *s, const double value[])
 {
     const double length = value[O_LENGTH];
@@ -79,7 +79,7 @@ enum {
     P_DAMPING
 };
 
-/* Puts body i at (x, z), free in that plane. */
+/* Puts body i at (x, z), free in the plane y = 0. */
 static void hang(struct scene *s, size_t i, double mass, double x, double z)
 {
     s->mass[i] = mass;
@@ -88,8 +88,8 @@ static void hang(struct scene *s, size_t i, double mass, double x, double z)
     s->freedom[s->bodies + i] = 0;
 }
 
-/* In the plane of x and z. The rest lengths are given and not measured, so
-   that they are the length to the last bit. */
+/* Builds a double pendulum in the plane of x and z. The rest lengths are
+   given, not measured, so that they are exact. */
 static const char *double_pendulum(struct scene *s, const double value[])
 {
     const double l = value[P_LENGTH];
@@ -112,8 +112,8 @@ static const char *double_pendulum(struct scene *s, const double value[])
     return no_memory;
 }
 
-/* Puts the bodies of a grid into the plane, row by row: so the springs of
-   one direction have one stride, and become a band (springs.c). */
+/* Puts the bodies of a grid into the plane, row by row: then all springs of
+   one direction have one stride, and form a band (springs.c). */
 static void lay_out(struct scene *s, size_t nx, size_t ny, double x0,
                     double y0, double dx, double dy)
 {
@@ -124,9 +124,9 @@ static void lay_out(struct scene *s, size_t nx, size_t ny, double x0,
         }
 }
 
-/* Joins each body to the one that is `right` places to the right of it and
-   `up` places above it in the grid, if there is one, by a spring of this
-   rest length. right may be -1. */
+/* Joins each body to the one that is `right` columns to the right of it and
+   `up` rows above it in the grid, if there is one, by a spring of this rest
+   length. right may be -1. */
 static bool join(struct scene *s, size_t nx, size_t ny, int right, int up,
                  double rest)
 {
@@ -141,7 +141,7 @@ static bool join(struct scene *s, size_t nx, size_t ny, int right, int up,
     return true;
 }
 
-/* Holds the rim, and displaces all other bodies along z. */
+/* Fixes the bodies of the rim, and displaces all others along z. */
 static void excite(struct scene *s, const struct elastic_membrane *m)
 {
     for (size_t y = 0; y < m->ny; ++y)
@@ -158,8 +158,8 @@ static void excite(struct scene *s, const struct elastic_membrane *m)
         }
 }
 
-/* The grid is as wide as that of MPPhys's paper, from -1 to 1 m, and square
-   cells decide its other side. */
+/* The grid extends from -1 to 1 m along x, as in the MPPhys paper; cells
+   are square, which determines its height. */
 const char *elastic_membrane(struct scene *s,
                              const struct elastic_membrane *m)
 {
@@ -217,7 +217,7 @@ enum {
     C_FRICTION
 };
 
-/* Adds the springs of a truss: along both sides, and 0, 1 or 2 diagonals of
+/* Adds the springs of a truss: along both axes, and 0, 1 or 2 diagonals in
    each cell. */
 static bool truss(struct scene *s, size_t nx, size_t ny, double dx,
                   double dy, int diagonals)
@@ -228,8 +228,8 @@ static bool truss(struct scene *s, size_t nx, size_t ny, double dx,
            (diagonals < 2 || join(s, nx, ny, -1, 1, slant));
 }
 
-/* In the plane of x and y as in the paper's figure, with gravity down the
-   page. */
+/* Builds a beam in the plane of x and y, as in the MPPhys paper's figure,
+   with gravity along -y. */
 static const char *cantilever(struct scene *s, const double value[])
 {
     const size_t nx = (size_t)value[C_NX], ny = (size_t)value[C_NY];

@@ -1,4 +1,4 @@
-/* Sums the pull of all bodies, by the kernel that fits their number. */
+/* Sums gravity over all bodies, by the kernel that suits their number. */
 #include "forces/gravity.h"
 
 #include "forces/pull.h"
@@ -14,7 +14,7 @@
 const char *const gravity_kernels[] = {
     "auto", "portable", "avx512", "tree", "opencl", "opencl-float", NULL};
 
-/* Adds what body j pulls at a block. */
+/* Adds the accelerations of a block of bodies due to body j. */
 static inline void pull(const struct gravity *g, const double p[], size_t j,
                         double least, size_t self, struct block *o)
 {
@@ -22,8 +22,8 @@ static inline void pull(const struct gravity *g, const double p[], size_t j,
     pull_by(g->mass[j], p[j], p[n + j], p[2 * n + j], least, self, o);
 }
 
-/* Adds what all bodies pull at those of the block that begins with number
-   i. Each body's sum has its terms in the order of the bodies, whatever the
+/* Adds the accelerations due to all bodies of the block that begins with
+   body i. Each sum has its terms in the order of the bodies, whatever the
    width of the processor's vectors: (sec:gravity-blocks). */
 VECTOR_LOOP static void add_portable(const struct gravity *g,
                                      const double x[], double a[], size_t i)
@@ -44,8 +44,8 @@ VECTOR_LOOP static void add_portable(const struct gravity *g,
     }
 }
 
-/* Adds to bodies first to last - 1 what body j pulls at them. The loop
-   leaves out body j without a test in it, so that it can be
+/* Adds the accelerations of bodies first to last - 1 due to body j. The
+   loop skips body j without a branch inside, so that it can be
    vectorised. */
 static void add_source(const struct gravity *g, const double x[],
                        double a[], size_t j, size_t first, size_t last)
@@ -91,13 +91,13 @@ VECTOR_AVX512 static inline __m512d weight8(__m512d s, __m512d m)
     return _mm512_fmadd_pd(w, p, w);
 }
 
-/* Eight bodies that are pulled, and what they have got so far. */
+/* Eight bodies: positions, and their accelerations so far. */
 struct eight {
     __m512d x, y, z, a, b, c;
 };
 
-/* Adds what body j pulls at the eight; s holds the squares of the
-   softening. */
+/* Adds the accelerations of eight bodies due to body j; s contains the
+   squared softening, m^2, in each lane. */
 VECTOR_AVX512 static inline void pull8(const struct gravity *g,
                                        const double x[], size_t j,
                                        __m512d s, struct eight *f)
@@ -115,9 +115,10 @@ VECTOR_AVX512 static inline void pull8(const struct gravity *g,
     f->c = _mm512_fmadd_pd(w, dz, f->c);
 }
 
-/* The eight lanes hold bodies that are pulled, as a block does, so that
-   each sum keeps its order. Behind the last body, masks switch lanes off. A
-   body that meets itself gets the square 1, and a pull of zero. */
+/* Adds the accelerations of eight bodies from number i on, one in each
+   lane, so that each sum keeps its order. Lanes beyond the last body are
+   masked. For a body and itself the squared distance is set to 1, and the
+   pull is zero. */
 VECTOR_AVX512 static void add_avx512(const struct gravity *g,
                                      const double x[], double a[], size_t i)
 {
@@ -190,8 +191,8 @@ enum gravity_kernel gravity_fastest(void)
     return gravity_can(GRAVITY_AVX512) ? GRAVITY_AVX512 : GRAVITY_PORTABLE;
 }
 
-/* A kernel's function adds what all bodies pull at `width` bodies from
-   number i on. */
+/* A kernel: a function that adds the accelerations of `width` bodies from
+   number i on, due to all bodies. */
 struct kernel {
     size_t width;
     void (*add)(const struct gravity *g, const double x[], double a[],
@@ -217,9 +218,9 @@ const char *gravity_summed_by(const struct gravity *g)
                                                      : g->kernel];
 }
 
-/* Which way is taken must not depend on the number of threads, or the bits
-   would. Each thread owns some of the bodies and adds up all that pulls at
-   them, so that no sum has two writers. */
+/* The choice of a kernel must not depend on the number of threads, or the
+   bits would. Each thread computes the whole sums of some of the bodies, so
+   that no sum is written by two. */
 void gravity_add(const struct gravity *g, const double x[], double a[])
 {
     if (g->source) {
@@ -245,10 +246,9 @@ void gravity_add(const struct gravity *g, const double x[], double a[])
         k->add(g, x, a, (size_t)i);
 }
 
-/* The accelerations begin at a zero that the compiler does not see. Of a
-   constant it makes a call of memset, which stores several numbers at once;
-   the sums of two bodies, which load them again one by one, would wait
-   until that has arrived. */
+/* The accelerations start at a zero that the compiler cannot recognise. For
+   a constant it would call memset, which stores several numbers at once;
+   the sums of two bodies load these one by one, and would wait for them. */
 static void accelerate(void *what, const double x[], const double v[],
                        double a[])
 {
@@ -265,10 +265,10 @@ struct stepping_forces gravity_forces(struct gravity *g)
     return (struct stepping_forces){3 * g->bodies, false, accelerate, g};
 }
 
-/* Summed over all pairs for every kernel, since an audit must not use what
-   it audits: by a tree of theta 0.5 the energy of chapter 9's ring was
-   wrong by 2e-4, otherwise at each row, while the forces of that tree keep
-   it to 1e-8. */
+/* Sums over all pairs for every kernel, since a check of a tree must not
+   use the tree: with theta 0.5 it gave the energy of chapter 9's ring with
+   an error of 2e-4 that varied from row to row, while the tree's forces
+   conserve the energy to 1e-8. */
 double gravity_potential(const struct gravity *g, const double x[])
 {
     const size_t n = g->bodies;

@@ -1,4 +1,4 @@
-/* Makes a cradle, a break, gases and lines of bodies from their keys. */
+/* Builds a cradle, a break, gases and lines of hard bodies. */
 #include "forces/hard.h"
 
 #include "toolbox/random.h"
@@ -19,8 +19,7 @@ static bool create(struct scene *s, size_t bodies, double radius, double dt)
     return true;
 }
 
-/* Frees a body along the first `axes` axes and fixes it along the others.
- */
+/* Frees a body along the first `axes` axes, fixes it along the others. */
 static void free_along(struct scene *s, size_t body, size_t axes)
 {
     for (size_t k = 0; k < SCENE_AXES; ++k)
@@ -50,7 +49,7 @@ enum {
 
 static const double cradle_radius = 0.1, cradle_way = 0.5; /* m */
 
-/* Places the balls of the cradle along x; those that fly in begin half a
+/* Places the balls of the cradle along x; the moving balls start half a
    metre away from the row. */
 static void place_in_a_row(struct scene *s, const double value[])
 {
@@ -73,10 +72,11 @@ static void place_in_a_row(struct scene *s, const double value[])
 
 static const double cradle_stiffness = 1e5, cradle_gravity = 9.81;
 
-/* Hangs each ball on a string, which is a stiff spring from a fixed body
-   above it. Balls that had a velocity are pulled aside and released at rest
-   instead. The rest length is a little less than the distance to the fixed
-   body, so that a ball that hangs straight down is in equilibrium. */
+/* Hangs each ball on a string, a stiff spring from a fixed body above it.
+   Balls that had a velocity are pulled aside and released at rest instead.
+   The rest length is a little less than the distance to the fixed body, so
+   that a ball hanging straight down is in equilibrium. Returns false if
+   memory runs out. */
 static bool hang(struct scene *s, size_t balls, double length)
 {
     const size_t n = s->bodies;
@@ -122,8 +122,8 @@ static const char *build_cradle(struct scene *s, const double value[])
     if (!hanging) {
         const double end =
             (double)(balls - 1) * (2 * cradle_radius + value[CRADLE_GAP]);
-        /* What flies out on one side turns back after twice the way that
-           the first ball came. */
+        /* A ball flying out turns back after twice the distance that the
+           first ball came. */
         const double room = cradle_radius + 2 * cradle_way;
         set_walls(s, 0, SCENE_HARD, -room, end + room);
     }
@@ -141,14 +141,14 @@ enum {
     BREAK_DT
 };
 
-enum { BREAK_BALLS = 16 }; /* the cue ball is the first */
+enum { BREAK_BALLS = 16 }; /* including the cue ball, the first */
 
-/* Billiards, on a table of nine feet. */
+/* Billiards on a nine-foot table. */
 static const double ball_radius = 0.028575, ball_mass = 0.17,   /* m, kg */
     cue_place = -1.27, table_length = 2.54, table_width = 1.27; /* m */
 
-/* Places the balls in a triangle, each displaced by up to jitter; its rows
-   are sqrt(3/4) distance apart. */
+/* Places the balls in a triangle with this distance between neighbours, m,
+   each displaced at random by up to jitter. */
 static void rack(struct scene *s, double distance, double jitter,
                  struct random *r)
 {
@@ -196,12 +196,12 @@ enum {
     GAS_SEED,
     GAS_RESTITUTION,
     GAS_DT,
-    GAS_HEAVY, /* its mass; of brownian only */
+    GAS_HEAVY, /* mass of the heavy disk; brownian only */
     GAS_HEAVY_RADIUS
 };
 
-/* Makes a scene of the disks in their box; a heavy one has a species of its
-   own. */
+/* Builds a scene from disks in their box; a heavy disk becomes a species of
+   its own. Returns false if memory runs out. */
 static bool copy_disks(struct scene *s, const struct disks *d, double dt)
 {
     const size_t n = d->count;
@@ -222,12 +222,11 @@ static bool copy_disks(struct scene *s, const struct disks *d, double dt)
     return true;
 }
 
-/* The module of chapter 5 places the disks: so the scene four-disks is,
+/* Fills in a gas by the module of chapter 5: so the scene four-disks is,
    number for number, the start of `disks --disks 4 --radius 0.15 --box
    1,1`, and the gas that of `disks --disks 250 --radius 0.1 --box 7.5,5
-   --start random`. A heavy disk is the first, so that it finds a place when
-   there is still room, and starts with the kinetic energy of a light one.
- */
+   --start random`. A heavy disk is the first, to be placed while there is
+   still room, and gets the kinetic energy of a light one. */
 static const char *fill_gas(struct scene *s, struct disks *d,
                             const double value[], double heavy,
                             double heavy_radius)
@@ -277,11 +276,11 @@ static const char *build_brownian(struct scene *s, const double value[])
 
 enum { LINE_BODIES, LINE_RATIO, LINE_RADIUS, LINE_SEED, LINE_DT };
 
-/* Fills in bodies of a scene, from body `first` on, as the start has them.
-   Its bodies are points, and two points never overlap; so they get a radius
+/* Copies the bodies of a start into a scene, from body `first` on. A
+   start's bodies are points, which never overlap, so they get a radius
    here, as (2.2, eq:rods) allows: body i moves to the right by 2i + 1
-   radii, the right wall by twice as many as there are bodies, and all else
-   is as it was. */
+   radii, the right wall by 2n radii for n bodies, and the motion is
+   otherwise unchanged. */
 static void copy_start(struct scene *s, const struct start *start,
                        size_t first, double radius)
 {
@@ -294,9 +293,9 @@ static void copy_start(struct scene *s, const struct start *start,
     }
 }
 
-/* One wall of Galperin's is missing. A box cannot have a wall on one side
-   only, so that the wall is a body there, the first one, which nothing
-   moves. */
+/* Builds a scene from a start on a line. Galperin's has a wall on one side
+   only, which a box cannot have; there the wall becomes the first body,
+   which is fixed. */
 static const char *build_line(struct scene *s, const double value[],
                               enum start_kind kind)
 {
@@ -429,7 +428,7 @@ const struct gallery_scene hard_scenes[] = {
       {"dt", 0.01, 1e-9, 1, false, "step, s"}},
      build_galperin},
     {0}};
-/* Does anything happen outside the plane of x and y? */
+/* Returns whether anything moves or lies outside one plane z = constant. */
 static bool is_deep(const struct scene *s)
 {
     const double *z = s->position + 2 * s->bodies;
@@ -440,8 +439,8 @@ static bool is_deep(const struct scene *s)
     return false;
 }
 
-/* The engine of chapter 5 knows spheres as well, so a scene that is no
-   plane is handed over with all three axes. */
+/* The engine of chapter 5 also simulates spheres, so a scene that is not
+   plane is passed to it with three axes. */
 bool hard_disks(struct disks *d, const struct scene *s)
 {
     const size_t n = s->bodies;
@@ -464,8 +463,8 @@ bool hard_disks(struct disks *d, const struct scene *s)
     return true;
 }
 
-/* Chapter 2 has no fixed body but its walls: the body that is Galperin's
-   wall becomes the left wall again. */
+/* Chapter 2 has no fixed bodies except its walls: the body that is
+   Galperin's wall becomes the left wall again. */
 bool hard_start(struct start *start, const struct scene *s)
 {
     const size_t wall = s->bodies > 0 && !s->freedom[0];

@@ -1,4 +1,4 @@
-/* Scenes of hard bodies, and how event-driven engines start from them. */
+/* Scenes of hard bodies, and starts of event-driven engines from them. */
 #ifndef HARD_H
 #define HARD_H
 
@@ -9,13 +9,12 @@
 /* The scenes are hard_scenes in gallery.h: cradle, break, gas, brownian,
    four-disks, thermal, piston and galperin. */
 
-/* Make of a scene what the engines of parts I and II start from. Both
-   return false, with nothing to free, when there is no memory.
-   hard_disks: the disks of a scene in a box of hard walls, or of periodic
-   ones, along x and y, and along z if anything happens there; the corner of
-   the box goes to the origin.
-   hard_start: bodies that are free along x only, in order from left to
-   right; walls at infinity where the scene has none. */
+/* Make from a scene the start of an engine of part I or II. Both return
+   false, with nothing to free, if memory runs out. hard_disks: the disks of
+   a scene in a box of hard walls, or a periodic one, along x and y, and
+   along z if the scene is not plane; the corner of the box becomes the
+   origin. hard_start: bodies that are free along x only, in order from left
+   to right; walls at infinity if the scene has none. */
 bool hard_disks(struct disks *d, const struct scene *s);
 bool hard_start(struct start *start, const struct scene *s);
 

@@ -1,4 +1,4 @@
-/* Follows gaps along a step in Bernstein's form, then by the method. */
+/* Finds contacts on polynomial paths along a step, then by the method. */
 #include "forces/impact.h"
 
 #include "forces/adaptive.h"
@@ -13,29 +13,30 @@ enum { PATH = ADAPTIVE_DEGREE, DEGREE = 2 * PATH };
 enum { MOST_TRIALS = 100, MOST_PARTS = 10000, MOST_PASSES = 1000 };
 _Static_assert((int)DEGREE <= (int)ROOT_DEGREE, "of a pair's gap");
 
-/* The relative rounding error that a place or a velocity may have, some
-   units in the last place. */
+/* The relative rounding error of a place or a velocity: a few units in the
+   last place. */
 static const double ROUNDING = 0x1p-50;
 
-/* A gap between two bodies or, if a == b, between a body and a wall, with
+/* A gap between two bodies or, if a == b, between a body and a wall, and
    its state during the present part of the step. */
 struct impact_gap {
     uint32_t a, b;
-    size_t axis;                /* of a wall */
-    double side, edge;          /* -1 or 1; where a centre is stopped, m */
-    double image[SPHERES_AXES]; /* of b in a periodic box, m */
+    size_t axis;                /* normal to the wall */
+    double side, edge;          /* of the wall, -1 or 1; limit of centre,
+                                   m */
+    double image[SPHERES_AXES]; /* shift to b's nearest image, m */
     double sum;                 /* of the radii of a pair, m */
-    double start;               /* the width that counts as closed: 0, or
-                                   less for an overlap at the start, m */
-    double rounding;            /* the width that counts as nothing, m */
-    double root;                /* first, in units of the part */
+    double start;               /* closed width: 0, or negative for an
+                                   initial overlap, m */
+    double rounding;            /* width that counts as 0, m */
+    double root;                /* first one, as a fraction of the part */
     bool shut;                  /* closed at the end of the part */
-    bool pressed;               /* closed, at rest, and pressed together */
-    bool unclear;               /* that, or opened and closed in between */
+    bool pressed;               /* closed, at rest, and under pressure */
+    bool unclear;               /* pressed, or open in between */
 };
 
-/* Returns where the wall on a side stops the centre of the body that has
-   coordinate c, m. */
+/* Returns how far the wall on a side lets the centre of the body with
+   coordinate c go, m. */
 static double edge_of(const struct scene *s, size_t c, double side)
 {
     const size_t k = c / s->bodies;
@@ -43,9 +44,9 @@ static double edge_of(const struct scene *s, size_t c, double side)
     return side > 0 ? s->high[k] - radius : s->low[k] + radius;
 }
 
-/* The method gets its forces from here: a wall takes up what presses on the
-   bodies that rest on it, and a body that it would have to pull is
-   remembered. */
+/* Computes the accelerations for the method: those of all forces, but a
+   wall cancels the force of a body resting on it. A body that the wall
+   would have to pull is recorded in p->lifted. */
 static void accelerate(void *what, const double x[], const double v[],
                        double a[])
 {
@@ -59,8 +60,8 @@ static void accelerate(void *what, const double x[], const double v[],
         }
 }
 
-/* Finds the least and the greatest coordinate of the bodies along an axis,
-   m. */
+/* Sets *low and *high to the smallest and the largest coordinate of the
+   bodies along an axis, m. */
 static void spread(const struct scene *s, size_t k, double *low,
                    double *high)
 {
@@ -72,9 +73,9 @@ static void spread(const struct scene *s, size_t k, double *low,
     }
 }
 
-/* Returns the axis along which the bodies are spread farthest: paths that
-   have nothing to do with each other are told apart along it. A periodic
-   axis, which has no beginning, is none; SPHERES_AXES: there is none. */
+/* Returns the axis along which the bodies are spread farthest, which
+   separates most pairs of paths. A periodic axis, which has no beginning,
+   does not count; SPHERES_AXES if all are periodic. */
 static size_t widest_axis(const struct scene *s)
 {
     size_t widest = SPHERES_AXES;
@@ -100,8 +101,8 @@ static void divide_numbers(struct impact *p, size_t n)
     p->pull = p->high + n;
 }
 
-/* Replaces the forces of the stepping by those above, and gives up its
-   sweep, which knows no walls. */
+/* Replaces the forces of the stepping by accelerate above, and removes its
+   sweep, which does not know of walls. */
 bool impact_create(struct impact *p, struct spheres *spheres,
                    struct stepping *s)
 {
@@ -148,7 +149,7 @@ static bool is_wall(const struct impact_gap *g)
     return g->a == g->b;
 }
 
-/* Returns how wide a gap is, m; *rate is how fast it opens, m/s. */
+/* Returns the width of a gap, m, and sets *rate to its growth, m/s. */
 static double width(const struct impact *p, const struct impact_gap *g,
                     const double x[], const double v[], double *rate)
 {
@@ -167,9 +168,9 @@ static double width(const struct impact *p, const struct impact_gap *g,
     return distance - g->sum;
 }
 
-/* Returns how much of the rate of a gap may be rounding, m/s: two that fly
-   side by side have velocities whose difference is rounding, and do not
-   approach. */
+/* Returns how much of the rate of a gap may be rounding, m/s: two bodies
+   flying side by side do not approach, though their velocities may differ
+   by rounding. */
 static double rate_rounding(const struct impact *p,
                             const struct impact_gap *g, const double v[])
 {
@@ -181,8 +182,8 @@ static double rate_rounding(const struct impact *p,
     return ROUNDING * most;
 }
 
-/* Finds the control points of each coordinate in a part of length h, (11.8,
-   eq:gap-control); returns their degree. */
+/* Computes the control points of a cubic for each coordinate in a part of
+   length h, s, (11.8, eq:gap-control); returns the degree. */
 static size_t draw_cubics(struct impact *p, double h)
 {
     const struct stepping *s = p->stepping;
@@ -198,9 +199,9 @@ static size_t draw_cubics(struct impact *p, double h)
     return 3;
 }
 
-/* Finds the paths of the part, of cubics or of the polynomial that a method
-   with its own steps has anyway, and the boxes about them, with the radius
-   of the body and a little more for rounding. */
+/* Computes the paths in the part, cubics or the polynomials that an
+   adaptive method provides, and the boxes around them, enlarged by the
+   radius of the body and a little more for rounding. */
 static void draw_paths(struct impact *p, double h)
 {
     const struct stepping *s = p->stepping;
@@ -222,7 +223,7 @@ static void draw_paths(struct impact *p, double h)
     }
 }
 
-/* Finds the control points of a wall's gap; returns their degree. */
+/* Computes the control points of a wall's gap; returns their degree. */
 static size_t wall_points(const struct impact *p,
                           const struct impact_gap *g, double q[])
 {
@@ -232,7 +233,7 @@ static size_t wall_points(const struct impact *p,
     return p->degree;
 }
 
-/* Finds the binomials of m. */
+/* Computes the binomial coefficients of m. */
 static void choose(size_t m, double c[])
 {
     c[0] = 1;
@@ -240,9 +241,10 @@ static void choose(size_t m, double c[])
         c[j + 1] = c[j] * (double)(m - j) / (double)(j + 1);
 }
 
-/* Finds those of a pair's gap: of the square of its distance, less that of
-   the sum of the radii. A product of two curves has for its points the
-   products of theirs, weighed by binomials. */
+/* Computes the control points of a pair's gap, expressed as the squared
+   distance minus the square of the sum of the radii; returns their degree.
+   Control points of a product of two curves are sums of products of theirs,
+   weighted with binomials. */
 static size_t pair_points(const struct impact *p,
                           const struct impact_gap *g, double q[])
 {
@@ -270,11 +272,10 @@ static bool sinks(const double q[], size_t m, double below)
     return root_first(q, m, -below, ROOT_HALVINGS) <= 1;
 }
 
-/* Replaces p->least by the least value of a curve, in units, if that lies
-   inside the part and is nearer to 0. It tells how nearly a contact was
-   made or missed, since a path with an error may decide such a one either
-   way. A minimum that is below 0 only by rounding counts as no root, and is
-   recorded as 0. */
+/* Replaces p->least by the minimum of a curve, divided by unit, if it lies
+   inside the part and is nearer to 0. It tells how narrowly a contact was
+   made or missed, since the error of a path may decide it either way. A
+   minimum below 0 by rounding counts as no root, and is recorded as 0. */
 static void notice(struct impact *p, const double q[], size_t m,
                    double unit, double rounding)
 {
@@ -291,12 +292,13 @@ static void notice(struct impact *p, const double q[], size_t m,
     p->least = high < 0 && high * unit >= -2 * rounding ? 0 : high;
 }
 
-/* Finds where in a part of length h a gap closes. There are four cases: the
-   gap is open; it is closed and closing, which is a contact now; closed and
-   opening, and its next root counts; and at rest. Two that rest and are
-   shut in the end have been pressed together, or one of them has risen and
-   come back: a shorter part will tell. Two that overlap when a run begins
-   count as touching where they are. */
+/* Finds when a gap closes in a part of length h, s. There are four cases:
+   the gap is open; closed and closing, which is a contact now; closed and
+   opening, where the next root counts; or closed and at rest. In the last
+   case, if the gap is also closed at the end, the bodies are pressed
+   together, or one has risen and come back: a shorter part will tell.
+   Bodies that overlap when a run begins count as touching at that
+   distance. */
 static void find_root(struct impact *p, struct impact_gap *g, double h)
 {
     const struct stepping *s = p->stepping;
@@ -322,7 +324,7 @@ static void find_root(struct impact *p, struct impact_gap *g, double h)
     g->unclear = g->root > 1 && w <= g->rounding && g->shut;
 }
 
-/* Adds a gap to those of the part. */
+/* Adds a gap to the list for this part, after finding its root. */
 static void add_gap(struct impact *p, struct impact_gap g, double h)
 {
     if (p->gaps == p->capacity) {
@@ -343,7 +345,7 @@ static void add_gap(struct impact *p, struct impact_gap g, double h)
     p->gap[p->gaps++] = g;
 }
 
-/* Adds the gap to a wall if the path may lead out of the box. */
+/* Adds the gap to a wall if the path may lead beyond the wall. */
 static void add_wall(struct impact *p, size_t k, size_t i, double side,
                      double h)
 {
@@ -355,8 +357,8 @@ static void add_wall(struct impact *p, size_t k, size_t i, double side,
     double far = fmax(fabs(p->note[c]), fabs(edge)) + s->radius[i];
     if (!(out > 0 && s->freedom[c]))
         return;
-    /* A point at a wall at 0 has no scale in its place or radius. What the
-       sums of the part round there goes with the way of the point in it. */
+    /* A point at a wall at 0 has no length scale in its place or radius.
+       Rounding errors are then proportional to its path in the part. */
     const double way = p->high[c] - p->low[c];
     if (fabs(edge) + s->radius[i] <= ROUNDING * way)
         far = fmax(far, way);
@@ -370,8 +372,8 @@ static void add_wall(struct impact *p, size_t k, size_t i, double side,
             h);
 }
 
-/* Returns how far the image of b that is nearest to a when the part begins
-   is from b itself, m. */
+/* Returns the shift along axis k from b to the image of b that is nearest
+   to a at the beginning of the part, m. */
 static double image_of(const struct impact *p, size_t k, size_t a, size_t b)
 {
     const struct scene *s = p->scene;
@@ -382,7 +384,7 @@ static double image_of(const struct impact *p, size_t k, size_t a, size_t b)
                : 0;
 }
 
-/* Adds the gap of a pair if the boxes of the two paths overlap along all
+/* Adds the gap of a pair if the boxes around both paths overlap along all
    three axes. */
 static void add_pair(struct impact *p, size_t a, size_t b, double h)
 {
@@ -409,8 +411,8 @@ static void add_pair(struct impact *p, size_t a, size_t b, double h)
         add_gap(p, g, h);
 }
 
-/* Brings the bodies into the order in which their paths begin along the
-   axis, by insertion as in pairs.c. */
+/* Sorts the bodies by where their paths begin along the axis, by insertion
+   as in pairs.c. */
 static void sort_along(struct impact *p)
 {
     const size_t n = p->scene->bodies;
@@ -458,7 +460,7 @@ static int in_order(const void *a, const void *b)
 }
 
 /* Collects all gaps that may close in the part: walls, then pairs by their
-   numbers, the order in which contacts of one moment are resolved. */
+   numbers. Simultaneous contacts are resolved in this order. */
 static void collect_gaps(struct impact *p, double h)
 {
     const struct scene *s = p->scene;
@@ -476,7 +478,7 @@ static void collect_gaps(struct impact *p, double h)
         qsort(p->gap + walls, p->gaps - walls, sizeof *p->gap, in_order);
 }
 
-/* Takes the step again, of the length h, from the beginning of the part. */
+/* Repeats the step from the beginning of the part, with length h, s. */
 static void go(struct impact *p, double h)
 {
     struct stepping *s = p->stepping;
@@ -488,7 +490,7 @@ static void go(struct impact *p, double h)
         p->end = stepping_part(s, h);
 }
 
-/* Goes to h; returns how wide the gap is there, m. */
+/* Moves to the time h in the part; returns how far the gap is open, m. */
 static double try(struct impact *p, const struct impact_gap *g, double h,
                   double *rate)
 {
@@ -496,8 +498,8 @@ static double try(struct impact *p, const struct impact_gap *g, double h,
     return width(p, g, p->stepping->x, p->stepping->v, rate) - g->start;
 }
 
-/* Goes to the moment *h <= most at which a gap closes, from a guess;
-   returns false if it does not close. (11.9, eq:gap-newton) */
+/* Moves to the time *h <= most at which a gap closes, improving the guess
+   in *h; returns false if it does not close. (11.9, eq:gap-newton) */
 static bool close_gap(struct impact *p, const struct impact_gap *g,
                       double most, bool shut, double *h)
 {
@@ -536,9 +538,9 @@ static struct impact_gap *first_gap(const struct impact *p)
     return first;
 }
 
-/* Returns the gap that the method has closed before the moment *h, the
-   first if there are several, with *h about when; or NULL. The paths may be
-   wrong about the order of two roots that are close together. */
+/* Returns the gap that the method has closed before the time *h, the first
+   of several, and sets *h to an estimate of its time; or returns NULL. The
+   paths may have the order of two close roots wrong. */
 static struct impact_gap *earlier_gap(const struct impact *p, double *h)
 {
     const double now = *h;
@@ -557,7 +559,7 @@ static struct impact_gap *earlier_gap(const struct impact *p, double *h)
     return first;
 }
 
-/* Gives the step up, and says which two are to blame. */
+/* Ends the step unfinished, and records the two bodies that caused it. */
 static void crowd(struct impact *p, const struct impact_gap *g)
 {
     p->crowded = true;
@@ -566,8 +568,8 @@ static void crowd(struct impact *p, const struct impact_gap *g)
     p->end = STEPPING_STUCK;
 }
 
-/* Lets a body rest: its velocity across the wall is 0, and from now on the
-   wall takes up what presses it on. */
+/* Puts a body at rest at a wall: its velocity across the wall becomes 0,
+   and from now on the wall cancels the force that presses it on. */
 static void hold(struct impact *p, const struct impact_gap *g)
 {
     const size_t c = g->axis * p->scene->bodies + g->a;
@@ -576,7 +578,7 @@ static void hold(struct impact *p, const struct impact_gap *g)
     p->held[c] = (signed char)g->side;
 }
 
-/* Lets go all bodies that move away from the walls that hold them. */
+/* Releases all bodies that move away from the walls that hold them. */
 static void release(struct impact *p)
 {
     for (size_t c = 0; p->resting > 0 && c < p->forces.size; ++c)
@@ -586,8 +588,8 @@ static void release(struct impact *p)
         }
 }
 
-/* Steps by h; returns whether a wall would have to pull a resting body to
-   keep it during this time. */
+/* Steps by h, s; returns whether a wall would have to pull a resting body
+   to keep it there. */
 static bool lifts(struct impact *p, double h)
 {
     p->lifted = p->forces.size;
@@ -595,11 +597,10 @@ static bool lifts(struct impact *p, double h)
     return p->lifted < p->forces.size;
 }
 
-/* Goes on for h, or for as long as no wall would have to pull; returns how
-   long that is, s. A rest ends when the forces turn round and would lift
-   the body; that moment ends the part, so that no step has a bend in its
-   forces. If it comes at once the body is let go, and the part is 0 long.
- */
+/* Continues for h, s, or for as long as no wall would have to pull; returns
+   that time, s. A rest ends when the forces reverse and would lift the
+   body; the part ends then, too, so that no step has a kink in its forces.
+   If that is at once, the body is released, and the part has length 0. */
 static double rest(struct impact *p, double h)
 {
     enum { BITS = 52 };
@@ -620,7 +621,7 @@ static double rest(struct impact *p, double h)
     return low;
 }
 
-/* Turns a body round at a wall, and lets it rest there if it would not rise
+/* Reverses a body at a wall, and puts it at rest there if it would not rise
    by more than rounding: (11.10, eq:rest). */
 static void bounce(struct impact *p, const struct impact_gap *g)
 {
@@ -636,8 +637,8 @@ static void bounce(struct impact *p, const struct impact_gap *g)
         hold(p, g);
 }
 
-/* Resolves once all that touches and approaches at this moment. Returns
-   whether there was anything. */
+/* Resolves every contact that is closing now, each once. Returns whether
+   there was any. */
 static bool settle_once(struct impact *p, uint64_t *met)
 {
     const uint64_t before = *met;
@@ -657,10 +658,10 @@ static bool settle_once(struct impact *p, uint64_t *met)
     return *met > before;
 }
 
-/* Resolves what touches and approaches again and again, since one collision
-   may lead to another in the same place: a row of touching balls. What is
-   pressed together comes before: a wall holds it, but nothing here holds
-   two bodies together, and the step is given up. */
+/* Resolves closing contacts again and again, since one collision may cause
+   another at the same time, as in a row of touching balls. Before that, a
+   wall takes up the body that is pressed against it; if two bodies are
+   pressed together, which no force here can hold, the step is abandoned. */
 static void settle(struct impact *p, uint64_t *met)
 {
     uint64_t now = 0;
@@ -681,9 +682,9 @@ static void settle(struct impact *p, uint64_t *met)
         stepping_disturb(p->stepping);
 }
 
-/* Goes to the first contact of the part, whose length *h becomes shorter,
-   or to its end, and then returns false. A contact that the paths promise
-   and the method does not keep is a near miss: the next one is tried. */
+/* Moves to the first contact of the part and shortens *h to its time, s; or
+   moves to the end and returns false. If the method does not confirm a
+   contact of the paths, it was a near miss, and the next one is tried. */
 static bool find_contact(struct impact *p, double *h)
 {
     const double most = *h;
@@ -703,8 +704,8 @@ static bool find_contact(struct impact *p, double *h)
     return false;
 }
 
-/* Does the same, and sees to it that no other gap has closed before by the
-   method's own path. */
+/* Does what find_contact does, and then ensures that no other gap has
+   closed before on the method's own path. */
 static bool find_first(struct impact *p, double *h)
 {
     struct impact_gap *g;
@@ -718,9 +719,9 @@ static bool find_first(struct impact *p, double *h)
     return true;
 }
 
-/* Returns whether a shorter part is needed to see what happens: bodies that
-   rested are shut in the end. If this part is the last that is tried, they
-   are pressed together. */
+/* Returns whether a shorter part is needed to decide what happens: resting
+   bodies are closed at the end. If this part is the last to be tried, they
+   count as pressed together. */
 static bool is_unclear(struct impact *p, bool last)
 {
     bool unclear = false;
@@ -733,9 +734,9 @@ static bool is_unclear(struct impact *p, bool last)
     return unclear && !last && p->end == STEPPING_DONE;
 }
 
-/* Takes what is left of a step, or what lies before its first contact.
-   Returns how much that was, s. An unclear part is halved as often as paths
-   are: what then still does not rise is pressed on. */
+/* Takes the rest of a step, or its part before the first contact. Returns
+   the length of the part, s. An unclear part is halved as often as paths
+   are; a body that does not rise in the shortest part is pressed. */
 static double take_part(struct impact *p, double left, uint64_t *met)
 {
     double h = left;
@@ -752,10 +753,10 @@ static double take_part(struct impact *p, double left, uint64_t *met)
     return h;
 }
 
-/* Returns how far a body may go in a step of a method's own length, m. The
-   polynomials reach as far as the steps, but their last digits have to tell
-   a contact from a near miss: so not across the scene, nor over many
-   thousands of the smallest radius, nor half round a periodic box. */
+/* Returns how far a body may move in a step of an adaptive method, m. The
+   polynomials are as long as the steps, but their last digits must tell a
+   contact from a near miss: so a step must not cross the scene, nor many
+   thousands of the smallest radius, nor half a periodic box. */
 static double longest_way(const struct impact *p)
 {
     const struct scene *s = p->scene;
@@ -777,7 +778,8 @@ static double longest_way(const struct impact *p)
     return wide > 0 ? fmin(way, wide) : way;
 }
 
-/* Returns the time of that way, s, for what flies and for what falls. */
+/* Returns the time in which the fastest body, or one accelerated from rest,
+   covers longest_way, s. */
 static double longest_step(const struct impact *p)
 {
     const struct adaptive *own = p->stepping->own;
@@ -794,8 +796,8 @@ static double longest_step(const struct impact *p)
     return h;
 }
 
-/* Takes a step of the method's own length and searches it for contacts; it
-   ends at the first, which waits for its turn. */
+/* Takes a step of the method's own length and searches it for contacts. The
+   step ends at the first one, which is resolved later. */
 static void take_own(struct impact *p)
 {
     struct stepping *s = p->stepping;
@@ -822,7 +824,7 @@ static void take_own(struct impact *p)
         adaptive_turn(s->own, s->x, s->v);
 }
 
-/* Resolves the contact at which the last own step has ended. */
+/* Resolves the contact at which the last adaptive step has ended. */
 static void turn_own(struct impact *p, uint64_t *met)
 {
     struct stepping *s = p->stepping;
@@ -833,11 +835,10 @@ static void turn_own(struct impact *p, uint64_t *met)
     p->waiting = false;
 }
 
-/* Does what impact_step does, by a method whose steps have lengths of their
-   own. Such a method is ahead of the times at which one looks at it, and
-   looks are not to change what it does. So its own steps are searched for
-   contacts and shortened to them; what happens there waits until a time
-   behind it is asked for. */
+/* Does what impact_step does, by an adaptive method. Such a method runs
+   ahead of the times at which states are requested, and these must not
+   change its steps. So its own steps are searched for contacts and end at
+   them; a contact is resolved when a time after it is requested. */
 static enum stepping_end reach_look(struct impact *p, uint64_t *met)
 {
     struct stepping *s = p->stepping;

@@ -1,5 +1,5 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 1986858102 of the lines below */
+/* checksum 4013589081 of the lines below */
 /* Moves bodies along ellipses in Jacobi's coordinates, and kicks them. */
 #include "forces/jacobi.h"
 
@@ -9,7 +9,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* (9.9, eq:jacobi) */
+/* Source: (9.9, eq:jacobi). */
 void jacobi_enter(const struct jacobi *j, const double x[], double q[])
 {
     const size_t n = j->bodies;
@@ -63,7 +63,7 @@ void jacobi_flow(void *what, double dt, double x[], double v[])
     jacobi_leave(j, w, v);
 }
 
-/* Makes mu q / |q|^3 of the three coordinates at q[0], q[n], q[2 n]. */
+/* Replaces the vector q[0], q[n], q[2 n] by mu q / |q|^3. */
 static void turn_into_pull(double q[], size_t n, double mu)
 {
     const double s = q[0] * q[0] + q[n] * q[n] + q[2 * n] * q[2 * n];

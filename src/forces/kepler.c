@@ -1,5 +1,5 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 402010236 of the lines below */
+/* checksum 2422284335 of the lines below */
 /* Solves Kepler's equation and moves a body along its ellipse. */
 #include "forces/kepler.h"
 
@@ -36,7 +36,7 @@ double kepler_anomaly(double eccentricity, double mean_anomaly)
     return copysign(anomaly, m) + turns * 2 * pi;
 }
 
-/* sin(x) / x and cos(x) for |x| <= pi / 4, from s = x^2. */
+/* Return sin(x) / x and cos(x) for |x| <= pi / 4, from s = x^2. */
 static double sine_series(double s)
 {
     double sum = 1;
@@ -68,9 +68,9 @@ void kepler_turn(double angle, double *cosine, double *sine)
     *sine = quarter == 0 ? s : quarter == 1 ? c : quarter == 2 ? -s : -c;
 }
 
-/* Turns the plane of the axes from and to by an angle. The minus sign is
-   put into a number of its own: gcc 12 with -march=native makes one of the
-   two lines a fused multiply-add otherwise, although -ffp-contract=off
+/* Rotates x in the plane of the axes `from` and `to` by an angle. The minus
+   sign has a variable of its own: otherwise gcc 12 with -march=native makes
+   one of the two lines a fused multiply-add, although -ffp-contract=off
    forbids it, and the bits of the scenes would depend on the build. */
 static void turn(double x[], int from, int to, double angle)
 {
@@ -100,15 +100,15 @@ void kepler_place(double mu, const struct kepler_elements *o, double x[],
 }
 
 /* Returns two terms of the series for the change of the eccentric anomaly
-   while the mean one changes by m; p and q are e cos E and e sin E at the
-   beginning. The guess is wrong by the order of m^3. */
+   while the mean anomaly changes by m; p and q are e cos E and e sin E at
+   the start. The error is of the order of m^3. */
 static double first_guess(double p, double q, double m)
 {
     const double g = m / (1 - p);
     return g - q / (1 - p) * g * g / 2;
 }
 
-/* Finds that change, and returns its cosine and its sine. */
+/* Returns cosine and sine of the change of the eccentric anomaly. */
 static void change(double p, double q, double m, double *cosine,
                    double *sine)
 {

@@ -2,7 +2,7 @@
 #ifndef KEPLER_H
 #define KEPLER_H
 
-/* C does not promise to have it. */
+/* pi, which is not part of standard C. */
 #define KEPLER_PI 3.14159265358979323846
 
 /* An ellipse and a place on it. Angles in rad. */
@@ -11,31 +11,31 @@ struct kepler_elements {
     double eccentricity; /* 0 to less than 1 */
     double inclination;
     double node;       /* longitude of the ascending node */
-    double perihelion; /* argument: from the node on */
+    double perihelion; /* argument: angle from the node */
     double mean_anomaly;
 };
 
-/* Finds the semi-major axis (m, INFINITY or negative if the orbit is open)
-   and the eccentricity of the orbit that leads through x[3] with the
-   velocity v[3]: (9.3, eq:vis-viva). */
+/* Computes the semi-major axis (m, INFINITY or negative if the orbit is
+   open) and the eccentricity of the orbit through x[3] with the velocity
+   v[3]: (9.3, eq:vis-viva). */
 void kepler_shape(double mu, const double x[], const double v[],
                   double *axis, double *eccentricity);
 
-/* Moves x[3] and v[3] along their ellipse by the time t, s, of either
-   sign, in closed form: (9.6, eq:gauss). If the orbit is open, x[0] becomes
-   NaN. */
+/* Moves x[3] and v[3] along their ellipse by the time t, s, which may be
+   negative, in closed form: (9.6, eq:gauss). If the orbit is open, x[0]
+   becomes NaN. */
 void kepler_move(double mu, double t, double x[], double v[]);
 
-/* Finds the cosine and the sine of an angle (rad, up to 1e5 in size),
-   within 2e-16 and with the same bits on every machine. */
+/* Computes the cosine and the sine of an angle (rad, up to 1e5 in size),
+   within 2e-16 and with equal bits on every machine. */
 void kepler_turn(double angle, double *cosine, double *sine);
 
 /* Returns the eccentric anomaly E with E - e sin E = M, rad, for 0 <= e < 1
    and any M up to 1e5 in size: (9.4, eq:kepler). */
 double kepler_anomaly(double eccentricity, double mean_anomaly);
 
-/* Finds place and velocity (three numbers each) as seen from the other of
-   two bodies; mu is k2 times the sum of their masses: (9.5,
+/* Computes place and velocity (three numbers each) of a body relative to
+   the other of two; mu is k2 times the sum of their masses: (9.5,
    eq:kepler-place). */
 void kepler_place(double mu, const struct kepler_elements *o, double x[],
                   double v[]);

@@ -1,18 +1,18 @@
-/* The largest of many moduli. */
+/* The largest absolute value in an array. */
 #ifndef LARGEST_H
 #define LARGEST_H
 
 #include <math.h>
 #include <stddef.h>
 
-/* Returns the larger one, NaN if one of them is: a step that went wrong
-   must not look like one that has converged. */
+/* Returns the larger number, or NaN if one of them is NaN: a failed step
+   must not look like a converged one. */
 static inline double larger(double a, double b)
 {
     return a >= b || a != a ? a : b;
 }
 
-/* Returns the largest of n moduli, 0 for none, NaN if one of them is. */
+/* Returns the largest of n absolute values; 0 for none; NaN if one is. */
 static inline double largest(const double y[], size_t n)
 {
     double most = 0;
@@ -21,7 +21,7 @@ static inline double largest(const double y[], size_t n)
     return most;
 }
 
-/* Returns the largest modulus of y[i] - z[i], likewise. */
+/* Returns the largest |y[i] - z[i]|, 0 for none, NaN if one is NaN. */
 static inline double largest_difference(const double y[], const double z[],
                                         size_t n)
 {

@@ -1,11 +1,11 @@
-/* The numbers of each stepping method, and a row for each. */
+/* The coefficients of each stepping method, and its entry in the table. */
 #include "forces/stepping.h"
 
 #include <math.h>
 #include <string.h>
 
-/* The numbers of the methods. Digits beyond the sixteenth are for whoever
-   copies them into a program with longer numbers. */
+/* The coefficients of the methods. Digits beyond the sixteenth are for
+   programs with more precise numbers. */
 static const double leapfrog[] = {1};
 static const double symplectic_euler_drift[] = {1};
 static const double symplectic_euler_kick[] = {1, 0};
@@ -23,8 +23,8 @@ static const double yoshida6[] = {
     -1.17767998417887100694641568, 0.23557321335935813368479318,
     0.78451361047755726381949763};
 
-/* Omelyan, Mryglod and Folk (2002). It begins and ends with a drift, so
-   that its first and last kick have the length 0, and ask for no forces. */
+/* Omelyan, Mryglod and Folk (2002). It begins and ends with a drift, so its
+   first and last kick have length 0 and need no forces. */
 #define XI 0.1786178958448091
 #define LAMBDA (-0.2123418310626054)
 #define CHI (-0.06626458266981849)
@@ -61,9 +61,10 @@ static const double gauss4_a[] = {0.25, 0.25 - ROOT, 0.25 + ROOT, 0.25};
 static const double gauss4_b[] = {0.5, 0.5};
 static const double midpoint_a[] = {0.5}, midpoint_b[] = {1};
 
-/* Dormand and Prince (1980): order 5, and 4 less the errors; dense weights
-   of Shampine's, as Hairer, Norsett and Wanner have them. A test checks the
-   seventeen conditions of order 5 and the eight of the dense weights. */
+/* Dormand and Prince (1980): weights of order 5, their differences from
+   order 4, and Shampine's dense weights, after Hairer, Norsett and Wanner.
+   A test checks the seventeen conditions of order 5 and the eight of the
+   dense weights. */
 static const double dopri5_a[] = {
     /* 1 */
     0, 0, 0, 0, 0, 0, 0,
@@ -78,7 +79,7 @@ static const double dopri5_a[] = {
     /* 6 */
     9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656,
     0, 0,
-    /* 7: where the step ends */
+    /* 7: the end of the step */
     35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84, 0};
 static const double dopri5_error[] = {
     71.0 / 57600,      0,          -71.0 / 16695, 71.0 / 1920,
@@ -89,19 +90,19 @@ static const double dopri5_dense[] = {
     701980252875.0 / 199316789632.0, -1453857185.0 / 822651844.0,
     69997945.0 / 29380423.0};
 
-/* The zeros of (8.18, eq:radau), found by Newton's method in fifty digits;
-   a test puts them back into it, in 113 bits. */
+/* The zeros of (8.18, eq:radau), computed by Newton's method with fifty
+   digits; a test verifies them with 113 bits. */
 static const double radau15_node[] = {
     0.056262560536922146465652191, 0.18024069173689236498757994,
     0.35262471711316963737390777,  0.54715362633055538300144856,
     0.73421017721541053152321061,  0.88532094683909576809035976,
     0.9775206135612875018911745};
-/* The weights of the seven forces, less that at the start, in the end of a
-   step: for each node head and tail of the one for v, and of the one for x.
-   Two doubles each, since a weight that is rounded once is wrong in the
-   same way in every step, and the energy shows it after 1e5 of them. They
-   belong to the nodes as they are rounded: with the force at the start they
-   integrate t^0 to t^7. */
+/* The weights, at the end of a step, of the differences of the seven forces
+   from that at the start: for each node head and tail of the weight for v,
+   then for x. They are two doubles each, since a weight rounded once has an
+   error common to all steps, which the energy shows after 1e5 steps. They
+   belong to the rounded nodes: with the force at the start they integrate
+   t^0 to t^7. */
 static const double radau15_weight[] = {
     0.092679077401489687,  -6.9250597277834874e-19,
     0.08746471519868225,   1.2569814901812666e-18,
@@ -118,10 +119,10 @@ static const double radau15_weight[] = {
     0.057254407372128585,  1.0940827035134911e-18,
     0.0012870439486375449, -1.824978039945946e-20};
 
-/* The counts of a method follow from the lengths of its lists, and these
-   macros compute them. A composition of leapfrogs evaluates the forces once
-   in each of them. The row of any other splitting gives the number of
-   evaluations itself (stages), since a kick of length 0 needs none. */
+/* Macros that compute the counts of a method from the lengths of its lists.
+   A composition of leapfrogs evaluates the forces once in each leapfrog.
+   Any other splitting gives the number of evaluations itself (stages),
+   since a kick of length 0 needs none. */
 #define LENGTH(list) (sizeof(list) / sizeof *(list))
 #define COMPOSED(m)                                                        \
     .family = STEPPING_SPLITTING, .drifts = LENGTH(m),                     \
@@ -142,8 +143,8 @@ static const double radau15_weight[] = {
     .family = STEPPING_RADAU, .stages = LENGTH(m##_node),                  \
     .node = m##_node, .weight = m##_weight, .adaptive = true
 
-/* The limits come from the matrix of a step, (8.5, eq:stability-limit), in
-   113 bits; tests measure all that a row says. */
+/* The table of methods. Limits are computed from the matrix of a step,
+   (8.5, eq:stability-limit), with 113 bits; tests measure all claims. */
 const struct stepping_method stepping_methods[STEPPING_MOST + 1] = {
     {"euler", "straight on, and outwards", EXPLICIT(euler), .order = 1,
      .limit = 0},

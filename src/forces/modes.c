@@ -1,6 +1,6 @@
 /* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 1510089146 of the lines below */
-/* Finds modes: turns the stiffness of all springs by Jacobi's rotations. */
+/* checksum 881489328 of the lines below */
+/* Finds modes: diagonalises the stiffness matrix by Jacobi's rotations. */
 #include "forces/modes.h"
 
 #include "forces/largest.h"
@@ -36,8 +36,8 @@ static bool make_room(struct modes *m, const struct springs *p)
     return true;
 }
 
-/* Finds the second derivatives of a spring's energy by its length vector,
-   (10.10, eq:spring-stiffness). */
+/* Computes the second derivatives of a spring's energy with respect to the
+   vector between its ends, (10.10, eq:spring-stiffness). */
 static void stiffness_of(const struct springs *p,
                          const struct scene_spring *s, const double x[],
                          double k[3][3])
@@ -48,7 +48,7 @@ static void stiffness_of(const struct springs *p,
         d[a] = x[a * p->bodies + s->b] - x[a * p->bodies + s->a];
         square += d[a] * d[a];
     }
-    const bool alike = s->rest == 0; /* the same in all directions */
+    const bool alike = s->rest == 0; /* equal in all directions */
     const double across =
         alike ? stiffness : stiffness * (1 - s->rest / sqrt(square));
     for (size_t a = 0; a < 3; ++a)
@@ -59,7 +59,7 @@ static void stiffness_of(const struct springs *p,
 }
 
 /* Adds one spring to the matrix; place[c] - 1 is the row of coordinate c,
-   place[c] is 0 for one that is not free. */
+   and place[c] is 0 for a fixed coordinate. */
 static void add_spring(const struct springs *p,
                        const struct scene_spring *s, const double x[],
                        const size_t place[], size_t size, double matrix[])
@@ -79,7 +79,7 @@ static void add_spring(const struct springs *p,
     }
 }
 
-/* Fills in the matrix, which is 0. Returns false if memory runs out. */
+/* Adds all springs to the matrix of zeros. Returns false without memory. */
 static bool assemble(const struct modes *m, const struct springs *p,
                      const double x[], double matrix[])
 {
@@ -94,8 +94,8 @@ static bool assemble(const struct modes *m, const struct springs *p,
     return true;
 }
 
-/* Turns rows i and j of an array by an angle of this sine and cosine;
-   element k of a row is `step` after element k - 1. */
+/* Rotates rows i and j of an array by an angle with this cosine and sine;
+   element k of a row lies `step` after element k - 1. */
 static void turn(double *row_i, double *row_j, size_t n, size_t step,
                  double c, double s)
 {
@@ -106,8 +106,8 @@ static void turn(double *row_i, double *row_j, size_t n, size_t step,
     }
 }
 
-/* Makes element (i, j) of the n x n matrix zero by a rotation, and keeps
-   account of it in shape. */
+/* Makes element (i, j) of the n x n matrix zero by a rotation, and applies
+   the rotation to shape. */
 static void rotate(double matrix[], double shape[], size_t n, size_t i,
                    size_t j)
 {
@@ -121,7 +121,7 @@ static void rotate(double matrix[], double shape[], size_t n, size_t i,
     turn(shape + i * n, shape + j * n, n, 1, c, s);
 }
 
-/* Sweeps over all pairs of rows until nothing is left to be turned. */
+/* Rotates all pairs of rows repeatedly until the matrix is diagonal. */
 static void diagonalize(double matrix[], double shape[], size_t n)
 {
     const double small = 1e-16 * largest(matrix, n * n);
@@ -136,7 +136,7 @@ static void diagonalize(double matrix[], double shape[], size_t n)
     }
 }
 
-/* Puts the modes in order of their squares. */
+/* Sorts the modes by the squares of their frequencies. */
 static void put_in_order(struct modes *m)
 {
     const size_t n = m->size;

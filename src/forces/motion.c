@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Subtracts the friction, the one term of (11.14, eq:motion) that has no
+/* Subtracts the friction, the only term of (11.14, eq:motion) without a
    module of its own. */
 static void add_friction(const struct scene *s, const double v[],
                          double a[])
@@ -19,9 +19,9 @@ static void add_friction(const struct scene *s, const double v[],
             a[k * n + i] -= s->damping / s->mass[i] * v[k * n + i];
 }
 
-/* Writes the accelerations of all bodies into a, (11.14, eq:motion). The
-   weight comes first, because it can write instead of add; what is held is
-   set to zero at the end, whatever pulled at it. */
+/* Writes the accelerations of all bodies into a, (11.14, eq:motion).
+   Uniform gravity comes first, because it can write instead of add; the
+   accelerations of fixed coordinates are set to zero at the end. */
 static void accelerate(void *what, const double x[], const double v[],
                        double a[])
 {
@@ -42,19 +42,19 @@ static void accelerate(void *what, const double x[], const double v[],
         a[m->held[j]] = 0;
 }
 
-/* The stepping_sweep of a motion for which are_two is true. */
+/* A stepping_sweep for a motion for which are_two is true. */
 static void sweep_two(void *what, const double x[], const double v[],
                       double a[], const struct stepping_ahead *ahead,
                       uint64_t steps)
 {
     const struct motion *m = what;
-    (void)x, (void)v, (void)ahead; /* nothing has to be made ready */
+    (void)x, (void)v, (void)ahead; /* twobody_sweep moves bodies itself */
     twobody_sweep(&m->gravity, &m->stepping, m->scene->gravity, m->held,
                   m->fixed, a, steps);
 }
 
-/* Are there two bodies that only their own attraction and a weight move,
-   and of which not all is held? They have a loop of their own. */
+/* Returns whether the scene has two bodies, not both fixed, on which only
+   their mutual and uniform gravity act. They have a loop of their own. */
 static bool are_two(const struct motion *m, bool damped)
 {
     return m->scene->bodies == 2 && m->fixed < 6 && m->attracts &&
@@ -62,9 +62,9 @@ static bool are_two(const struct motion *m, bool damped)
            !damped;
 }
 
-/* Makes the parts that the scene asks for and no others: without a line k2
-   there is no gravity to compute, without contact no collision to look for.
-   Returns false if memory runs out; motion_end frees what was made. */
+/* Makes the modules that the scene needs: without a line k2 there is no
+   gravity to compute, without contact no collision to find. Returns false
+   if memory runs out; motion_end frees them. */
 static bool make_parts(struct motion *m)
 {
     const struct scene *s = m->scene;
@@ -81,8 +81,9 @@ static bool make_parts(struct motion *m)
            (m->collides || m->is_soft) == s->contact;
 }
 
-/* Lists the held coordinates. What is held does not move, whatever its line
-   vel may say: without an acceleration it would carry on for ever. */
+/* Lists the fixed coordinates and sets their velocities to 0, whatever the
+   line vel says: without an acceleration they would move uniformly. Returns
+   false if memory runs out. */
 static bool hold_coordinates(struct motion *m)
 {
     struct scene *s = m->scene;
@@ -95,15 +96,14 @@ static bool hold_coordinates(struct motion *m)
     return m->held != NULL;
 }
 
-/* Returns the acceleration that an earlier run has left in the scene (lines
-   kept), if the method can go on with it, or NULL. It is of use to leapfrog
-   under friction alone: all else looks at places and velocities as they
-   are. And it belongs to the step of the run before, the scene's line dt:
-   the velocity at which it was computed had been foreseen over that step.
-   With another step we begin afresh. What is kept would not be very wrong
-   then, and that is the trouble: whoever halves the step again and again
-   from a saved scene would see the error halved each time, where the
-   method's own is divided by four. */
+/* Returns the acceleration that an earlier run saved in the scene (lines
+   kept), if the method can use it, or NULL. Only leapfrog under friction
+   uses it; all other methods need only places and velocities. It belongs to
+   the step of the earlier run, the scene's line dt: it was computed for the
+   velocity predicted over that step. With another step the run begins
+   afresh. Using the saved one then would add a small error proportional to
+   the step, so that repeatedly halving the step from a saved scene would
+   halve the error each time, instead of dividing it by four. */
 static const double *find_kept(const struct motion *m)
 {
     const bool same_step = m->stepping.dt == m->scene->dt;
@@ -111,8 +111,8 @@ static const double *find_kept(const struct motion *m)
                                                      : NULL;
 }
 
-/* Prepares jacobi.c if the method drifts along ellipses. Returns false if
-   that fails. */
+/* Prepares the module jacobi if the method drifts along ellipses. Returns
+   false if that fails. */
 static bool begin_orbits(struct motion *m,
                          const struct stepping_method *method)
 {
@@ -122,7 +122,7 @@ static bool begin_orbits(struct motion *m,
     return m->orbits == method->orbits;
 }
 
-/* Returns whether anything changes a velocity between contacts. */
+/* Returns whether velocities can change between contacts. */
 static bool accelerates(const struct motion *m)
 {
     const double *const g = m->scene->gravity;
@@ -130,9 +130,9 @@ static bool accelerates(const struct motion *m)
            g[0] != 0 || g[1] != 0 || g[2] != 0;
 }
 
-/* Sets the step of the contacts that are resolved after steps: they go back
-   in time by no more than dt, and look only as far as bodies can move in dt
-   for pairs that a step has carried through each other. */
+/* Sets the step of contacts that are resolved after steps: they go back in
+   time by at most dt, and search for pairs that a step has moved through
+   each other only as far as bodies can move in dt. */
 static void set_dt_of_contacts(struct motion *m, double dt)
 {
     m->spheres.dt = dt;
@@ -140,11 +140,12 @@ static void set_dt_of_contacts(struct motion *m, double dt)
         m->soft.near->dt = dt;
 }
 
-/* Where springs are all there is, their module does weight and friction in
-   the same sweep through the bodies. Sums are compensated if an earlier run
-   has left what they still owe (lines carry), and in methods of order six
-   and more, whose own error is less than rounding; the caller may say
-   otherwise before the first step. */
+/* Begins stepping; returns false if memory runs out. If only springs act,
+   their module also computes uniform gravity and friction, in one sweep
+   over the bodies. Sums are compensated if an earlier run saved their
+   rounding errors (lines carry), and for methods of order six and more,
+   whose own error is less than rounding; the caller may change it before
+   the first step. */
 static bool begin_stepping(struct motion *m,
                            const struct stepping_method *method, double dt)
 {
@@ -185,10 +186,9 @@ static bool is_massless(const struct scene *s, size_t i)
 }
 
 /* Returns a free body without mass on which a force acts, or the number of
-   bodies. It may fall, since gravity asks for the masses of the others
-   only; but a spring cannot pull it nor friction slow it down: its
-   acceleration would be infinite. Friction and contacts act on all bodies,
-   a spring on two. */
+   bodies. Such a body may fall, since gravity does not depend on its mass;
+   but a spring or friction would accelerate it infinitely. Friction and
+   contacts act on all bodies, a spring on two. */
 static size_t find_massless(const struct scene *s)
 {
     const bool all = s->damping > 0 || s->contact;
@@ -204,9 +204,9 @@ static size_t find_massless(const struct scene *s)
     return s->bodies;
 }
 
-/* Returns a body that is thicker than the box along an axis where it may
-   move, or the number of bodies. Two opposite walls would push it at once,
-   for ever. */
+/* Returns a body that is wider than the box along an axis along which it
+   may move, or the number of bodies. Two opposite walls would push it at
+   once, for ever. */
 static size_t find_thick(const struct scene *s)
 {
     for (size_t c = 0; s->contact && c < SCENE_AXES * s->bodies; ++c) {
@@ -219,8 +219,8 @@ static size_t find_thick(const struct scene *s)
     return s->bodies;
 }
 
-/* Returns whether the bodies differ in their places along axis k, or one of
-   them may move along it. */
+/* Returns whether the bodies have different coordinates along axis k, or
+   one of them may move along it. */
 static bool is_used(const struct scene *s, size_t k)
 {
     const double *x = s->position + k * s->bodies;
@@ -241,11 +241,11 @@ static bool is_sprung(const struct scene *s, size_t i)
     return false;
 }
 
-/* Returns the first of several points on a line that they cannot leave, if
-   one of them moves; otherwise the number of bodies. Such points would
-   collide, which steps cannot detect. But points joined by springs are
-   usually meant to pass through each other; so the number of bodies is
-   returned, too, if every point is on a spring. */
+/* Returns the first of several points confined to one line, if one of them
+   moves; otherwise the number of bodies. Such points would collide, which
+   steps cannot detect. Points joined by springs are usually meant to pass
+   through each other; so the number of bodies is also returned if every
+   point is on a spring. */
 static size_t find_point(const struct scene *s)
 {
     size_t axis = SCENE_AXES, axes = 0, points = 0, free = 0, loose = 0;
@@ -288,7 +288,7 @@ static bool complain(const char *program, const char *what)
     return false;
 }
 
-/* Returns whether the scene can be stepped; if not, says why. */
+/* Returns whether the scene can be stepped; if not, prints the reason. */
 static bool check_scene(const char *program, const struct scene *s)
 {
     char message[200];
@@ -332,10 +332,8 @@ const struct spheres *motion_contacts(const struct motion *m)
                                       : NULL;
 }
 
-/* Sets up the motion of a scene that can be stepped. It asks in the order
-   in which the answers are needed; only the last failure has anything to
-   free.
- */
+/* Sets up the motion of a scene that can be stepped; returns false after
+   printing an error. Only the last failure has anything to free. */
 static bool begin(struct motion *m, const char *program, struct scene *s,
                   const char *method, double dt)
 {
@@ -393,10 +391,9 @@ void motion_end(struct motion *m)
     *m = (struct motion){0};
 }
 
-/* Returns whether the method may take several steps of its own for one of
-   ours. Then no straight line leads back from the end of a step to its
-   beginning, and spheres_watch cannot look for pairs that have passed
-   through each other. */
+/* Returns whether the method may take several steps of its own in one dt.
+   Then the motion back to the beginning of dt is not straight, and
+   spheres_watch cannot find pairs that have passed through each other. */
 static bool is_split(const struct motion *m)
 {
     return m->stepping.own || m->outside;
@@ -420,8 +417,8 @@ bool motion_locate(struct motion *m)
     return m->located;
 }
 
-/* After a contact velocities have jumped behind the method's back, and what
-   it remembers of the last acceleration is worth nothing. */
+/* After a contact the velocities have changed outside the method, and its
+   stored acceleration is no longer valid. */
 enum stepping_end motion_run(struct motion *m, uint64_t steps)
 {
     enum stepping_end end = STEPPING_DONE;
@@ -454,10 +451,10 @@ void motion_resume(struct motion *m, double start, uint64_t steps)
     stepping_resume(&m->stepping, steps, NULL, find_kept(m));
 }
 
-/* Begins the method anew with the shorter step and the same compensated
-   sums, since the acceleration that leapfrog keeps belongs to steps of one
-   length (see find_kept). A method that chooses its own steps (adaptive.c)
-   only has to stop earlier. */
+/* Begins the method anew with the shorter step, keeping the compensated
+   sums, since the acceleration that leapfrog stores belongs to steps of one
+   length (see find_kept). An adaptive method (adaptive.c) only gets closer
+   output times. */
 bool motion_shorten(struct motion *m, double dt)
 {
     struct stepping old = m->stepping, *s = &m->stepping;
@@ -483,8 +480,8 @@ bool motion_shorten(struct motion *m, double dt)
     return true;
 }
 
-/* Replaces *to by a copy of n numbers, or by NULL if there are none to
-   copy. Returns false without memory. */
+/* Replaces *to by a copy of n numbers, or by NULL if from is NULL. Returns
+   false if memory runs out. */
 static bool note(double **to, const double from[], size_t n)
 {
     free(*to);
@@ -494,15 +491,14 @@ static bool note(double **to, const double from[], size_t n)
     return !*to == !from;
 }
 
-/* What compensated sums owe to each coordinate is less than its last digit,
-   but a copy that forgets it is another run after a thousand steps; what
-   leapfrog keeps of the last acceleration is more than a last digit. After
-   a contact the acceleration is no longer fresh, and nothing is kept: then
-   a run in one piece asks for a new one, too.
-   One number of a run that is saved and resumed may differ in its last
-   digit from that of a run in one piece: the time in the first column is
-   t0 + n dt, and t0 is now the time of the saved scene. Nothing that moves
-   depends on it; a checkpoint knows t0 and n, and has the same times. */
+/* Saves also the rounding errors of compensated sums: each is less than a
+   last digit, but a run resumed without them differs after a thousand
+   steps; and the acceleration that leapfrog stores. After a contact that is
+   no longer valid, and is not saved: an uninterrupted run also computes a
+   new one. A time in the first column of a resumed run may differ in its
+   last digit from that of an uninterrupted run: it is t0 + n dt, and t0 is
+   now the time of the saved scene. No motion depends on it; a checkpoint
+   stores t0 and n, and gives equal times. */
 bool motion_note(struct motion *m)
 {
     struct scene *s = m->scene;
@@ -528,8 +524,7 @@ static double weigh(const struct scene *s)
     return sum;
 }
 
-/* Sums body by body in the order of their numbers, so that the last bit is
-   the same everywhere. */
+/* Sums body by body in the order of their numbers, for fixed last bits. */
 double motion_kinetic(const struct motion *m)
 {
     const struct scene *s = m->scene;

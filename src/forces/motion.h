@@ -1,4 +1,4 @@
-/* A scene set in motion by all that acts in it, as one acceleration. */
+/* A scene in motion, with the accelerations of all its forces. */
 #ifndef MOTION_H
 #define MOTION_H
 
@@ -15,35 +15,35 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* A scene set in motion: all that acts in it, as one acceleration. The
-   parts are open to the caller: who wants two threads for gravity or other
-   sums says so to the part, before the first step. */
+/* A scene in motion, with the accelerations of all its forces. A caller may
+   change settings of its modules, such as the number of threads for
+   gravity, before the first step. */
 struct motion {
-    struct scene *scene; /* position and velocity are stepped in place */
-    double dt;           /* s, of the steps that it begins with */
+    struct scene *scene; /* its positions and velocities are stepped */
+    double dt;           /* length of the first steps, s */
     struct stepping stepping;
     struct gravity gravity; /* if attracts */
     struct springs springs; /* if bound */
     struct spheres spheres; /* if collides */
-    struct jacobi jacobi;   /* if orbits: the method wants ellipses */
-    struct impact impact;   /* if located: finds the moments of contacts */
-    struct soft soft;       /* if is_soft: contacts are springs */
+    struct jacobi jacobi;   /* if orbits: for methods with ellipses */
+    struct impact impact;   /* if located: finds the times of contacts */
+    struct soft soft;       /* if is_soft: contacts as springs */
     bool attracts, bound, collides, orbits, located, is_soft;
-    uint64_t collisions; /* of pairs and with walls, so far */
-    size_t *held, fixed; /* coordinates that stay: how many */
-    /* NULL, or what steps in place of the method, from x, v to those dt
-       later; returns false if it cannot. For a stepper that is none of
-       ours, such as forces/reference.h. */
+    uint64_t collisions; /* between bodies and with walls, so far */
+    size_t *held, fixed; /* [fixed] the fixed coordinates */
+    /* NULL, or a function that replaces the method: it moves x and v by the
+       time dt, s, and returns false if it fails. For steppers outside
+       forces/stepping.h, such as forces/reference.h. */
     bool (*outside)(void *with, double dt, double x[], double v[]);
     void *with;
 };
 
-/* Where the energy is, J in the units of the scene. */
+/* The parts of the energy, J in the units of the scene. */
 struct motion_energy {
     double kinetic, gravity, springs, weight;
 };
 
-/* What makes it impossible to step a scene. */
+/* The reasons why a scene cannot be stepped; MOTION_WELL: it can. */
 enum motion_flaw {
     MOTION_WELL,
     MOTION_WALLS,
@@ -53,21 +53,22 @@ enum motion_flaw {
     MOTION_THICK
 };
 
-/* Prepares to step s, which has to outlive m; velocities along held
-   coordinates become zero. A dt of 0 is the scene's. Sums are compensated
-   from order six on. On failure says why on standard error, after program,
-   and returns false with nothing to free. */
+/* Prepares to step s, which must outlive m; velocities along fixed
+   coordinates become zero. A dt of 0 stands for the scene's. Sums are
+   compensated for orders from six on. On failure prints an error beginning
+   with program, and returns false with nothing to free. */
 bool motion_begin(struct motion *m, const char *program, struct scene *s,
                   const char *method, double dt);
 
 /* Prepares m, as motion_begin does, for a scene that an event-driven engine
-   moves: m then gives only its energy. Points may be on one line. */
+   moves: m then only gives its energy. Points may share a line. */
 bool motion_view(struct motion *m, const char *program, struct scene *s);
 void motion_end(struct motion *m);
 
-/* From here on contacts are found inside the steps, and not after them.
-   Before the first step, of a scene that has contacts, by a method of our
-   own and dt > 0. Returns false, with m as it was, if memory runs out. */
+/* Has contacts found inside the steps from now on, not after them. To be
+   called before the first step, for a scene with contacts, a method of
+   stepping_methods and dt > 0. Returns false, with m unchanged, without
+   memory. */
 bool motion_locate(struct motion *m);
 
 /* Takes `steps` steps. Contacts, if the scene has any, are resolved after
@@ -76,35 +77,36 @@ bool motion_locate(struct motion *m);
 enum stepping_end motion_run(struct motion *m, uint64_t steps);
 double motion_time(const struct motion *m); /* s */
 
-/* From here on a step is dt long, s, and the steps are counted from 0.
-   Returns false, with m as it was, if memory runs out. */
+/* Sets the length of further steps to dt, s, and their count to 0. Returns
+   false, with m unchanged, if memory runs out. */
 bool motion_shorten(struct motion *m, double dt);
 
-/* Takes m, before its first step, for a run that began at the time start,
+/* Sets m, before its first step, to the time of a run that began at start,
    s, and has taken `steps` steps. */
 void motion_resume(struct motion *m, double start, uint64_t steps);
 
-/* Puts time, step (that of the beginning), rounding errors and the
-   acceleration that the method has kept into the scene: what scene_write
-   then writes goes on, by the same method, to the same bits. Returns false
-   if memory runs out. */
+/* Stores time, initial step, rounding errors and the acceleration kept by
+   the method in the scene: a file written by scene_write can then be
+   continued, by this method, with equal bits. Returns false without
+   memory. */
 bool motion_note(struct motion *m);
 
-/* The energy now. Held coordinates have no weight. */
+/* Return the present energy, J: all parts, kinetic, and potential. Fixed
+   coordinates do not contribute to `weight`. */
 struct motion_energy motion_energy(const struct motion *m);
 double motion_kinetic(const struct motion *m);
 double motion_potential(const struct motion *m);
 
-/* Says whether s can be stepped: MOTION_WALLS if it has walls but no
-   contact, MOTION_RESTITUTION if it has a restitution but contacts that are
-   springs, which have their own. For the others a number goes to body,
-   which may be NULL: MOTION_MASSLESS if a force acts on a body without
-   mass; MOTION_POINTS if a body without a radius shares a line with another
-   one, which steps let pass, since a distance never goes below 0;
-   MOTION_THICK if a body is thicker than the box. */
+/* Returns whether s can be stepped: MOTION_WALLS if it has walls but no
+   contact; MOTION_RESTITUTION if it has a restitution but contacts as
+   springs, which determine their own. The others set *body, unless body is
+   NULL: MOTION_MASSLESS if a force acts on a body without mass;
+   MOTION_POINTS if a body without a radius shares a line with another,
+   whose collisions steps cannot detect; MOTION_THICK if a body is wider
+   than the box. */
 enum motion_flaw motion_flaw(const struct scene *s, size_t *body);
 
-/* The contacts that are looked for after steps, or NULL. */
+/* Returns the contacts that are resolved after steps, or NULL. */
 const struct spheres *motion_contacts(const struct motion *m);
 
 #endif

@@ -10,13 +10,12 @@
 #include <string.h>
 
 enum {
-    DENSE = 1024, /* unknowns up to which Newton's method is tried */
+    DENSE = 1024, /* most unknowns for Newton's method */
     MOST_CORRECTIONS = 50
 };
 
-/* Allocates the matrix when it is needed for the first time: for most runs
-   it never is. Returns false if memory runs out or there are too many
-   unknowns. */
+/* Allocates the matrix at its first use: most runs need none. Returns false
+   if memory runs out or there are too many unknowns. */
 static bool prepare(struct stepping *s)
 {
     struct stepping_work *const w = s->part;
@@ -32,9 +31,9 @@ static bool prepare(struct stepping *s)
     return w->matrix && w->pivot;
 }
 
-/* Brings the row with the largest number of column k, at or below row k, to
-   row k, so that elimination never divides by what is needlessly small;
-   returns where it was. */
+/* Exchanges row k with the row below it (or itself) that has the largest
+   number in column k, so that elimination never divides by a needlessly
+   small number; returns that row. */
 static size_t fetch_pivot(double m[], size_t n, size_t k)
 {
     size_t best = k;
@@ -49,8 +48,8 @@ static size_t fetch_pivot(double m[], size_t n, size_t k)
     return best;
 }
 
-/* Replaces m, n by n, by its factors L and U; row[k] is where the k-th
-   pivot was. Returns false if m is singular. */
+/* Replaces m, n by n, by its factors L and U; row[k] is the row of the k-th
+   pivot before the exchange. Returns false if m is singular. */
 static bool factor(double m[], size_t n, size_t row[])
 {
     for (size_t k = 0; k < n; ++k) {
@@ -85,9 +84,9 @@ static void substitute(const double m[], size_t n, const size_t row[],
     }
 }
 
-/* Adds to the matrix how the acceleration at stage i changes with
-   coordinate k there, which has been displaced by d; by[i][j] is the weight
-   that acceleration j has in that coordinate. */
+/* Adds to the matrix the derivatives of the acceleration at stage i with
+   respect to coordinate k there, which has been displaced by d; by[i][j] is
+   the weight of acceleration j in that coordinate. */
 static void add_slope(struct stepping *s, size_t i, size_t k,
                       const double by[], double d)
 {
@@ -104,7 +103,7 @@ static void add_slope(struct stepping *s, size_t i, size_t k,
 }
 
 /* Fills in the columns of coordinate k at stage i: displaces it by dx, and
-   its velocity too if the forces depend on it. */
+   its velocity, too, if the forces depend on velocities. */
 static void displace(struct stepping *s, size_t i, size_t k, double dx)
 {
     const struct stepping_work *const w = s->part;
@@ -119,11 +118,11 @@ static void displace(struct stepping *s, size_t i, size_t k, double dx)
     }
 }
 
-/* Finds the matrix of Newton's method, (8.12, eq:newton), at the stages as
-   they are, and factors it. The displacements are 2^-26 of the size of the
-   system, about the root of the rounding error: half of the digits go to
-   the difference and half to the slope, which need not be better, since the
-   matrix is only the way to the solution. */
+/* Computes the matrix of Newton's method, (8.12, eq:newton), at the present
+   stages, and factors it. The displacements are 2^-26 of the size of the
+   system, about the root of the rounding error, so that the derivatives
+   have half of the digits. That is enough, since the matrix affects only
+   the speed of convergence. */
 static bool linearize(struct stepping *s)
 {
     struct stepping_work *const w = s->part;
@@ -142,8 +141,8 @@ static bool linearize(struct stepping *s)
     return factor(w->matrix, all, w->pivot);
 }
 
-/* Makes one correction of all accelerations; returns the largest part of
-   it. */
+/* Makes one correction of all accelerations; returns its largest
+   component. */
 static double correct(struct stepping *s)
 {
     struct stepping_work *const w = s->part;
@@ -156,12 +155,12 @@ static double correct(struct stepping *s)
     return largest(w->guess, all);
 }
 
-/* One matrix serves as long as each correction is ten times smaller than
-   the one before. Corrections that no longer become smaller are rounding.
-   Where forces cancel, as near a place of rest, the stages are no measure
-   of it: an error of eps |x| in the places changes the solution by up to J
-   eps |x|/(1 + J dt^2/12), J being the stiffness per mass; that is less
-   than 12 eps |x|/dt^2. */
+/* Uses one matrix as long as each correction is ten times smaller than the
+   one before. Corrections that no longer decrease are rounding errors.
+   Where forces cancel, as near an equilibrium, the accelerations are no
+   measure of these errors: an error of eps |x| in the places changes the
+   solution by up to J eps |x|/(1 + J dt^2/12), with J the stiffness per
+   mass; that is less than 12 eps |x|/dt^2. */
 bool newton_solve(struct stepping *s)
 {
     double last = INFINITY, change = INFINITY;

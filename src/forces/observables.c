@@ -74,8 +74,8 @@ static void centre(const struct motion *m, const size_t body[],
         out[k] /= mass;
 }
 
-/* Computes the angular momentum. Component k of x times v takes the two
-   axes that follow k in the cyclic order x, y, z, x. */
+/* Computes the angular momentum. Component k of x times v uses the two axes
+   that follow k in the cyclic order x, y, z, x. */
 static void angular_momentum(const struct motion *m, const size_t body[],
                              double out[])
 {
@@ -92,8 +92,8 @@ static void angular_momentum(const struct motion *m, const size_t body[],
     }
 }
 
-/* Says whether nothing in the scene can change the momentum along axis k:
-   no wall, no weight, no friction, and no body that is held. */
+/* Returns whether nothing in the scene can change the momentum along axis
+   k: no wall, no gravity, no friction, and no fixed body. */
 static bool keeps_momentum(const struct scene *s, size_t k)
 {
     bool free =
@@ -103,9 +103,9 @@ static bool keeps_momentum(const struct scene *s, size_t k)
     return free;
 }
 
-/* The kinetic energy along axis k, where the momentum is kept that of the
-   motion relative to the centre of mass. Velocities are seen from one body,
-   so that nothing is left where all fly alike. */
+/* Returns the kinetic energy along axis k; if the momentum is conserved,
+   relative to the centre of mass. Velocities are taken relative to one
+   body, for an exact 0 if all are equal. */
 static double heat_along(const struct scene *s, size_t k)
 {
     const double *v = s->velocity + k * s->bodies;
@@ -121,14 +121,13 @@ static double heat_along(const struct scene *s, size_t k)
     return energy;
 }
 
-/* kT, from equipartition: each free coordinate has the kinetic energy kT/2
-   on average, in a bed of springs as well. A drift is no heat: what counts
-   is the motion relative to it, along the axes where the momentum is kept.
-   The energy is divided by all free coordinates, so that a scene without a
-   drift has the number that it always had; a gas in a periodic box, of N
-   bodies, has N - 1 velocities relative to the drift along each axis, and
-   its kT is larger by N/(N - 1). A drift whose energy does not reach the
-   last bit of the sum is rounding. */
+/* Computes kT from equipartition: each free coordinate has the mean kinetic
+   energy kT/2, also with springs. Along axes with conserved momentum only
+   the motion relative to the drift counts. The energy is divided by all
+   free coordinates, so that a scene without a drift keeps its kT; in a gas
+   of N bodies in a periodic box, with only N - 1 relative velocities along
+   each axis, kT should be larger by N/(N - 1). A drift whose energy is less
+   than the last bit of the sum is a rounding error. */
 static void temperature(const struct motion *m, const size_t body[],
                         double out[])
 {
@@ -205,11 +204,11 @@ static void distance(const struct motion *m, const size_t body[],
     out[0] = sqrt(sum);
 }
 
-/* A kind of observable is data, as a method is: to add one is to add a row
-   to kinds, and a function that computes its columns. */
+/* A kind of observable. To add one, add a row to kinds, and a function that
+   computes its columns. */
 struct observables_kind {
     const char *name;
-    size_t bodies, width; /* numbers of bodies in its arguments, of its
+    size_t bodies, width; /* numbers of bodies in its arguments, and of
                              columns */
     const char *symbol[4], *unit, *meaning;
     void (*values)(const struct motion *m, const size_t body[],
@@ -274,7 +273,7 @@ static const struct observables_kind *find_kind(const char *name, size_t n)
     return NULL;
 }
 
-/* Reads :NUMBER; returns where it ends, or NULL: no such body. */
+/* Reads :NUMBER; returns its end, or NULL if there is no such body. */
 static const char *read_body(const char *text, size_t bodies, size_t *body)
 {
     char *end;
@@ -285,9 +284,8 @@ static const char *read_body(const char *text, size_t bodies, size_t *body)
     return number < bodies ? end : NULL;
 }
 
-/* Reads a name and its bodies, up to the comma or the end of the text;
-   returns that place, or NULL with a message that says what the kind would
-   have needed. */
+/* Reads a name and its bodies, up to the comma or the end of the text.
+   Returns that position, or NULL with a message about the expected form. */
 static const char *read_one(struct observable *o, const char *text,
                             size_t bodies,
                             char message[OBSERVABLES_MESSAGE])
@@ -334,8 +332,8 @@ bool observables_read(struct observables *o, const char *text,
     }
 }
 
-/* Writes the symbol of column k with the bodies that it was asked of, as in
-   z:30; make inspect writes it on the axes. */
+/* Writes the symbol of column k with the numbers of its bodies, as in z:30;
+   plots by make inspect use it to label axes. */
 static void symbol_of(const struct observable *o, size_t k, char *symbol,
                       size_t size)
 {

@@ -1,4 +1,4 @@
-/* What one may look at in a motion, by name: energies, places, speeds. */
+/* Observables of a motion, by name: energies, places, speeds. */
 #ifndef OBSERVABLES_H
 #define OBSERVABLES_H
 
@@ -7,25 +7,25 @@
 
 enum { OBSERVABLES_MOST = 64, OBSERVABLES_MESSAGE = 160 };
 
-/* What is looked at: a kind, and the bodies it is asked of. */
+/* An observable: its kind, and the numbers of its bodies. */
 struct observable {
     const struct observables_kind *kind;
     size_t body[2];
 };
 
-/* A list of them, and how many columns they have in all. */
+/* A list of observables, and their total number of columns. */
 struct observables {
     struct observable list[OBSERVABLES_MOST];
     size_t count, columns;
 };
 
-/* Reads names with commas between them, as in "energy,z:30". On failure
-   returns false and says why in message. */
+/* Reads names separated by commas, as in "energy,z:30". On failure returns
+   false and writes an error into message. */
 bool observables_read(struct observables *o, const char *text,
                       size_t bodies, char message[OBSERVABLES_MESSAGE]);
 
-/* Its columns, their unit, and the axis along which it is a coordinate of a
-   body, from 0 on; 3: it is none. */
+/* An observable's number of columns, their unit, and the axis (0 to 2) if
+   it is a coordinate of a body; 3: it is not. */
 struct observables_sort {
     size_t width, axis;
     const char *unit;
@@ -35,21 +35,20 @@ struct observables_sort observables_sort(const struct observable *o);
 /* Adds a line to the head of a table for each column. */
 void observables_head(const struct observables *o, struct table *t);
 
-/* Writes the numbers now, o->columns of them. Units are those of the
-   scene: length, time, mass. */
+/* Writes the present values, o->columns of them, in the scene's units of
+   length, time and mass. */
 void observables_values(const struct observables *o, const struct motion *m,
                         double values[]);
 
-/* Adds the lines, or writes the numbers, for the states of n bodies, six
-   columns for each. States have no name among the observables: a table
-   without observables has those of all bodies. */
+/* Add the lines, or write the numbers, for the states of n bodies, six
+   columns for each. A table without observables has all bodies' states. */
 void observables_head_states(struct table *t, size_t n,
                              const size_t body[]);
 void observables_states(const struct motion *m, size_t n,
                         const size_t body[], double values[]);
 
-/* Returns the name of kind k, NULL if there are fewer kinds. Sets *bodies
-   to the number of bodies in its arguments. */
+/* Returns the name of kind k, or NULL if there are fewer kinds. Sets
+ *bodies to the number of bodies in its arguments. */
 const char *observables_name(size_t k, size_t *bodies);
 
 #endif

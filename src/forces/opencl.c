@@ -8,18 +8,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The library is looked for only when a run asks for it, so that the kit is
-   built the same way everywhere and needs none of OpenCL's headers; and
-   nothing falls back silently: a device that is asked for is used, or the
-   reason is given. Without a graphics card, with pocl 3.1 on the processor
-   itself and 3073 bodies, it makes, in 1e9 ordered pairs a second of
-   processor time: the portable kernel 0.71, opencl 0.69, opencl-float 2.2,
-   with accelerations that are wrong by 6e-7, root mean square. The sharing
-   that is meant for cards (OPENCL_TILES) makes 0.34 and 0.30 there, and so
-   there are two ways. No card was at hand when this was written. */
+/* The library is loaded only when a run requests it, so that the kit is
+   built in one way everywhere and without OpenCL's headers. There is no
+   silent fallback: a requested device is used, or an error says why not.
+   Without a graphics card, with pocl 3.1 on the processor and 3073 bodies,
+   it computes, in 1e9 ordered pairs a second of processor time: the
+   portable kernel 0.71, opencl 0.69, opencl-float 2.2, whose accelerations
+   have a root mean square error of 6e-7. The sharing meant for cards
+   (OPENCL_TILES) reaches only 0.34 and 0.30 there, hence the two ways. It
+   has not been run on a card. */
 
-/* The part of OpenCL's own header that is used here, after the standard of
-   OpenCL 1.2. Its objects are pointers of which we know nothing. */
+/* The part of OpenCL's header that is used here, after the standard of
+   OpenCL 1.2. Its objects are opaque pointers. */
 typedef int32_t answer;
 enum {
     CL_DEVICE_TYPE = 0x1000,
@@ -33,8 +33,8 @@ enum {
     CL_NO_DRIVER = -1001
 };
 
-/* The functions that are used: the list becomes a struct of pointers, and
-   below the loop that looks them up in the library. */
+/* The functions that are used: the list is expanded into a struct of
+   pointers, and below into the loop that looks them up in the library. */
 #define CALLS(CALL)                                                        \
     CALL(answer, GetPlatformIDs, (uint32_t, void **, uint32_t *))          \
     CALL(answer, GetDeviceIDs,                                             \
@@ -79,29 +79,28 @@ struct opencl {
     struct calls cl;
     void *library, *id, *context, *queue, *program, *kernel;
     void *x, *mass, *a; /* on the device */
-    void *host;         /* [3 * padded] doubles or floats, to be copied */
+    void *host;         /* [3 * padded] doubles or floats to transfer */
     size_t bodies, padded, width, size;
-    uint32_t *order; /* [bodies] the body at each place of the device */
+    uint32_t *order; /* [bodies] the caller's number of each body */
     double k2;
     bool single;
     char name[120], failure[OPENCL_MESSAGE];
 };
 
-/* The program for the device, in OpenCL's C. LINES makes text of code. The
-   width is eight doubles or sixteen floats for a processor, 1 for a card.
-   The operations are those of pull_by (pull.h) in the same order, and
-   contraction is off, so that double precision has the bits of the portable
-   kernel. */
+/* The program for the device, in OpenCL's C; LINES turns code into text.
+   The width is eight doubles or sixteen floats for a processor, 1 for a
+   card. The operations are those of pull_by (pull.h) in the same order,
+   without contraction: double precision has the portable kernel's bits. */
 #define LINES(...) #__VA_ARGS__
 static const char *const source[] = {
     "#pragma OPENCL FP_CONTRACT OFF\n"
     "#if DOUBLE\n"
     "#pragma OPENCL EXTENSION cl_khr_fp64 : enable\n"
     "#endif\n",
-    /* What bodies have got so far, and what rounding took from it. Only in
-       single precision is that kept: a sum of thousands of pulls would lose
-       its last digits to the larger ones, (sec:gravity-single), while
-       double precision has to have the bits of the portable kernel. */
+    /* The accelerations so far, and their rounding errors, used in single
+       precision only: a sum of thousands of pulls would lose its last
+       digits to the larger ones, (sec:gravity-single), while double
+       precision must have the bits of the portable kernel. */
     LINES(struct sums { wide a, b, c, lost_a, lost_b, lost_c; };),
     LINES(void add(wide *sum, wide *lost, wide term) {
         if (DOUBLE)
@@ -126,10 +125,9 @@ static const char *const source[] = {
         add(&o->c, &o->lost_c, w * dz);
     }),
 
-    /* OPENCL_BLOCKS: an item of work is a block of bodies, one in each
-       lane, and the others pull one by one, in their order. A body that
-       meets itself has 1 in the place of the softening, and differences of
-       0. */
+    /* OPENCL_BLOCKS: each work item is a block of bodies, one in each lane,
+       attracted by the others one by one, in order. For a body and itself 1
+       replaces the softening, and the differences are 0. */
     "\n#if WIDTH > 1\n",
     LINES(kernel void sum(global const real *x, global const real *mass,
                           global real *a, uint n, uint padded, real least) {
@@ -150,9 +148,9 @@ static const char *const source[] = {
         STORE(o.c, 0, a + 2 * padded + i);
     }),
 
-    /* OPENCL_TILES: an item is one body, and TILE of them share what they
-       read: each fetches one source, all wait, and the sources pull at
-       all. */
+    /* OPENCL_TILES: each work item is one body, and TILE items share what
+       they read: each loads one source, and after a barrier all use
+       them. */
     "\n#else\n",
     LINES(kernel void sum(global const real *x, global const real *mass,
                           global real *a, uint n, uint padded, real least) {
@@ -202,8 +200,8 @@ static bool find_library(struct opencl *d, char *message)
     return true;
 }
 
-/* Returns whether the device has the precision that is asked for, which not
-   all cards have; finds its type and its name. */
+/* Returns whether the device has the requested precision, which not all
+   cards have; sets its type and its name. */
 static bool suits(const struct opencl *d, void *id, uint64_t *kind,
                   char *name, size_t size)
 {
@@ -219,8 +217,8 @@ static bool suits(const struct opencl *d, void *id, uint64_t *kind,
 
 enum { PLATFORMS = 8, DEVICES = 16 };
 
-/* Takes the first graphics card of a platform that suits, or the first
-   device that does; returns how many devices there are. */
+/* Chooses the first suitable graphics card of a platform, or else the first
+   suitable device; returns the number of devices. */
 static uint32_t look_at(struct opencl *d, void *platform, uint64_t *kind)
 {
     void *id[DEVICES];
@@ -262,8 +260,8 @@ static bool find_device(struct opencl *d, uint64_t *kind, char *message)
     return d->id;
 }
 
-/* Writes the compiler's options: the width and the type of the numbers.
-   Returns false if they are too long. */
+/* Writes the compiler's options: width and type of the numbers. Returns
+   false if they are too long. */
 static bool write_flags(const struct opencl *d, char *text, size_t size)
 {
     const char *type = d->single ? "float" : "double";
@@ -314,9 +312,9 @@ static bool build(struct opencl *d, char *message)
     return d->kernel;
 }
 
-/* Finds the order in which the device adds. In single precision the
-   heaviest body comes last: added first, a planet leaves the pulls of light
-   bodies below its last place, (9.17, eq:unseen). */
+/* Sets the order in which the device adds. In single precision the heaviest
+   body comes last: added first, a planet's pull would hide those of light
+   bodies below its last digit, (9.17, eq:unseen). */
 static void put_in_order(struct opencl *d, const double mass[])
 {
     const size_t n = d->bodies;
@@ -332,7 +330,7 @@ static void put_in_order(struct opencl *d, const double mass[])
     d->order[n - 1] = (uint32_t)last;
 }
 
-/* Writes a number of each body into the host's copy, from number `to` on,
+/* Writes one number of each body into the host's copy, from index `to` on,
    in the device's order and precision. */
 static void lay_out(const struct opencl *d, const double from[], size_t to)
 {
@@ -345,9 +343,9 @@ static void lay_out(const struct opencl *d, const double from[], size_t to)
             wide[to + p] = from[d->order[p]];
 }
 
-/* Sets the kernel's arguments. Memory on the device is for a multiple of
-   TILE bodies, so that no item asks whether its place is there; what stands
-   behind the last body has no mass. */
+/* Sets the kernel's arguments. Memory on the device is padded to a multiple
+   of TILE bodies, so that no item needs a bounds check; the bodies after
+   the last one have no mass. */
 static answer set_arguments(struct opencl *d, double least)
 {
     const uint32_t n = (uint32_t)d->bodies, padded = (uint32_t)d->padded;

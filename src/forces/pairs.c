@@ -4,14 +4,14 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { FEW = 16 }; /* bodies up to which all pairs are looked at */
+enum { FEW = 16 }; /* most bodies for which all pairs are examined */
 
-/* Finds the widest radius and, for find_passed, the least sum of two radii
-   that is not 0. */
+/* Computes the largest radius and, for find_passed, the smallest sum of two
+   radii that is not 0. */
 static void measure_radii(struct spheres *p)
 {
     const struct scene *s = p->scene;
-    double least = INFINITY; /* of the radii so far, but for points */
+    double least = INFINITY; /* of the radii so far that are not 0 */
     bool point = false;
     p->narrow = INFINITY;
     for (size_t i = 0; i < s->bodies; ++i) {
@@ -44,8 +44,8 @@ void pairs_end(struct spheres *p)
     free(p->pair);
 }
 
-/* Makes room for one more pair, or returns false. The list stays short, as
-   few pairs collide in a step. */
+/* Makes room for one more pair; returns false if memory runs out. The list
+   stays short, as few pairs collide in a step. */
 static bool make_room(struct spheres *p)
 {
     if (p->pairs < p->capacity)
@@ -60,10 +60,10 @@ static bool make_room(struct spheres *p)
 }
 
 /* Adds a pair if it may overlap when its turn comes. Places are folded into
-   the box, so that no distance is longer than it, and one of more than half
-   of it is shorter the other way round: the nearest image without rounding
-   to a whole number of boxes. Where nothing is periodic p->half is
-   infinite. */
+   the box, so every difference is less than the box; one of more than half
+   the box is replaced by the shorter way round. This finds the nearest
+   image without rounding to a whole number of boxes. Along axes that are
+   not periodic p->half is infinite. */
 static void test(struct spheres *p, const struct spheres_edge *a,
                  const struct spheres_edge *b)
 {
@@ -94,8 +94,8 @@ static void find_in_all(struct spheres *p)
             test(p, &p->edge[i], &p->edge[j]);
 }
 
-/* Fills in the places of all edges, folded into the box where it is
-   periodic. */
+/* Stores the places of all bodies in the edges, folded into the box along
+   periodic axes. */
 static void read_places(struct spheres *p, const double x[])
 {
     const struct scene *s = p->scene;
@@ -113,7 +113,7 @@ static void read_places(struct spheres *p, const double x[])
     }
 }
 
-/* Finds how far two bodies can come nearer to each other in a step. */
+/* Computes p->furthest, by how much two bodies approach in a step, m. */
 static void set_furthest(struct spheres *p, const double v[])
 {
     const size_t n = p->scene->bodies;
@@ -124,9 +124,8 @@ static void set_furthest(struct spheres *p, const double v[])
     p->furthest = 2 * sqrt(most) * p->dt;
 }
 
-/* Puts the bodies in order along an axis by insertion, which takes hardly
-   more than a look at each, as from step to step the order hardly changes.
- */
+/* Sorts the bodies along an axis by insertion. It takes little more than
+   one comparison each, as the order hardly changes from step to step. */
 static void mend_order(struct spheres_edge edge[], size_t n, size_t axis)
 {
     for (size_t i = 1; i < n; ++i) {
@@ -146,8 +145,8 @@ static int along_axis(const void *a, const void *b, size_t k)
     return p->body < q->body ? -1 : p->body > q->body;
 }
 
-/* Compares along x. Each axis needs a function of its own, since qsort
-   passes no further argument. */
+/* Compares two edges along x. Each axis needs a function of its own, since
+   qsort passes no further argument. */
 static int along_x(const void *a, const void *b)
 {
     return along_axis(a, b, 0);
@@ -183,7 +182,7 @@ static size_t longest_axis(const struct spheres *p)
 }
 
 /* Sorts the edges, by insertion if they are nearly in order. The first time
-   they are not, and insertion would take a time that grows with the square
+   they are not, and insertion would take a time proportional to the square
    of the number of bodies. */
 static void sort_edges(struct spheres *p)
 {
@@ -199,10 +198,10 @@ static void sort_edges(struct spheres *p)
     p->sorted = true;
 }
 
-/* Compares each body with those that follow it along the axis at no more
-   than its own radius and the widest. Along a periodic axis the last body
-   is followed by the first, one box farther on; in a box of only a few
-   diameters a pair may be met on both ways. */
+/* Compares each body with those that follow it along the axis within its
+   own radius plus the largest. Along a periodic axis the last body is
+   followed by the first, one box farther on; in a box of only a few
+   diameters a pair may be found both ways. */
 static void sweep(struct spheres *p)
 {
     const size_t n = p->scene->bodies, k = p->axis;
@@ -239,26 +238,22 @@ static int deepest(const void *a, const void *b)
     return ascending(a, b);
 }
 
-/* Returns whether every pair is looked at, and not only those along an
- * axis.
- */
+/* Returns whether all pairs are examined, not only those on an axis. */
 static bool is_every_pair(const struct spheres *p)
 {
     return p->search == SPHERES_PAIRS ||
            (p->search == SPHERES_AUTO && p->scene->bodies <= FEW);
 }
 
-/* Returns whether pair i is the same as the one before it: equal pairs are
-   adjacent in the sorted list. */
+/* Returns whether pair i equals the one before it in the sorted list. */
 static bool is_again(const struct spheres_pair pair[], size_t i)
 {
     return i > 0 && pair[i].a == pair[i - 1].a &&
            pair[i].b == pair[i - 1].b;
 }
 
-/* Finds the pairs that are nearer than the margin. The order in which a
-   search finds them means nothing, and they are sorted: so what follows is
-   the same whichever way they were found. */
+/* Finds the pairs that are nearer than the margin, and sorts them, so that
+   the result does not depend on the order in which they were found. */
 static void find_near(struct spheres *p, const double x[])
 {
     static int (*const orders[SPHERES_ORDERS])(
@@ -280,7 +275,8 @@ static void find_near(struct spheres *p, const double x[])
     p->pairs = n;
 }
 
-/* Was body i between the walls a step ago, on a straight line back? */
+/* Returns whether body i was between the walls a step ago, on a straight
+   path back. */
 static bool was_inside(const struct spheres *p, size_t i, const double x[],
                        const double v[])
 {
@@ -297,10 +293,10 @@ static bool was_inside(const struct spheres *p, size_t i, const double x[],
 }
 
 /* Returns whether two bodies, which overlap neither now nor a step ago,
-   were in each other in between, and the step took them farther than the
-   sum of their radii: nothing has seen them meet. Their paths are taken as
-   straight lines back in time; a body that has just turned at a wall is not
-   looked at, since its path is two. */
+   overlapped in between, while the step moved them farther than the sum of
+   their radii: their collision has been missed. Their paths are taken as
+   straight back in time; a body that has just bounced off a wall is left
+   out, since its path has a corner. */
 static bool has_passed(const struct spheres *p, size_t i, size_t j,
                        const double x[], const double v[])
 {
@@ -322,7 +318,7 @@ static bool has_passed(const struct spheres *p, size_t i, size_t j,
            was_inside(p, i, x, v) && was_inside(p, j, x, v);
 }
 
-/* Counts the pairs that the step took through each other. */
+/* Counts the pairs that the step has moved through each other. */
 static void find_passed(struct spheres *p, const double x[],
                         const double v[])
 {
@@ -348,10 +344,10 @@ static void find_passed(struct spheres *p, const double x[],
         }
 }
 
-/* A pair may overlap only because another one has been pushed apart; in
-   MPPhys's double loop, which tests a pair when it comes to it, such a pair
-   is seen if its turn is still to come. So pairs within a margin are taken,
-   too, and spheres.c looks at them again in their turn. */
+/* A pair may overlap only because another one has been pushed apart.
+   MPPhys's double loop, which tests a pair when its turn comes, detects it
+   if its turn is still to come. So pairs within a margin are listed, too,
+   and spheres.c tests them again when their turn comes. */
 void pairs_find(struct spheres *p, const double x[], const double v[])
 {
     set_furthest(p, v);
@@ -378,8 +374,7 @@ size_t spheres_overlaps(struct spheres *p, const double x[])
     return p->pairs;
 }
 
-/* Returns how far bodies reach beyond hard walls that they do not come back
-   from, m. */
+/* Returns how far bodies are beyond hard walls and do not move back, m. */
 static double beyond_walls(const struct scene *s)
 {
     double most = 0;

@@ -1,12 +1,11 @@
-/* Says why a scene is no system of planets about a star. */
+/* Says why a scene is not a system of planets around a star. */
 #include "forces/jacobi.h"
 #include "forces/kepler.h"
 
 #include <math.h>
 
-/* Returns whether bodies are held along this axis in a way that changes the
-   motion. Bodies that are all held in one plane move as they would
-   anyway. */
+/* Returns whether fixed coordinates along this axis change the motion. If
+   all bodies are fixed in one plane, they would stay in it anyway. */
 static bool is_held(const struct scene *s, size_t axis)
 {
     const size_t n = s->bodies, from = axis * n;
@@ -18,8 +17,8 @@ static bool is_held(const struct scene *s, size_t axis)
     return held > 0 && (held < n || flat < n);
 }
 
-/* Returns what else acts on the bodies, or NULL if nothing does but gravity
-   between points. */
+/* Returns which other force acts on the bodies, or NULL if there is only
+   gravity between points. */
 static const char *find_more(const struct scene *s)
 {
     if (s->contact)
@@ -37,9 +36,9 @@ static const char *find_more(const struct scene *s)
     return NULL;
 }
 
-/* Returns whether body i is on an ellipse about the bodies before it, whose
-   centre of mass is at x and moves at v; then adds it to these: (9.9,
-   eq:jacobi). */
+/* Returns whether body i is on an ellipse around the bodies before it,
+   whose centre of mass is at x and moves with v; then adds it to these
+   bodies: (9.9, eq:jacobi). */
 static bool is_bound(const struct scene *s, size_t i, double x[3],
                      double v[3], double *mass)
 {

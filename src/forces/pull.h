@@ -1,6 +1,6 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 4248675700 of the lines below */
-/* What bodies pull at each other: pair by pair, or at sixteen at a time. */
+/* checksum 496917366 of the lines below */
+/* Gravity between bodies: pair by pair, or on sixteen at a time. */
 #ifndef PULL_H
 #define PULL_H
 
@@ -9,7 +9,7 @@
 #include <math.h>
 #include <stddef.h>
 
-/* Adds to a[] what each two bodies pull at each other. */
+/* Adds to a[] the accelerations of all bodies due to each other. */
 static inline void add_pairs(const struct gravity *g, const double x[],
                              double a[])
 {
@@ -33,17 +33,17 @@ static inline void add_pairs(const struct gravity *g, const double x[],
         }
 }
 
-enum { BLOCK = 16 }; /* two registers or more of whatever there is */
+enum { BLOCK = 16 }; /* two vector registers or more */
 
-/* Bodies that are pulled, and what they have got so far. */
+/* A block of bodies: positions, and their accelerations so far. */
 struct block {
     double x[BLOCK], y[BLOCK], z[BLOCK];
     double a[BLOCK], b[BLOCK], c[BLOCK];
 };
 
-/* Adds what a mass m at (x, y, z) pulls at all of a block; least is the
-   square of the softening, and `self` the place in the block of the body
-   that pulls, BLOCK if it is in another. */
+/* Adds the accelerations of a block due to a mass m at (x, y, z); least is
+   the square of the softening, and `self` the index in the block of the
+   body that attracts, or BLOCK if it is in another. */
 static inline void pull_by(double m, double x, double y, double z,
                            double least, size_t self, struct block *o)
 {
@@ -58,7 +58,7 @@ static inline void pull_by(double m, double x, double y, double z,
     }
 }
 
-/* Returns the block of bodies i to end - 1. */
+/* Returns the block of bodies i to end - 1, padded with the last one. */
 static inline struct block block_of(const struct gravity *g,
                                     const double x[], size_t i, size_t end)
 {

@@ -1,4 +1,4 @@
-/* Steps a system by the GNU Scientific Library, if it is there. */
+/* Steps a system by the GNU Scientific Library, if it is installed. */
 #include "forces/reference.h"
 
 #include "forces/largest.h"
@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_TRIES = 1000000 }; /* steps of a call */
+enum { MOST_TRIES = 1000000 }; /* most steps in a call */
 
 const bool reference_available = true;
 
@@ -20,8 +20,8 @@ struct reference_parts {
     double *y, *scale; /* [2 * size] */
 };
 
-/* Computes dy/dt: the library wants equations of the first order, with x
-   and then v in y. */
+/* Computes dy/dt for the library, which needs equations of first order: y
+   contains x and then v. */
 static int slopes(double t, const double y[], double dy[], void *what)
 {
     struct reference *const r = what;
@@ -68,16 +68,16 @@ void reference_free(struct reference *r)
     *r = (struct reference){0};
 }
 
-/* Returns the largest of n moduli, or `otherwise` if all are zero. */
+/* Returns the largest of n absolute values, or `otherwise` if it is 0. */
 static double largest_or(const double y[], size_t n, double otherwise)
 {
     const double most = largest(y, n);
     return most > 0 ? most : otherwise;
 }
 
-/* Measures errors by the largest coordinate and the largest velocity: a
-   coordinate of its own is no good measure, since it may be zero. For
-   bodies at rest the velocity that they will soon have serves. */
+/* Returns a control that measures errors relative to the largest coordinate
+   and the largest velocity: a coordinate itself is no good scale, since it
+   may be zero. For bodies at rest it takes the velocity after dt. */
 static gsl_odeiv2_control *control_errors(struct reference *r, double dt)
 {
     struct reference_parts *const p = r->parts;
@@ -94,7 +94,7 @@ static gsl_odeiv2_control *control_errors(struct reference *r, double dt)
                                          2 * n);
 }
 
-/* Returns whether n numbers are finite; the library does not look. */
+/* Returns whether n numbers are finite: the library does not check. */
 static bool are_finite(const double y[], size_t n)
 {
     double sum = 0;
@@ -103,8 +103,8 @@ static bool are_finite(const double y[], size_t n)
     return sum == 0;
 }
 
-/* The step size begins anew in each call, so that a run in pieces can be
-   resumed at every joint. */
+/* The step size is chosen anew in each call, so that a run can be resumed
+   between any two calls. */
 bool reference_step(struct reference *r, double dt, double x[], double v[])
 {
     struct reference_parts *const p = r->parts;

@@ -1,11 +1,11 @@
-/* An adaptive method from outside, with which our own are compared. */
+/* An adaptive method of the GNU Scientific Library, for comparison. */
 #ifndef REFERENCE_H
 #define REFERENCE_H
 
 #include "forces/stepping.h"
 
-/* A method with variable steps, from outside: rk8pd of the GNU Scientific
-   Library, Prince and Dormand's Runge-Kutta pair of order 8. */
+/* An external adaptive method: rk8pd of the GNU Scientific Library, Prince
+   and Dormand's Runge-Kutta pair of order 8. */
 struct reference {
     struct stepping_forces forces;
     double tolerance;
@@ -13,20 +13,20 @@ struct reference {
     struct reference_parts *parts;
 };
 
-/* Says whether this program was built with the library. */
+/* Whether this program was built with the library. */
 extern const bool reference_available;
 
 /* Prepares r; in each of its steps the error of a coordinate is kept below
-   `tolerance` times the largest one, that of a velocity likewise, as they
-   are when reference_step is called. Returns false if memory runs out, or
-   if there is no library. Turns off the library's habit of ending the
-   program. */
+   `tolerance` times the largest coordinate, and likewise for velocities, as
+   they are when reference_step is called. Returns false if memory runs out,
+   or if there is no library. Prevents the library from ending the program
+   on errors. */
 bool reference_begin(struct reference *r, struct stepping_forces f,
                      double tolerance);
 
-/* Takes x and v as far as dt, s, in as many steps as that needs; nothing
-   is kept from one call to the next. False: the library gave up, or a
-   million steps were not enough. */
+/* Moves x and v by the time dt, s, in as many steps as needed; keeps
+   nothing between calls. Returns false if the library fails, or a million
+   steps are not enough. */
 bool reference_step(struct reference *r, double dt, double x[], double v[]);
 
 void reference_free(struct reference *r);

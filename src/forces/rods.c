@@ -1,4 +1,4 @@
-/* Lengths and velocities are mended rod by rod, in turns, after a step. */
+/* Rods: lengths and velocities are corrected rod by rod after each step. */
 #include "forces/rods.h"
 
 #include <math.h>
@@ -12,9 +12,9 @@ void rods_free(struct rods *p)
     *p = (struct rods){0};
 }
 
-/* A coordinate that is held has the inverse mass 0: no rod can move it. So
-   has a body without mass, to which no rod may be tied. A rod is as long as
-   its spring is at the start, not at rest. */
+/* A fixed coordinate has the inverse mass 0: no rod can move it. A body
+   without mass gets 0, too; no rod may be attached to it. A rod is as long
+   as its spring is at the start, not at rest. */
 bool rods_create(struct rods *p, const struct scene *s,
                  const struct scene_spring spring[], size_t count,
                  struct stepping_forces forces)
@@ -45,9 +45,9 @@ bool rods_create(struct rods *p, const struct scene *s,
     return true;
 }
 
-/* Adds lambda (kg, or kg/s for velocities) times the way (m), by the
-   inverse masses, to q of the rod's first end, and takes it off that of the
-   other. */
+/* Adds lambda (kg, or kg/s for velocities) times the vector way (m) times
+   the inverse mass to q of the rod's first end, and subtracts it from q of
+   the other end. */
 static void shift_ends(const struct rods *p, const struct rods_rod *r,
                        const double way[3], double lambda, double q[])
 {
@@ -58,10 +58,10 @@ static void shift_ends(const struct rods *p, const struct rods_rod *r,
     }
 }
 
-/* The numbers of (12.7, eq:rods-shake), and the way between a rod's ends
-   before the step. */
+/* The coefficients of (12.7, eq:rods-shake), and the vector between a rod's
+   ends before the step. */
 struct rods_way {
-    double way[3], a, b, c; /* m, m^2/kg^2, m^2/kg, m^2 */
+    double way[3], a, b, c; /* largest coordinate of the ends, m */
     double far;             /* the largest coordinate, m */
 };
 
@@ -83,8 +83,8 @@ static struct rods_way measure(const struct rods *p,
 }
 
 /* Corrects rod r after a drift over dt from p->before to x (12.7,
-   eq:rods-shake). Returns whether there was anything to correct beyond the
-   digits that coordinates have; *broken: it cannot be. */
+   eq:rods-shake). Returns whether there was an error beyond the rounding of
+   coordinates; sets *broken if it cannot be corrected. */
 static bool mend_length(struct rods *p, const struct rods_rod *r, double dt,
                         double x[], double v[], bool *broken)
 {
@@ -105,8 +105,8 @@ static bool mend_length(struct rods *p, const struct rods_rod *r, double dt,
 
 enum { MOST_ROUNDS = 4000 };
 
-/* Mends all rods in turn, as long as any was wrong; a lone rod is right
-   after one correction. Returns whether all are right. */
+/* Corrects all rods in turn, as long as any was wrong; a single rod is
+   right after one correction. Returns whether all are right. */
 static bool mend_lengths(struct rods *p, double dt, double x[], double v[])
 {
     bool broken = false, wrong = true;
@@ -119,8 +119,8 @@ static bool mend_lengths(struct rods *p, double dt, double x[], double v[])
     return !broken && !wrong;
 }
 
-/* Takes off the velocity along a rod (12.8, eq:rods-rattle). The largest
-   speed tells which digits of the rate mean something. */
+/* Removes the relative velocity along a rod (12.8, eq:rods-rattle). Returns
+   whether it exceeded rounding, judged by the largest speed. */
 static bool mend_velocity(struct rods *p, const struct rods_rod *r,
                           const double x[], double v[])
 {
@@ -151,8 +151,8 @@ bool rods_project(struct rods *p, const double x[], double v[])
     return !wrong;
 }
 
-/* Finds the accelerations: those at the end of a step are those at the
-   start of the next, unless a contact has moved a body in between. */
+/* Computes the accelerations, unless x equals the places at the end of the
+   last step, as it does if no contact has moved a body since. */
 static void look(struct rods *p, const double x[], const double v[])
 {
     const size_t bytes = 3 * p->bodies * sizeof *x;
@@ -170,9 +170,9 @@ static void kick(const struct rods *p, double h, double v[])
         v[c] += h * p->acceleration[c];
 }
 
-/* Kick, drift, mend, kick, mend. The projection at the start is for the
-   first step, and for velocities that have jumped at a contact; the drift
-   is the only place where lengths go wrong. */
+/* Takes a step: kick, drift, correct lengths, kick, correct velocities. The
+   first projection is needed for the first step, and after contacts have
+   changed velocities. Only the drift changes lengths. */
 bool rods_step(void *rods, double dt, double x[], double v[])
 {
     struct rods *p = rods;

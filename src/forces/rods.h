@@ -9,7 +9,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Two bodies that stay at their distance. */
+/* A rod: two bodies at a constant distance. */
 struct rods_rod {
     uint32_t a, b;
     double square; /* of its length, m^2 */
@@ -19,31 +19,31 @@ struct rods_rod {
 struct rods {
     size_t bodies, count;
     struct rods_rod *rod;
-    double *weight; /* [3 * bodies] 1/kg, 0 along a fixed coordinate */
-    struct stepping_forces forces; /* of all that is no rod */
+    double *weight; /* [3 * bodies] 1/kg, 0 for a fixed coordinate */
+    struct stepping_forces forces; /* of everything but the rods */
     double *acceleration;          /* [3 * bodies] m/s^2 */
     double *before, *last;         /* [3 * bodies] m */
-    bool fresh;                    /* acceleration belongs to last */
-    uint64_t corrections;          /* of one rod, so far */
+    bool fresh;                    /* acceleration is that at last */
+    uint64_t corrections;          /* corrections of single rods, so far */
     uint64_t evaluations;          /* of the forces */
 };
 
 /* Makes rods of `count` springs of a scene, as long as the springs are now.
-   The forces are those of all else, and must not depend on velocities.
-   Returns false, with nothing to free, when there is no memory. */
+   The forces are all others, and must not depend on velocities. Returns
+   false, with nothing to free, if memory runs out. */
 bool rods_create(struct rods *p, const struct scene *s,
                  const struct scene_spring spring[], size_t count,
                  struct stepping_forces forces);
 void rods_free(struct rods *p);
 
-/* Takes x (m) and v (m/s), as they lie in a scene, one step of dt, s, on;
-   rods is a struct rods. False: the rods cannot be brought back to their
-   lengths. It suits struct motion's door `outside`. Source: (12.7,
+/* Moves x (m) and v (m/s), arranged as in a scene, by one step of dt, s;
+   rods is a struct rods. Returns false if the rods cannot be brought back
+   to their lengths. It can be `outside` of a struct motion. Source: (12.7,
    eq:rods-shake). */
 bool rods_step(void *rods, double dt, double x[], double v[]);
 
-/* Takes off what in v would change the length of a rod. False: it does not
-   come to an end. Source: (12.8, eq:rods-rattle). */
+/* Removes the part of v that would change the length of a rod. Returns
+   false if it does not converge. Source: (12.8, eq:rods-rattle). */
 bool rods_project(struct rods *p, const double x[], double v[]);
 
 #endif

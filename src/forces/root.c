@@ -1,6 +1,6 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 660910529 of the lines below */
-/* Halves a curve in Bernstein's form until its first root is left. */
+/* checksum 61243126 of the lines below */
+/* Finds the first root of a curve in Bernstein's form, by halving it. */
 #include "forces/root.h"
 
 #include <math.h>
@@ -20,7 +20,7 @@ static void halve(double q[], double r[], size_t m)
     }
 }
 
-/* May a curve go below 0 by more than rounding? */
+/* Returns whether a curve may go below 0 by more than rounding. */
 static bool goes_below(const double q[], size_t m, double rounding)
 {
     for (size_t j = 0; j <= m; ++j)
@@ -44,8 +44,8 @@ double root_first(const double q[], size_t m, double rounding, int halvings)
     return (1 + root_first(right, m, rounding, halvings - 1)) / 2;
 }
 
-/* Divides a polynomial without constant term, in Bernstein's form, by the
-   time; returns the degree of the quotient. */
+/* Divides a polynomial in Bernstein's form that is 0 at time 0 by the time;
+   returns the degree of the quotient. */
 static size_t divide_by_time(double q[], size_t m)
 {
     for (size_t j = 0; j < m; ++j)

@@ -1,4 +1,4 @@
-/* Pushes overlapping bodies apart, by linear springs or as Hertz says. */
+/* Pushes overlapping bodies apart, by linear springs or Hertz's law. */
 #include "forces/soft.h"
 
 #include <math.h>
@@ -20,8 +20,8 @@ void soft_free(struct soft *t)
     *t = (struct soft){0};
 }
 
-/* Returns the force between two that overlap by depth, which grows at a
-   rate; N. (11.11, eq:touch) */
+/* Returns the force between two bodies that overlap by depth, m, which
+   grows at this rate, m/s; N. (11.11, eq:touch) */
 static double push(const struct scene *s, double depth, double rate)
 {
     if (s->law == SCENE_HERTZ)
@@ -29,7 +29,7 @@ static double push(const struct scene *s, double depth, double rate)
     return s->stiffness * depth + s->dashpot * rate;
 }
 
-/* Returns how far b is from a, and finds the vector d to it, m. */
+/* Returns the distance from a to b, m, and fills d with the vector, m. */
 static double distance(const struct scene *s, size_t a, size_t b,
                        const double x[], double d[])
 {
@@ -41,8 +41,8 @@ static double distance(const struct scene *s, size_t a, size_t b,
     return sqrt(square);
 }
 
-/* Pushes along the way from one to the other. Two in one place have no
-   direction, and no force. */
+/* Adds the accelerations of two overlapping bodies along the line between
+   their centres. Bodies at one place have no direction, and no force. */
 static void push_apart(const struct scene *s, size_t i, size_t j,
                        const double x[], const double v[], double a[])
 {
@@ -59,7 +59,7 @@ static void push_apart(const struct scene *s, size_t i, size_t j,
     }
 }
 
-/* Returns how deep body i is in the wall on a side across axis k, m. */
+/* Returns how deep body i overlaps the wall on a side across axis k, m. */
 static double wall_depth(const struct scene *s, const double x[], size_t i,
                          size_t k, int side)
 {
@@ -68,8 +68,8 @@ static double wall_depth(const struct scene *s, const double x[], size_t i,
                     : s->low[k] - (place - s->radius[i]);
 }
 
-/* Pushes body i off a wall that it overlaps, as off a body that does not
-   yield. */
+/* Pushes body i out of a wall that it overlaps, which acts as a body that
+   cannot move. */
 static void push_off(const struct scene *s, size_t i, size_t k, int side,
                      const double x[], const double v[], double a[])
 {
@@ -79,8 +79,7 @@ static void push_off(const struct scene *s, size_t i, size_t k, int side,
         a[c] -= side * push(s, depth, side * v[c]) / s->mass[i];
 }
 
-/* Walls come first, then pairs by their numbers, so that sums have one
-   order. */
+/* Walls come first, then pairs by number: sums have a fixed order. */
 void soft_add(struct soft *t, const double x[], const double v[],
               double a[])
 {

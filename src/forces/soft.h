@@ -1,4 +1,4 @@
-/* Contacts as stiff springs: forces between bodies that overlap. */
+/* Contacts as stiff springs: forces between overlapping bodies. */
 #ifndef SOFT_H
 #define SOFT_H
 
@@ -7,12 +7,12 @@
 /* The contacts of a scene whose law is not SCENE_SUDDEN. */
 struct soft {
     const struct scene *scene;
-    struct spheres *near; /* finds the pairs that overlap; a pointer, since
-                             to ask for an energy changes nothing else */
+    struct spheres *near; /* finds overlapping pairs; a pointer, since
+                             soft_potential takes a const *t */
 };
 
-/* Prepares for the bodies of a scene, which has to outlive *t. Returns
-   false, with nothing to free, if memory runs out. */
+/* Prepares for the bodies of a scene, which must outlive *t. Returns false,
+   with nothing to free, if memory runs out. */
 bool soft_create(struct soft *t, const struct scene *s);
 void soft_free(struct soft *t);
 
@@ -22,7 +22,7 @@ void soft_free(struct soft *t);
 void soft_add(struct soft *t, const double x[], const double v[],
               double a[]);
 
-/* Returns the energy that all overlaps have stored, J. */
+/* Returns the elastic energy of all overlaps, J. */
 double soft_potential(const struct soft *t, const double x[]);
 
 #endif

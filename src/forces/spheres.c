@@ -1,6 +1,6 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 3193730706 of the lines below */
-/* Reflects spheres that a step has left in each other, and shifts them. */
+/* checksum 3465147173 of the lines below */
+/* Reflects spheres that overlap after a step, and moves them apart. */
 #include "forces/spheres.h"
 
 #include "forces/pairs.h"
@@ -31,13 +31,13 @@ void spheres_free(struct spheres *p)
     *p = (struct spheres){0};
 }
 
-/* Two bodies, seen from the first. */
+/* Two bodies, relative to the first. */
 struct contact {
     size_t a, b;
     double d[SPHERES_AXES], u[SPHERES_AXES]; /* from a to b; m, m/s */
-    double sigma, distance;                  /* sum of the radii; now; m */
-    double normal[SPHERES_AXES];             /* as long as the distance */
-    double back;                             /* since they touched, s */
+    double sigma, distance;                  /* sum of radii; distance; m */
+    double normal[SPHERES_AXES];             /* of the length distance, m */
+    double back;                             /* time since the contact, s */
 };
 
 double spheres_way(const struct scene *s, const double x[], size_t a,
@@ -80,7 +80,7 @@ static struct contact look_at(const struct spheres *p,
     return c;
 }
 
-/* Finds c->back and turns the normal back by it, (11.2, eq:back-time).
+/* Computes c->back and moves the normal back by it, (11.2, eq:back-time).
    Returns false if the two did not touch within the last dt. */
 static bool go_back(struct contact *c, double dt)
 {
@@ -96,7 +96,7 @@ static bool go_back(struct contact *c, double dt)
     return true;
 }
 
-/* Gives a body J times the normal, an impulse. */
+/* Gives body i an impulse of J times the normal. */
 static void kick(const struct spheres *p, const struct contact *c, size_t i,
                  double J, double v[])
 {
@@ -117,7 +117,7 @@ static double inverse_along(const struct spheres *p,
     return w;
 }
 
-/* Returns the impulse over the distance. */
+/* Reflects the pair; returns the impulse divided by the distance. */
 static double reflect(struct spheres *p, const struct contact *c,
                       double parting, double w, double v[])
 {
@@ -138,7 +138,8 @@ static double along(const struct spheres *p, const struct contact *c,
     return sum;
 }
 
-/* Returns what it adds to the sum of m x v of the two, J s. */
+/* Moves the two apart; returns by how much their sum of m x v grows, J
+   s. */
 static double push_apart(const struct spheres *p, const struct contact *c,
                          double wa, double wb, double x[], const double v[])
 {
@@ -180,8 +181,9 @@ static bool collide_pair(struct spheres *p, struct spheres_pair pair,
     return true;
 }
 
-/* Turns round body i, which is out of the wall at `edge` on the side
-   sign along axis k, with coordinate *x. Returns whether it did. */
+/* Reverses body i if it is beyond the wall at `edge`, on the side `sign`
+   along axis k, and moves outwards; *x is its coordinate. Returns whether
+   it did. */
 static bool bounce(struct spheres *p, size_t i, size_t k, double sign,
                    double edge, double *x, double *v)
 {

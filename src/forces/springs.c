@@ -10,25 +10,25 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Returns the length over which a force is divided. Two bodies in one place
-   have no direction between them: DBL_MIN, the smallest normal number,
-   keeps the quotient finite there, so that the force is 0, and leaves any
-   length beyond 1e-145 m as it is. */
+/* Returns the length by which a force is divided, m. Two bodies at one
+   place have no direction between them: DBL_MIN, the smallest normal
+   number, keeps the quotient finite there, so that the force is 0, and does
+   not change any length above 1e-145 m. */
 static inline double stretched(double dx, double dy, double dz)
 {
     return sqrt(dx * dx + dy * dy + dz * dz + DBL_MIN);
 }
 
-/* Returns what draws body a towards body b, per metre of the way between
-   them, N/m: times the vector from a to b it is the force. */
+/* Returns the force of a spring divided by its length, N/m: its product
+   with the vector from body a to body b is the force on a. */
 static inline double tension(double stiffness, double length, double rest)
 {
     return stiffness * (length - rest) / length;
 }
 
-/* Returns the tension of a spring with a dashpot along its axis: see
-   (10.3, eq:axial-dashpot). rate is the scalar product of the vector from a
-   to b and its rate of change, m^2/s. */
+/* Returns the force of a spring with a dashpot along its axis divided by
+   its length, N/m: (10.3, eq:axial-dashpot). rate is the scalar product of
+   the vector from a to b and its rate of change, m^2/s. */
 static inline double axial_tension(double stiffness, double damping,
                                    double length, double rest, double rate)
 {
@@ -36,7 +36,8 @@ static inline double axial_tension(double stiffness, double damping,
     return (pull + damping * (rate / length)) / length;
 }
 
-/* Finds the force f of spring s on its body a, (10.1, eq:spring-force). */
+/* Computes the force f of spring s on its body a, N (10.1,
+   eq:spring-force). */
 static void pull(const struct springs *p, const struct scene_spring *s,
                  const double x[], const double v[], double f[3])
 {
@@ -57,8 +58,7 @@ static void pull(const struct springs *p, const struct scene_spring *s,
     f[0] = q * dx + c * ux, f[1] = q * dy + c * uy, f[2] = q * dz + c * uz;
 }
 
-/* Sums the forces of the first count springs into p->force, one after the
-   other. */
+/* Sums the forces of the first count springs into p->force, one by one. */
 static void scatter(struct springs *p, size_t count, const double x[],
                     const double v[])
 {
@@ -74,8 +74,8 @@ static void scatter(struct springs *p, size_t count, const double x[],
     }
 }
 
-/* Turns a spring so that a < b. The force on a changes its sign twice, with
-   the order of the ends and with the direction of the way, and so stays. */
+/* Returns a spring with its ends in the order a < b. Exchanging them does
+   not change the motion. */
 static struct scene_spring forwards(struct scene_spring s)
 {
     const uint32_t a = s.a;
@@ -91,9 +91,9 @@ static int sign(double x, double y)
     return (x > y) - (x < y);
 }
 
-/* Orders springs by stride, by kind, by the lower body, and by rest length
-   if all that is equal. The order decides the order of all sums, in scatter
-   as in the bands, so none may be left undecided but of equal springs. */
+/* Compares springs by stride, then kind, lower body and rest length. This
+   order determines the order of all sums, in scatter as in the bands, so
+   only identical springs may compare as equal. */
 static int before(const void *one, const void *other)
 {
     const struct scene_spring *s = one, *t = other;
@@ -107,7 +107,7 @@ static int before(const void *one, const void *other)
     return sign(s->rest, t->rest);
 }
 
-/* Returns a copy of the scene's springs, turned and in order; NULL if
+/* Returns a sorted copy of the scene's springs, each with a < b; NULL if
    memory runs out. */
 static struct scene_spring *in_order(const struct scene *s)
 {
@@ -120,7 +120,7 @@ static struct scene_spring *in_order(const struct scene *s)
     return all;
 }
 
-/* Returns where the springs that have stride and kind of s[from] end. */
+/* Returns the end of the springs with the stride and kind of s[from]. */
 static size_t alike(const struct scene_spring s[], size_t from,
                     size_t count)
 {
@@ -131,9 +131,9 @@ static size_t alike(const struct scene_spring s[], size_t from,
     return end;
 }
 
-/* Are these n springs, alike in stride and kind, worth a band: are they
-   many and dense, and are no two of them between the same bodies? Equal
-   lower bodies are neighbours in the list. */
+/* Returns whether n springs of one stride and kind should form a band:
+   whether they are many and dense, and no two join one pair of bodies.
+   Equal lower bodies are neighbours in the list. */
 static bool regular(const struct scene_spring s[], size_t n)
 {
     if (n < SPRINGS_BAND || 2 * n < s[n - 1].a - s[0].a + (size_t)1)
@@ -145,7 +145,7 @@ static bool regular(const struct scene_spring s[], size_t n)
 }
 
 /* Makes a band of n springs. A missing spring gets a negative rest length,
-   which no spring has. */
+   which real springs do not have. Returns false if memory runs out. */
 static bool make_band(struct springs *p, const struct scene_spring s[],
                       size_t n)
 {
@@ -168,8 +168,8 @@ static bool make_band(struct springs *p, const struct scene_spring s[],
     return true;
 }
 
-/* Fills p->spring from all, which is in order: first with the springs that
-   lie in no band, then with the others. Makes the bands. */
+/* Fills p->spring from all, which is sorted: first the springs in no band,
+   then the others. Makes the bands. Returns false if memory runs out. */
 static bool sort_out(struct springs *p, const struct scene_spring all[])
 {
     size_t bands = 0, at = 0, end;
@@ -193,9 +193,7 @@ static bool sort_out(struct springs *p, const struct scene_spring all[])
     return true;
 }
 
-/* Fills in inverse and gravity, which springs.h tells of, and says whether
-   there is anything to fall or to be slowed down (quiet), and whether
-   inverse masses are the same along all axes (even). */
+/* Fills in inverse and gravity, and sets quiet and even (see springs.h). */
 static void read_masses(struct springs *p, const struct scene *s)
 {
     p->quiet = p->friction == 0;
@@ -251,20 +249,20 @@ void springs_free(struct springs *p)
     *p = (struct springs){0};
 }
 
-/* A stretch of a band: what its springs are, and how far apart the axes
-   lie, of places and velocities (bodies) and of forces (row). */
+/* A section of a band: its springs, and the distances in memory between the
+   axes of places and velocities (bodies) and of forces (row). */
 struct stretch {
     const double *rest;
     size_t count, stride, bodies, row;
     double stiffness, damping;
 };
 
-/* The inner loop of the module: force f[i] of the spring whose lower body
-   is number i of the stretch, along three axes; x and v begin with that of
-   the first. All is read and written from left to right. To have no branch
-   a hole is not skipped but multiplied by `here`, which is 0 for a negative
-   rest length and else 1. The operations are those of pull, one by one, or
-   the bits would differ. */
+/* Computes the forces f[i] of the springs of a section along three axes, in
+   the inner loop of this module; x and v begin with the lower body of the
+   first spring. Memory is read and written in order. To avoid a branch, the
+   force of a missing spring is computed and multiplied by `here`, which is
+   0 for a negative rest length and otherwise 1. The operations are those of
+   pull, in order, for equal bits. */
 static inline void stretch(const struct stretch *t,
                            const double *restrict x,
                            const double *restrict v, double *restrict f,
@@ -298,8 +296,8 @@ static inline void stretch(const struct stretch *t,
     }
 }
 
-/* The loop compiled three times, with constants for its two questions, so
-   that none of them is asked within it. */
+/* The loop compiled three times, with constants for damped and axial, so
+   that neither is tested inside. */
 VECTOR_LOOP static void stretch_plain(const struct stretch *t,
                                       const double *restrict x,
                                       const double *restrict v,
@@ -330,10 +328,10 @@ static ptrdiff_t clamp(ptrdiff_t a, ptrdiff_t low, ptrdiff_t high)
     return a < low ? low : a > high ? high : a;
 }
 
-/* Finds the forces of count springs, of which the first has the lower body
-   `from`, and writes them into f, axis by axis, `row` numbers from axis to
-   axis: 0 where the band has no spring. The range may begin before body 0:
-   the first block asks for the springs that reach into it. */
+/* Computes the forces of count springs, the first of which has the lower
+   body `from`, and writes them into f, axis by axis, `row` numbers apart: 0
+   where the band has no spring. `from` may be negative: the first block
+   needs the springs that reach into it. */
 static void band_forces(const struct springs *p,
                         const struct springs_band *b, const double x[],
                         const double v[], ptrdiff_t from, size_t count,
@@ -363,18 +361,17 @@ static void band_forces(const struct springs *p,
         stretch_damped(&t, x + low, v + low, f + (low - from));
 }
 
-/* Returns the length of a row, which holds the forces of a band along one
-   axis: first those of the springs that reach into a block from below, then
-   those of the springs at the block's own bodies. So (10.11, eq:gather)
-   reads row[i] for the spring that ends at body i, and row[i + stride] for
-   its own. */
+/* Returns the length of a row, which contains the forces of a band along
+   one axis: first of the springs that end in a block, then of those that
+   begin there. So (10.11, eq:gather) reads row[i] for the spring that ends
+   at body i, and row[i + stride] for the one that begins there. */
 static size_t row_size(const struct springs_band *b)
 {
     return b->stride + SPRINGS_BLOCK;
 }
 
-/* Returns how many numbers a thread needs for the rows of all bands, one
-   band after another, three rows each. */
+/* Returns how many numbers a thread needs for the rows of all bands, three
+   rows for each band. */
 static size_t buffer_size(const struct springs *p)
 {
     size_t size = 0;
@@ -383,8 +380,8 @@ static size_t buffer_size(const struct springs *p)
     return size;
 }
 
-/* Adds for n bodies the forces of one band: minus f[i], that of the spring
-   from below, plus f[i + s], that of their own. (10.11, eq:gather) */
+/* Adds for n bodies the forces of one band: -f[i] of the spring that ends
+   at a body, +f[i + s] of the one that begins there. (10.11, eq:gather) */
 VECTOR_LOOP static void sum_one(double *restrict sum,
                                 const double *restrict f, size_t s,
                                 size_t n)
@@ -393,7 +390,7 @@ VECTOR_LOOP static void sum_one(double *restrict sum,
         sum[i] = sum[i] - f[i] + f[i + s];
 }
 
-/* Adds the forces of two bands, one after the other, as sum_one does. */
+/* Adds the forces of two bands, one after another, as sum_one does. */
 VECTOR_LOOP static void sum_two(double *restrict sum,
                                 const double *restrict f, size_t s,
                                 const double *restrict g, size_t t,
@@ -404,8 +401,8 @@ VECTOR_LOOP static void sum_two(double *restrict sum,
 }
 
 /* Sums the forces in buffer on n bodies from body `from` on, along axis k:
-   first what was scattered, if anything was, then the bands in their order,
-   two at a time, which saves a trip through the sum. */
+   first those of scatter, if any, then the bands in their order, two at a
+   time, which saves a pass over the sums. */
 static void sum_axis(const struct springs *p, size_t from, size_t n,
                      size_t k, const double buffer[], double sum[])
 {
@@ -427,10 +424,10 @@ static void sum_axis(const struct springs *p, size_t from, size_t n,
     }
 }
 
-/* Three ways from the forces on n coordinates to their accelerations a:
-   added to a, written, or written with gravity and friction. The first two
-   do without these arrays: on large grids, memory is what the time goes to.
- */
+/* Compute the accelerations a of n coordinates from the forces in three
+   ways: added to a, written, or written with gravity and friction. The
+   first two do not read arrays they do not need, since for large grids the
+   time is that of memory. */
 VECTOR_LOOP static void add_scaled(double *restrict a,
                                    const double *restrict inverse,
                                    const double *restrict force, size_t n)
@@ -444,8 +441,8 @@ VECTOR_LOOP static void write_scaled(double *restrict a,
                                      const double *restrict force, size_t n)
 {
     for (size_t i = 0; i < n; ++i)
-        a[i] =
-            0 + inverse[i] * force[i]; /* makes +0 of -0, as adding would */
+        a[i] = 0 + inverse[i] * force[i]; /* 0 + makes +0 of -0, as adding
+                                             would */
 }
 
 VECTOR_LOOP static void write_all(double *restrict a,
@@ -460,21 +457,21 @@ VECTOR_LOOP static void write_all(double *restrict a,
                inverse[i] * force[i];
 }
 
-/* What is asked for: the forces at x and v, added to a or, if it writes,
-   written into a with all else that acts. */
+/* A request: the accelerations at x and v, added to a or, if `writes`,
+   written into a with gravity and friction. */
 struct task {
     const double *x, *v;
     double *a;
     bool writes;
-    /* NULL, or what moves the bodies when the springs come to them, and
-       whether the last step still owes them half a kick: */
+    /* NULL, or moves bodies just before the springs read them; owing: the
+       last step has still half a kick to do */
     const struct stepping_ahead *ahead;
     bool owing;
 };
 
-/* Finishes the task along axis k for n bodies from body `from` on, on which
-   the springs exert these forces. Inverse masses that are the same along
-   all axes are read from memory once, and found in the cache twice. */
+/* Completes the task along axis k for n bodies from body `from` on, with
+   these forces of the springs. Inverse masses that are equal along all axes
+   are read from one array, which stays in the cache. */
 static void finish(const struct springs *p, const struct task *t, size_t k,
                    size_t from, size_t n, const double force[])
 {
@@ -507,8 +504,7 @@ VECTOR_LOOP static void scale_two(double *restrict a,
         a[i] = 0 + inverse[i] * (0 - f[i] + f[i + s] - g[i] + g[i + t]);
 }
 
-/* Sums two bands and finishes the task in one loop, where is_plain is true.
- */
+/* Sums two bands and completes the task in one loop; needs is_plain. */
 static void write_two(const struct springs *p, double a[], size_t k,
                       size_t from, size_t n, const double buffer[])
 {
@@ -520,10 +516,10 @@ static void write_two(const struct springs *p, double a[], size_t k,
               two->stride, n);
 }
 
-/* Does the task for a block of n bodies from body `from` on. Before it the
-   buffer holds the forces of the springs that reach into the block from
-   below; after it, of those that reach into the next block. Strides are
-   often longer than what is left of a row, so that the copy may overlap. */
+/* Does the task for a block of n bodies from body `from` on. Before, the
+   buffer contains the forces of the springs that reach into this block from
+   before; afterwards, of those that reach into the next. Strides may exceed
+   the rest of a row, so the copied ranges may overlap. */
 static void gather_block(const struct springs *p, const struct task *t,
                          size_t from, size_t n, double buffer[])
 {
@@ -548,7 +544,7 @@ static void gather_block(const struct springs *p, const struct task *t,
             memmove(f, f + n, p->band[b].stride * sizeof *f);
 }
 
-/* Calls back the stepping method to move bodies `from` to end - 1. */
+/* Calls the stepping method to move bodies `from` to end - 1. */
 static void get_ready(const struct springs *p, const struct task *t,
                       size_t from, size_t end)
 {
@@ -562,7 +558,7 @@ static size_t least(size_t a, size_t b)
     return a < b ? a : b;
 }
 
-/* Returns the longest stride: how far ahead the springs look. */
+/* Returns the longest stride: how far ahead the springs read bodies. */
 static size_t reach(const struct springs *p)
 {
     size_t longest = 0;
@@ -572,9 +568,9 @@ static size_t reach(const struct springs *p)
     return longest;
 }
 
-/* Finds the forces that reach into the block at body `from` from below. The
-   thread that has the bodies before it computes them as well; both get the
-   same numbers, and nothing is summed across threads. */
+/* Computes the forces of the springs that reach into the block at body
+   `from` from before. The thread that has the bodies before it computes
+   them as well, with equal bits, so nothing is summed across threads. */
 static void reach_in(const struct springs *p, const struct task *t,
                      size_t from, double buffer[])
 {
@@ -598,13 +594,13 @@ static void gather(const struct springs *p, const struct task *t,
     }
 }
 
-/* Takes `steps` steps of the task, at most depth_of(p), in one sweep
-   through the bodies. Each step has a front up to which bodies have been
-   moved, one up to which forces have been summed, and a buffer; it goes on
-   by a block whenever the step before has passed the bodies that it has to
-   look at. No spring reaches into the first block: the buffers for that are
-   zero when they are made, and again after a sweep, as no spring goes on
-   behind the last body. */
+/* Takes `steps` steps of the task, at most depth_of(p), in one sweep over
+   the bodies. For each step it keeps how far bodies have been moved, how
+   far forces have been summed, and a buffer; a step advances by a block as
+   soon as the step before has passed the bodies that it reads. No spring
+   reaches into the first block: the buffers for it start with zeros, and
+   have zeros again after a sweep, as no spring reaches beyond the last
+   body. */
 static void march(const struct springs *p, struct task t, size_t steps)
 {
     const size_t n = p->bodies, far = reach(p), size = buffer_size(p);
@@ -625,19 +621,19 @@ static void march(const struct springs *p, struct task t, size_t steps)
         }
 }
 
-/* Returns how many steps a sweep takes at once: as many as keep all that is
-   known of the bodies between the first and the last of them, some 200
-   bytes each with the forces in the buffers, in the second cache. */
+/* Returns how many steps a sweep takes at once: as many as keep the data of
+   all bodies between the first and the last step, some 200 bytes each with
+   the forces in the buffers, in the second-level cache. */
 static size_t depth_of(const struct springs *p)
 {
     const size_t depth = SPRINGS_WINDOW / (reach(p) + SPRINGS_BLOCK);
     return depth < 1 ? 1 : least(depth, SPRINGS_DEPTH);
 }
 
-/* Gives each thread its part of the bodies, in one piece. Of several, each
-   moves its own bodies, and all wait, at the end of the first loop, until
-   everybody has: the first springs of a part look into the part before, and
-   its last ones into the next. */
+/* Gives each thread a contiguous part of the bodies. Each of several
+   threads first moves its bodies, and all wait at the end of that loop,
+   since the first springs of a part read the part before, and its last
+   springs the next. */
 static void gather_shared(struct springs *p, const struct task *task)
 {
     const size_t size = buffer_size(p), threads = (size_t)p->threads;
@@ -665,8 +661,8 @@ static void gather_shared(struct springs *p, const struct task *task)
     }
 }
 
-/* Makes a buffer for each thread, or for each step of a sweep, and so not
-   in the middle of a run. */
+/* Allocates a buffer for each thread, or for each step of a sweep; to be
+   called before a run, not during one. */
 bool springs_threads(struct springs *p, int threads)
 {
     const size_t buffers = threads > 1 ? (size_t)threads : depth_of(p);
@@ -680,9 +676,9 @@ bool springs_threads(struct springs *p, int threads)
     return true;
 }
 
-/* Does the task in the way that p->engine asks for. Without bands there is
-   nothing to gather, and the axes, which follow each other in all arrays,
-   are finished in one go. */
+/* Does the task by the engine that p->engine chooses. Without bands nothing
+   is gathered, and the axes, which are contiguous in all arrays, are
+   completed in one call. */
 static void act(struct springs *p, const struct task *t)
 {
     const bool gathers = p->engine == SPRINGS_GATHER && p->bands > 0;
@@ -696,9 +692,9 @@ static void act(struct springs *p, const struct task *t)
     finish(p, t, 0, 0, 3 * p->bodies, p->force);
 }
 
-/* Takes `steps` steps of the task, whose ahead is not NULL. A scatter jumps
-   about in the list and needs all bodies moved before it, and so does a
-   scene of which only a part lies in bands. */
+/* Takes `steps` steps of the task, whose ahead is not NULL. Scatter
+   accesses bodies in the order of the list and needs all of them moved
+   before, as does a scene of which only a part is in bands. */
 static void act_ahead(struct springs *p, struct task t, uint64_t steps)
 {
     const struct stepping_ahead *const ahead = t.ahead;

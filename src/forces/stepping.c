@@ -1,4 +1,4 @@
-/* Runs: their memory, step after step, and what ends them. */
+/* Runs by equal steps: their memory, the steps, tests of the numbers. */
 #include "forces/stepping.h"
 
 #include "forces/adaptive.h"
@@ -8,7 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Returns a pointer to the n doubles at *next, and passes them over. */
+/* Returns a pointer to the n doubles at *next, and moves *next past
+   them. */
 static double *take(double **next, size_t n)
 {
     double *const part = *next;
@@ -16,8 +17,8 @@ static double *take(double **next, size_t n)
     return part;
 }
 
-/* Divides one block of memory: what every method needs, then what one
-   family of methods needs. For the others these parts have no length. */
+/* Divides one block of memory into arrays: those of every method, then
+   those of one family of methods, which have length 0 for the others. */
 static void divide_memory(struct stepping *s, double *next)
 {
     struct stepping_work *const w = s->part;
@@ -37,7 +38,7 @@ static void divide_memory(struct stepping *s, double *next)
     w->b2 = take(&next, k);
 }
 
-/* Returns how many numbers divide_memory hands out. */
+/* Returns how many numbers divide_memory distributes. */
 static size_t room(const struct stepping *s)
 {
     const size_t n = s->forces.size, k = s->method->stages;
@@ -153,8 +154,8 @@ bool stepping_keeps(const struct stepping *s)
     return s->forces.damped && stepping_is_leapfrog(s->method);
 }
 
-/* Takes a step of any method that does not choose its length. Returns false
-   if the equations of an implicit one have not been solved. */
+/* Takes a step of any method that is not adaptive. Returns false if the
+   equations of an implicit step have not been solved. */
 static bool step(struct stepping *s)
 {
     switch (s->method->family) {
@@ -169,8 +170,8 @@ static bool step(struct stepping *s)
     }
 }
 
-/* Returns whether all coordinates and velocities are finite: zero times a
-   number is zero then. */
+/* Returns whether all coordinates and velocities are finite: only then is
+   zero times each of them zero. */
 static bool is_finite(const struct stepping *s)
 {
     double sum = 0;
@@ -179,8 +180,9 @@ static bool is_finite(const struct stepping *s)
     return sum == 0;
 }
 
-/* Takes steps up to the next look at the numbers, or fewer. Returns false
-   if the equations of a step have not been solved. */
+/* Takes at most *left steps, up to the next check of the numbers, and
+   updates *left. Returns false if a step's equations have not been
+   solved. */
 static bool run_until_watch(struct stepping *s, uint64_t *left)
 {
     const uint64_t most = STEPPING_WATCH - s->steps % STEPPING_WATCH;
@@ -209,8 +211,8 @@ bool stepping_anew(struct stepping *s)
     return anew;
 }
 
-/* Lets an adaptive method take its own steps until the time after `steps`
-   steps of dt; these only mark the times at which states are wanted. */
+/* Lets an adaptive method take its own steps up to the time of `steps`
+   steps of dt, which only mark the times at which states are needed. */
 static enum stepping_end run_own(struct stepping *s, uint64_t steps)
 {
     struct adaptive *const own = s->own;
@@ -238,13 +240,13 @@ enum stepping_end stepping_run(struct stepping *s, uint64_t steps)
     return STEPPING_DONE;
 }
 
-/* A product: adding dt a million times would add a million roundings. */
+/* A product: adding dt a million times adds a million rounding errors. */
 double stepping_time(const struct stepping *s)
 {
     return s->start + (double)s->steps * s->dt;
 }
 
-/* carry and acceleration lie behind each other in memory. */
+/* carry and acceleration are adjacent in memory. */
 void stepping_note(const struct stepping *s, double note[])
 {
     const size_t n = s->forces.size;
@@ -263,8 +265,8 @@ void stepping_recall(struct stepping *s, const double note[])
     s->fresh = note[5 * n] != 0;
 }
 
-/* The coefficients have been multiplied by dt: they are multiplied by h for
-   the part, and by dt again afterwards. */
+/* The coefficients contain the factor dt: they are computed with h for the
+   part, and with dt again afterwards. */
 enum stepping_end stepping_part(struct stepping *s, double h)
 {
     const double dt = s->dt;

@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 223280849 of the lines below */
+/* checksum 4093418079 of the lines below */
 /* The steps of the methods: kicks and drifts, leapfrog, Runge-Kutta. */
 #ifndef STEPS_H
 #define STEPS_H
@@ -13,13 +13,13 @@
 #include <math.h>
 #include <string.h>
 
-/* The coefficients of a method, and memory for its steps. */
+/* A method's coefficients times dt, and memory for its steps. */
 struct stepping_work {
-    double *drift, *kick;        /* of a splitting, s */
+    double *drift, *kick;        /* of a splitting, times dt, s */
     double *c, *a, *a2, *b, *b2; /* of a tableau, times dt or dt^2 */
-    double *stage;               /* [stages * size] accelerations there */
-    double *guess;               /* [stages * size] the next ones */
-    double *x, *v;               /* [size] at a stage */
+    double *stage;               /* [stages * size] accelerations */
+    double *guess;               /* [stages * size] improved ones */
+    double *x, *v;               /* [size] state at a stage */
     double *matrix, *slope;      /* of Newton's method */
     size_t *pivot;
 };
@@ -31,7 +31,7 @@ static inline void evaluate(struct stepping *s, const double x[],
     ++s->evaluations;
 }
 
-/* Has s->acceleration belong to the places as they are. */
+/* Computes s->acceleration at the present places, unless it is known. */
 static inline void refresh(struct stepping *s)
 {
     if (!s->fresh)
@@ -39,7 +39,8 @@ static inline void refresh(struct stepping *s)
     s->fresh = true;
 }
 
-/* Half the kick finds the velocity in the middle, for the whole kick. */
+/* Kicks by h under friction: half a kick predicts the velocity in the
+   middle, with which the forces are computed again for the whole kick. */
 static inline void kick_damped(struct stepping *s, double h)
 {
     double *const middle = s->part->v;
@@ -71,7 +72,7 @@ static inline void drift(struct stepping *s, double h)
     s->fresh = false;
 }
 
-/* Kick number k, and the drift behind it if it is not the last. */
+/* Does kick number k, and the drift after it if it is not the last. */
 static inline void kick_and_drift(struct stepping *s, size_t k)
 {
     const struct stepping_work *const w = s->part;
@@ -94,8 +95,9 @@ static inline void splitting_step(struct stepping *s)
         kick_and_drift(s, k);
 }
 
-/* Half a kick and the drift of n coordinates; first the half kick that is
-   owing. Under friction, predicts the velocity at the next kick's end. */
+/* Does half a kick and the drift of n coordinates; if owing, first the
+   second half of the last kick. Under friction, writes the velocities
+   predicted for the end of the next kick into ahead. */
 static inline void move_as(size_t n, double *restrict x, double *restrict v,
                            double *restrict ahead, const double *restrict a,
                            const struct stepping_work *w, bool owing,
@@ -145,8 +147,8 @@ static inline void move_ahead(void *stepping, size_t from, size_t n,
         move_many(stepping, from, n, owing);
 }
 
-/* Steps of leapfrog, (8.4, eq:verlet), to the bits of splitting_step; under
-   friction those of (8.13, eq:leapfrog-damped). */
+/* Takes steps of leapfrog, (8.4, eq:verlet), with the bits of
+   splitting_step; under friction those of (8.13, eq:leapfrog-damped). */
 static inline void leap(struct stepping *s, uint64_t steps)
 {
     const double *const v = s->forces.damped ? s->part->v : s->v;
@@ -163,7 +165,7 @@ static inline void leap(struct stepping *s, uint64_t steps)
     add(s->v, s->part->kick[0], s->acceleration, s->forces.size);
 }
 
-/* A step of leapfrog under friction, compensated. */
+/* Takes a step of leapfrog under friction, compensated. */
 static inline void leap_carried(struct stepping *s)
 {
     const double h = s->part->kick[0];
@@ -176,7 +178,7 @@ static inline void leap_carried(struct stepping *s)
     push_v(s, h, s->acceleration);
 }
 
-/* Finds where stage i is, (8.10, eq:stage): x and v of the work. */
+/* Computes x and v of the work at stage i, (8.10, eq:stage). */
 static void go_to_stage(struct stepping *s, size_t i)
 {
     const struct stepping_work *const w = s->part;
@@ -229,7 +231,7 @@ static inline void guess_stages(struct stepping *s)
                n * sizeof *s->acceleration);
 }
 
-/* Stores the forces at all stages in guess. */
+/* Stores the accelerations at all stages in guess. */
 static inline void sweep(struct stepping *s)
 {
     const struct stepping_work *const w = s->part;
@@ -240,8 +242,8 @@ static inline void sweep(struct stepping *s)
     }
 }
 
-/* Returns whether a change is the last: none, or as small as rounding makes
-   them and no longer falling. */
+/* Returns whether an iteration has converged: the change is 0, or as small
+   as rounding errors and no longer decreasing. */
 static inline bool settled(const struct stepping *s, double change,
                            double last)
 {
@@ -251,8 +253,8 @@ static inline bool settled(const struct stepping *s, double change,
     return change == 0 || (change > last / 2 && change <= 1e-10 * scale);
 }
 
-/* Replaces the guess by the forces found with it, again and again. Returns
-   false if that does not lead anywhere. */
+/* Replaces the stages by the forces computed with them, repeatedly. Returns
+   false if that does not converge. */
 static inline bool iterate(struct stepping *s)
 {
     enum { MOST_SWEEPS = 100 };

@@ -15,8 +15,8 @@ static inline void add(double *restrict to, double h,
         to[i] += h * by[i];
 }
 
-/* Adds `by` to a compensated sum, (8.14, eq:compensated): what rounding
-   drops goes into *carry, and is added the next time. Returns the sum. */
+/* Adds `by` to a compensated sum, (8.14, eq:compensated): the rounding
+   error goes into *carry, and is added the next time. Returns the sum. */
 static inline double add_one(double *to, double *carry, double by)
 {
     const double old = *to, more = by + *carry, sum = old + more;
@@ -24,7 +24,7 @@ static inline double add_one(double *to, double *carry, double by)
     return *to = sum;
 }
 
-/* As add, but compensated. */
+/* Does what add does, with compensated sums. */
 static inline void add_carried(double *restrict to, double *restrict carry,
                                double h, const double *restrict by,
                                size_t n)
@@ -33,9 +33,9 @@ static inline void add_carried(double *restrict to, double *restrict carry,
         add_one(to + i, carry + i, h * by[i]);
 }
 
-enum { MANY = 64 }; /* coordinates, from which vectors pay */
+enum { MANY = 64 }; /* fewest coordinates for which vectors pay */
 
-/* As add, or as add_carried if carry is not NULL. */
+/* Does what add does, or add_carried if carry is not NULL; vectorised. */
 VECTOR_LOOP static void add_many(double *restrict to, double *carry,
                                  double h, const double *restrict by,
                                  size_t n)
@@ -46,7 +46,7 @@ VECTOR_LOOP static void add_many(double *restrict to, double *carry,
         add(to, h, by, n);
 }
 
-/* As add_many, for any number of coordinates. */
+/* Does what add_many does, for any number of coordinates. */
 static inline void push(double *to, double *carry, double h,
                         const double by[], size_t n)
 {
@@ -58,7 +58,7 @@ static inline void push(double *to, double *carry, double h,
         add(to, h, by, n);
 }
 
-/* Add h by to the places or to the velocities of s, compensated if s is. */
+/* Add h by[] to places or to velocities of s, compensated if s is. */
 static void push_x(struct stepping *s, double h, const double by[])
 {
     push(s->x, s->compensated ? s->carry : NULL, h, by, s->forces.size);
@@ -73,8 +73,8 @@ static void push_v(struct stepping *s, double h, const double by[])
 #ifdef VECTOR_CLONES
 typedef double four __attribute__((vector_size(32), aligned(8), may_alias));
 
-/* As add_one, for four sums at a time; *by becomes the sums. Each is
-   rounded as if it were alone, so that the bits are the same. */
+/* Does what add_one does, for four sums at a time; *by becomes the sums.
+   Each is rounded separately, so the bits are those of add_one. */
 static inline void add_four(double *to, double *carry, four *by)
 {
     const four old = *(four *)to, more = *by + *(four *)carry;
@@ -85,9 +85,9 @@ static inline void add_four(double *to, double *carry, four *by)
 #endif
 
 /* Kicks by h and, unless dt is NULL, drifts by *dt, compensated. The
-   accelerations have been written one by one just before; a load of four
-   would wait some eleven cycles until they have left the queue to memory,
-   and so the array is volatile, which has it read one by one. */
+   accelerations have just been written one by one; a load of four would
+   wait some eleven cycles for these stores. So the array is volatile, and
+   is read one by one. */
 VECTOR_LOOP static void advance_carried(struct stepping *s, double h,
                                         const double *dt)
 {
@@ -114,8 +114,7 @@ VECTOR_LOOP static void advance_carried(struct stepping *s, double h,
 }
 
 /* Kicks by h and, unless dt is NULL, drifts by *dt, in one pass: the forces
-   on three bodies take some 130 cycles, and each pass of its own adds
-   ten. */
+   on three bodies take some 130 cycles, and a second pass would add ten. */
 static inline void advance(struct stepping *s, double h, const double *dt)
 {
     const size_t n = s->forces.size;

@@ -1,6 +1,6 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 3553519986 of the lines below */
-/* Sums pulls by a tree, in which a distant cell of bodies is one mass. */
+/* checksum 413562812 of the lines below */
+/* Sums gravity by a tree, in which a distant cell of bodies is one mass. */
 #include "forces/tree.h"
 
 #include "forces/pull.h"
@@ -10,26 +10,26 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-/* A cube: what its bodies weigh, and where. */
+/* A cubic cell: mass and centre of mass of its bodies, and its side. */
 struct cell {
     double mass, x, y, z, side;
     size_t first, end; /* its bodies in the order of the tree */
-    size_t next;       /* the cell to go on with if it is not opened */
+    size_t next;       /* the cell to visit next if this is not opened */
 };
 
-/* For each body of its own order, the tree has the caller's number, and x,
-   y, z and the mass, axis by axis. */
+/* A tree. Its bodies have an order of their own: body[] has the caller's
+   numbers, place[] x, y, z and the mass, axis by axis. */
 struct tree {
-    double theta2, least; /* least: of the sides of cells */
+    double theta2, least; /* smallest side of a cell */
     size_t bodies, cells;
-    const double *mass; /* of the caller, in the caller's order */
+    const double *mass; /* in the caller's order */
     struct cell *cell;
     uint32_t *body;
     double *place;
 };
 
-/* Swaps those of bodies first to end - 1 that have less than `middle` of a
-   coordinate to the front; returns where the others begin. */
+/* Moves those of bodies first to end - 1 with a coordinate below `middle`
+   to the front; returns the position of the first of the others. */
 static size_t sort(struct tree *t, const double x[], size_t first,
                    size_t end, double middle)
 {
@@ -57,9 +57,9 @@ static struct cube eighth(struct cube c, int q)
     return c;
 }
 
-/* Sorts the bodies part[0] to part[8] - 1 into eighths of the cube, part q
-   from part[q] on; makes the cube smaller as long as one eighth has all.
-   Returns false if they cannot be parted. */
+/* Sorts the bodies part[0] to part[8] - 1 into eighths of the cube, those
+   of eighth q from part[q] on; shrinks the cube while one eighth has all.
+   Returns false if they cannot be separated. */
 static bool divide(struct tree *t, const double x[], size_t part[9],
                    struct cube *c)
 {
@@ -112,7 +112,7 @@ static struct cell weigh(const struct tree *t, size_t first, size_t end,
     return c;
 }
 
-/* Makes the cell of bodies first to end - 1, and those in it. */
+/* Makes the cell of bodies first to end - 1, and the cells inside it. */
 static void grow(struct tree *t, const double x[], size_t first, size_t end,
                  struct cube c)
 {
@@ -148,7 +148,7 @@ void tree_build(struct tree *t, const double x[])
     grow(t, x, 0, t->bodies, c);
 }
 
-/* The box round the bodies of a block. */
+/* The box around the bodies of a block. */
 struct box {
     double least[3], most[3];
 };
@@ -167,7 +167,7 @@ static inline struct box box_of(const struct block *o)
     return b;
 }
 
-/* Does the cell look small from everywhere in the box? */
+/* Returns whether the cell may be one mass from everywhere in the box. */
 static inline bool is_small(const struct tree *t, const struct cell *c,
                             const struct box *b)
 {
@@ -182,7 +182,7 @@ static inline bool is_small(const struct tree *t, const struct cell *c,
     return c->side * c->side < t->theta2 * d2;
 }
 
-/* Adds what all bodies pull at those of the block that begins with i. */
+/* Adds the accelerations of the block from body i on due to all bodies. */
 static inline void walk(const struct gravity *g, size_t i, struct block *o)
 {
     const struct tree *t = g->tree;

@@ -6,21 +6,21 @@
 
 #include <stddef.h>
 
-/* Returns a tree for this number of bodies. It opens a cell unless the
-   cell's width is less than theta times its distance. The pointer mass is
-   kept. Returns NULL if memory runs out. */
+/* Returns a tree for this number of bodies, or NULL if memory runs out. A
+   cell is opened unless its width is less than theta times its distance.
+   The pointer mass is kept. */
 struct tree *tree_create(size_t bodies, const double mass[], double theta);
 
 /* Frees a tree, which may be NULL. */
 void tree_free(struct tree *t);
 
 /* Sorts the bodies at x[], 3 * bodies numbers axis by axis, into cells. The
-   tree depends on x alone, and not on where the bodies were before. */
+   tree depends only on x, not on earlier places. */
 void tree_build(struct tree *t, const double x[]);
 
-/* Adds to a[] the accelerations, due to all bodies, of the block of bodies
-   that begins with number i in the order of g->tree; tree_build has built
-   this tree from the same x. The error is at most (9.15, eq:tree-bound). */
+/* Adds to a[] the accelerations, due to all bodies, of the block that
+   begins with body i in the order of g->tree, which must have been built by
+   tree_build from this x. The error is at most (9.15, eq:tree-bound). */
 void tree_add(const struct gravity *g, const double x[], double a[],
               size_t i);
 

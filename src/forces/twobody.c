@@ -5,22 +5,22 @@
 #include <stdbool.h>
 #include <string.h>
 
-/* With two bodies a step is little more than a root and a quotient that
-   wait for each other. To send all numbers through memory in between, as
-   the loops for many bodies do, takes a sixth of the time. Here they stay
-   in registers: the same operations in the same order. One coordinate of
-   both bodies is a pair, and they lie side by side in memory. */
+/* A pair of adjacent numbers, for both bodies: a coordinate, say. A step of
+   two bodies is little more than a root and a quotient, each waiting for
+   the other. Passing all numbers through memory in between, as the loops
+   for many bodies do, takes a sixth of the time. Here they stay in
+   registers, with equal operations in equal order. */
 typedef double pair __attribute__((vector_size(16), aligned(8), may_alias));
 
-/* One coordinate of both bodies, its acceleration, the factor of half a
-   kick (0 for a body that is held along this axis), and the weight. */
+/* One coordinate of both bodies, velocity and acceleration along it, half a
+   kick's time (0 for a body fixed along this axis), and uniform gravity. */
 struct axis {
     pair x, v, a, kick, weight;
 };
 
-/* Does what is left of the last kick, if it is owing, half a kick and the
-   drift, as in stepping.c. Returns the distance of the bodies along the
-   axis, twice, as both pulls need it. */
+/* Does the second half of the last kick, if it is owing, half a kick and
+   the drift, as in steps.h. Returns the difference of the bodies'
+   coordinates in both numbers of a pair. */
 static inline pair move(struct axis *k, double dt, bool owing)
 {
     const pair half = k->kick * k->a;
@@ -31,9 +31,9 @@ static inline pair move(struct axis *k, double dt, bool owing)
     return (pair){k->x[1], k->x[1]} - (pair){k->x[0], k->x[0]};
 }
 
-/* Leapfrog, with the pull of gravity.c's loop over pairs. `plain` leaves
-   out three of the sixteen operations that wait for each other, those that
-   add a 0, which saves an eighth of the time: see is_plain. */
+/* Takes steps of leapfrog, with the forces of pull.h's loop over pairs.
+   `plain` leaves out three of the sixteen operations that depend on each
+   other, those that add 0, and saves an eighth of the time (is_plain). */
 static void run_two(const struct gravity *g, double dt, uint64_t steps,
                     struct axis axis[3], bool plain)
 {
@@ -66,7 +66,7 @@ static void run_two(const struct gravity *g, double dt, uint64_t steps,
     axis[2] = z;
 }
 
-/* Are both numbers +0? */
+/* Returns whether both numbers are +0. */
 static bool is_nothing(pair p)
 {
     return memcmp(&p, &(pair){0, 0}, sizeof p) == 0;
@@ -77,11 +77,11 @@ static bool has_minus_zero(pair p)
     return (p[0] == 0 && signbit(p[0])) || (p[1] == 0 && signbit(p[1]));
 }
 
-/* Are the bodies in the plane z = 0, without softening and weight, so that
-   run_two may leave these out? The bits are the same then: a sum with 0
-   changes one number only, it makes 0 of -0. So no velocity may begin as
-   -0, which would stay; none becomes -0 on the way, and the accelerations
-   get their 0 after the loop. */
+/* Returns whether the bodies are in the plane z = 0, without softening and
+   uniform gravity, so that run_two may leave these out. The bits do not
+   change: adding 0 changes only -0, to 0. So no velocity may begin as -0,
+   which would stay; none becomes -0 later, and 0 is added to the
+   accelerations after the loop. */
 static bool is_plain(const struct gravity *g, const struct axis axis[3])
 {
     const struct axis *x = axis, *y = axis + 1, *z = axis + 2;

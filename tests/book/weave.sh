@@ -132,47 +132,6 @@ for pair in '04-lamp=lamp dim shine shineq ' '05-other=lamp shine shineq '; do
 done
 rm chapters/04-lamp.nw chapters/05-other.nw
 
-two='\chapter{Two}
-\section{The \prog{two} of [[hit_it]]}
-\label{sec:two}
-As in section~\ref{sec:one}, by~\eqref{eq:one}.
-<<alone.c>>=
-#include <stdio.h>
-<<Call [[hit_it]] once>>
-<<Call [[hit_it]] once>>=
-return hit_it();
-@'
-printf '%s\n' "$two" >chapters/02-two.nw
-printf '%s\n' "$one" '\section{More}\label{sec:one}' '\begin{equation}\label{eq:one}' \
-    '\end{equation}' '[[\ref{sec:none}]] is no reference, % nor is \ref{sec:none}' \
-    >chapters/01-one.nw
-# What noweb made of the code is kept while only words change, between chunks
-# and beside what they quote.
-as_from_nothing() { # name
-    chapters/press/weave
-    cp -R build "$scratch/soon" && rm -rf build && chapters/press/weave &&
-        diff -r "$scratch/soon/book" build/book &&
-        echo "ok weave: $1" || echo "not ok weave: $1 - other files than from nothing"
-    rm -rf "$scratch/soon"
-}
-sed 's/^As in/More\n\nwords than/; s/ by~/ not [[hit_it]] by~/' chapters/02-two.nw \
-    >"$scratch/quoted"
-sed 's/^As in/More\n\nwords than/' chapters/02-two.nw >"$scratch/worded"
-chapters/press/weave
-cp "$scratch/worded" chapters/02-two.nw
-as_from_nothing 'other words are woven as from nothing'
-has 'and stand there' 'words than' build/book/02-two.tex
-echo '@text what is kept' >>build/tagged/plain
-printf '%s\n' "$two" >chapters/02-two.nw
-chapters/press/weave
-has 'noweb is not asked for that' 'what is kept' build/tagged/plain
-rm -rf build/tagged && chapters/press/weave
-cp "$scratch/quoted" chapters/02-two.nw
-as_from_nothing 'and so is what they quote'
-sed 's/stdio/stdlib/' "$scratch/worded" >chapters/02-two.nw
-as_from_nothing 'and other code'
-has 'which stands there' 'stdlib.h' build/book/02-two.tex
-printf '%s\n' "$two" >chapters/02-two.nw
 printf '%s\n' '\bookchapter{01-one}' >chapters/press/book.tex
 refused 'a chapter that the book leaves out' \
     'weave: chapters/02-two.nw: chapters/press/book.tex does not name it
@@ -183,4 +142,4 @@ sed '2s/$/\r/' "$scratch/kept" >chapters/01-one.nw
 refused 'a Windows line end' "weave: chapters/01-one.nw: Windows line ends (a carriage\
  return before the line feed) in 1 of its $(wc -l <"$scratch/kept") lines; save it with\
  Unix line ends, or: sed -i 's/\\r\$//' chapters/01-one.nw"
-echo 1..21
+echo 1..15

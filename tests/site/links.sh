@@ -83,7 +83,7 @@ counted() { grep -o -e "$1" $2 | wc -l; }
 chapters=$(awk -F '\t' '$5 != "" { n = split($5, f, " ")
     for (i = 1; i <= n; ++i) print "build/" f[i] ".tex" }' build/pages/pages)
 # Two tables are written by runs.
-chapters="$chapters $(sed -n '/runs.*\.tex$/p' build/pages/*.uses.files | sort -u)"
+chapters="$chapters $(sed -n '/runs.*\.tex$/p' build/pages/*.uses | sort -u)"
 pages=$(awk -F '\t' '$5 != "" { print "build/site/" $1 ".html" }' build/pages/pages)
 for pair in '\\nwbegincode{|<div class="chunk"' '\\begin{equation}|class="formula" id=' \
     '^\(\\nw.*\)\{0,1\}\\plotfigure|<img src="figures' \

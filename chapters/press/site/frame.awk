@@ -1,8 +1,5 @@
 # A page around its text: head, bar, contents, the way on. Files: pages, heads,
 # the text.
-function words(number, title) {
-    return (number == "" ? "" : "<span class=\"number\">" number "</span> ") title
-}
 FNR == 1 { ++which }
 which == 1 {
     split($0, part, "\t")
@@ -18,15 +15,11 @@ which == 1 {
 which == 2 {
     split($0, part, "\t")
     if (part[1] == page && part[2] == 1) {
-        n = split(part[5], label, " ")
+        split(part[5], label, " ")
         ++sections
-        section[sections] = "<li><a href=\"#" (n ? label[1] : "s" (++unnamed)) "\">" \
-            words(part[3], part[4]) "</a></li>"
+        section[sections] = "<li><a href=\"#" label[1] "\">" numbered(part[3], part[4]) "</a></li>"
         gsub(/<wbr>/, "", section[sections])
-    } else if (part[1] == page && part[2] == 2 && part[5] == "")
-        ++unnamed
-    else if (part[1] == page && part[2] == 0 && part[5] == "")
-        ++unnamed
+    }
     next
 }
 which == 3 && FNR == 1 { top() }
@@ -37,20 +30,11 @@ function plain(s) {
     return s
 }
 function top(    i, last, title) {
-    title = plain(words(number_of[here], title_of[here]))
-    print "<!DOCTYPE html>"
-    print "<html lang=\"en-GB\">"
-    print "<head>"
-    print "<meta charset=\"utf-8\">"
-    print "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
-    print "<title>" (page == "index" ? "Bonkers: computational physics, one collision at a time" : \
-        title " · Bonkers") "</title>"
-    print "<link rel=\"stylesheet\" href=\"page.css\">"
-    if (here > 1)
-        print "<link rel=\"prev\" href=\"" name_of[here - 1] ".html\">"
-    if (here < pages)
-        print "<link rel=\"next\" href=\"" name_of[here + 1] ".html\">"
-    print "<script>try{var t=localStorage.getItem(\"bonkers-theme\");if(t)document.documentElement.dataset.theme=t}catch(e){}</script>"
+    title = plain(numbered(number_of[here], title_of[here]))
+    printf "%s", head_of(page == "index" ? "Bonkers: computational physics, one collision at a time" : \
+        title " · Bonkers", "", \
+        (here > 1 ? "<link rel=\"prev\" href=\"" name_of[here - 1] ".html\">\n" : "") \
+        (here < pages ? "<link rel=\"next\" href=\"" name_of[here + 1] ".html\">\n" : ""))
     print "<script src=\"page.js\" defer></script>"
     print "</head>"
     print "<body" (page == "index" ? " class=\"front\"" : "") ">"
@@ -58,7 +42,7 @@ function top(    i, last, title) {
     print "<header class=\"bar\">"
     print "<button type=\"button\" id=\"menu\" aria-expanded=\"false\" aria-controls=\"contents\">Contents</button>"
     print "<a class=\"home\" href=\"index.html\">Bonkers</a>"
-    print "<span class=\"here\">" (page == "index" ? "" : words(number_of[here], title_of[here])) "</span>"
+    print "<span class=\"here\">" (page == "index" ? "" : numbered(number_of[here], title_of[here])) "</span>"
     print "<button type=\"button\" id=\"find\">Search</button>"
     print "<button type=\"button\" id=\"theme\">Dark</button>"
     print "</header>"
@@ -71,11 +55,11 @@ function top(    i, last, title) {
         last = part_of[i]
         if (i != here) {
             print "<li><a href=\"" name_of[i] ".html\">" \
-                words(number_of[i], title_of[i]) "</a></li>"
+                numbered(number_of[i], title_of[i]) "</a></li>"
             continue
         }
         print "<li><a href=\"#text\" aria-current=\"page\">" \
-            words(number_of[i], title_of[i]) "</a>"
+            numbered(number_of[i], title_of[i]) "</a>"
         if (sections) {
             print "<ul>"
             for (k = 1; k <= sections; ++k)
@@ -94,10 +78,10 @@ function bottom() {
     print "<nav class=\"turn\" aria-label=\"Previous and next\">"
     if (here > 1)
         print "<a rel=\"prev\" href=\"" name_of[here - 1] ".html\"><span>Previous</span> " \
-            words(number_of[here - 1], title_of[here - 1]) "</a>"
+            numbered(number_of[here - 1], title_of[here - 1]) "</a>"
     if (here < pages)
         print "<a rel=\"next\" href=\"" name_of[here + 1] ".html\"><span>Next</span> " \
-            words(number_of[here + 1], title_of[here + 1]) "</a>"
+            numbered(number_of[here + 1], title_of[here + 1]) "</a>"
     print "</nav>"
     print "<footer><p>" (edition == "instructor" ? \
         "<strong>Instructor’s edition, with the worked solutions: not for students.</strong> " : "") \

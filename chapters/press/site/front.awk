@@ -1,24 +1,18 @@
 # The front page: what the book is, and its contents.
-function words(number, title) {
-    return (number == "" ? "" : "<span class=\"number\">" number "</span> ") title
-}
 BEGIN { FS = "\t" }
 FNR == 1 { ++which }
 which == 1 {
     if ($1 != "index") {
         ++pages
         name_of[pages] = $1
-        line_of[pages] = words($2, $3)
+        line_of[pages] = numbered($2, $3)
         part_of[pages] = $4
     }
     next
 }
-$2 == 0 { unnamed = $5 == "" ? 1 : 0 }
-$2 > 0 && $5 == "" { ++unnamed }
 $2 == 1 && $4 !~ /^(The module|What the module promises|The program|Speed and accuracy|Where it fails|What we can do now|What we can and still cannot do|Exercises|Further reading|Symbols)$/ {
-    n = split($5, label, " ")
-    sections[$1] = sections[$1] "<li><a href=\"" $1 ".html#" \
-        (n ? label[1] : "s" unnamed) "\">" words($3, $4) "</a></li>\n"
+    split($5, label, " ")
+    sections[$1] = sections[$1] "<li><a href=\"" $1 ".html#" label[1] "\">" numbered($3, $4) "</a></li>\n"
 }
 END {
     print "<div class=\"title\">"

@@ -147,27 +147,17 @@
     if (typed.length < 2) return;
     var words = typed.split(/[^a-z0-9_]+/).filter(Boolean);
     var lunr = window.lunr;
-    function query(presence) {
-      return index.query(function (q) {
+    // First what has all words, the last one perhaps not yet whole; if nothing has, what has some.
+    var found = [];
+    [lunr.Query.presence.REQUIRED, lunr.Query.presence.OPTIONAL].forEach(function (presence, some) {
+      if (!found.length) found = index.query(function (q) {
         words.forEach(function (word, i) {
-          q.term(lunr.tokenizer(word), { boost: 10, presence: presence });
-          if (i === words.length - 1 && word.length > 1)
-            q.term(word, { wildcard: lunr.Query.wildcard.TRAILING, usePipeline: false, presence: lunr.Query.presence.OPTIONAL });
+          var last = i === words.length - 1;
+          q.term(lunr.tokenizer(word), last ? { boost: 10 } : { boost: some ? 10 : 1, presence: presence });
+          if (last) q.term(word, { wildcard: lunr.Query.wildcard.TRAILING, usePipeline: false });
         });
       });
-    }
-    // First what has all words, the last one perhaps not yet whole.
-    var found = index.query(function (q) {
-      words.forEach(function (word, i) {
-        if (i < words.length - 1)
-          q.term(lunr.tokenizer(word), { presence: lunr.Query.presence.REQUIRED });
-        else {
-          q.term(lunr.tokenizer(word), { boost: 10 });
-          q.term(word, { wildcard: lunr.Query.wildcard.TRAILING, usePipeline: false });
-        }
-      });
     });
-    if (!found.length) found = query(lunr.Query.presence.OPTIONAL);
     // Words that stand side by side count for more.
     var phrase = words.join(' ');
     found = found.slice(0, 200);

@@ -102,6 +102,7 @@ function head(level, s,    star, title, labels, number, n, part_of_label) {
     }
     if (level == 0) {
         page = file
+        unnamed = 0
         if (file ~ /^00-/)
             chapter = ""
         else if (file in lettered)
@@ -126,7 +127,8 @@ function head(level, s,    star, title, labels, number, n, part_of_label) {
         page_files[pages] = page_files[pages] (page_files[pages] == "" ? "" : " ") \
             "book/" file
     title = title_html(title)
-    print page "\t" level "\t" number "\t" title "\t" labels > (out "heads.new")
+    print page "\t" level "\t" number "\t" title "\t" \
+        (labels == "" ? "s" ++unnamed : labels) > (out "heads.new")
     n = split(labels, part_of_label, " ")
     for (at = 1; at <= n; ++at)
         say(level == 0 ? (chapter ~ /^[A-Z]$/ ? "appendix" : "chapter") : "section",
@@ -181,10 +183,10 @@ function made_by_a_run(s) {
             say("table", label, chapter "." tables, "")
     }
 }
-# Pages that no chapter makes: special writes them.
+# Pages that no chapter makes.
 function besides(page, title, part) {
     print page "\t\t" title "\t" part "\t" > (out "pages.new")
-    print page "\t0\t\t" title "\t" > (out "heads.new")
+    print page "\t0\t\t" title "\ts1" > (out "heads.new")
 }
 END {
     besides("index", "Bonkers", "")

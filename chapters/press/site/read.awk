@@ -24,7 +24,6 @@ which == 1 {
     kind_of[part[1]] = part[3]
     number_of[part[1]] = part[4]
     title_of[part[1]] = part[5]
-    whole[part[1]] = $0
     next
 }
 which == 2 && match($0, /^\\setresult[{]/) {
@@ -85,7 +84,6 @@ function known(label) {
         fail("nothing is labelled " label)
         return 0
     }
-    used[label] = 1
     return 1
 }
 function href(label) {
@@ -235,12 +233,9 @@ function end_chunk(s,    notes, rest, label, n, i, part, sep, out, name, id, wor
         "<pre tabindex=\"0\"><code>"
     while (lines > 0 && code[lines] == "")
         --lines
-    print "\001" ++count > pieces
-    printf "%s", out > pieces
     for (i = 1; i <= lines; ++i)
-        print code[i] > pieces
-    print "</code></pre></div>" > pieces
-    return "\n\nQB" count "BQ\n\n"
+        out = out code[i] "\n"
+    return block(out "</code></pre></div>")
 }
 
 # ---- words of the glossary, at the marks that terms has set
@@ -320,21 +315,15 @@ function math_tex(s,    out, name, opt, a, b, label) {
         if (name == "result" || name == "datum") {
             out = out "{" value(name, s) "}"
             s = substr(s, after)
-        } else if (name == "mbox") {
-            out = out "\\text{" math_tex_again(s) "}"
-            s = substr(s, after)
-        } else if (name == "termmark") {
-            argument(s, 1)
-            s = substr(s, after)
-        } else if (name == "phantom") {
-            argument(s, 1)
-            s = substr(s, after)
-        } else {
-            label = argument(s, 1)
-            s = substr(s, after)
+            continue
+        }
+        label = argument(s, 1)
+        s = substr(s, after)
+        if (name == "mbox")
+            out = out "\\text{" math_tex(label) "}"
+        else if (name ~ /ref$/)
             out = out "\\text{" (name == "eqref" ? "(" : "") \
                 (known(label) ? number_of[label] : "") (name == "eqref" ? ")" : "") "}"
-        }
     }
     out = out s
     gsub(/\n/, " ", out)
@@ -349,13 +338,6 @@ function math_tex(s,    out, name, opt, a, b, label) {
     gsub(/\\begin[{]smallmatrix[}]/, "\\begin{matrix}", out)
     gsub(/\\end[{]smallmatrix[}]/, "\\end{matrix}", out)
     return out
-}
-function math_tex_again(s,    words, end) {
-    words = argument(s, 1)
-    end = after
-    words = math_tex(words)
-    after = end
-    return words
 }
 # \result[options]{run}{key} or \datum[options]{table}{row}{column}, from behind
 # its name on.
@@ -757,21 +739,11 @@ function table(columns, body,    out, c, at, n, row, i, head, last) {
     return "\n\n" block("<div class=\"table\" tabindex=\"0\" role=\"region\" aria-label=\"table\">") \
         "\\begin{tabular}{" out "}" tex(body) "\\end{tabular}" block("</div>") 
 }
-function transcript(name,    line, path, n, first) {
-    path = "build/runs/" name ".txt"
-    print "\001" ++count > pieces
-    printf "%s", "<pre class=\"run\" tabindex=\"0\">" > pieces
-    n = 0
-    while ((getline line < path) > 0) {
-        ++n
-        print (line ~ /^\$/ ? "<b>" escaped(line) "</b>" : escaped(line)) > pieces
-    }
-    close(path)
-    print "</pre>" > pieces
-    if (!n)
-        fail("cannot read " path)
-    read_too[path] = 1
-    return "\n\nQB" count "BQ\n\n"
+function transcript(name,    line, n, part, out) {
+    n = split(all_of("build/runs/" name ".txt"), part, "\n")
+    for (line = 1; line < n; ++line)
+        out = out (part[line] ~ /^\$/ ? "<b>" escaped(part[line]) "</b>" : escaped(part[line])) "\n"
+    return block("<pre class=\"run\" tabindex=\"0\">" out "</pre>")
 }
 function exercise(name, title, kind, minutes,    label) {
     label = "ex:" name
@@ -801,7 +773,7 @@ function heading_piece(level,    line, part, n, label, i, out, id, tag) {
         return ""
     }
     n = split(part[5], label, " ")
-    id = n ? anchor(label[1]) : "s" (++unnamed)
+    id = anchor(label[1])
     out = ""
     for (i = 2; i <= n; ++i)
         out = out "<a id=\"" anchor(label[i]) "\"></a>"
@@ -865,12 +837,10 @@ function line_of(s,    at) {
     }
     if (verbatim) {
         if (s ~ /^\\end[{]verbatim[}]/) {
-            verbatim = 0
-            print "</pre>" > pieces
-            text = text "\n\nQB" count_verbatim "BQ\n\n"
-            return
-        }
-        print escaped(s) > pieces
+            text = text block(verbatim "</pre>")
+            verbatim = ""
+        } else
+            verbatim = verbatim escaped(s) "\n"
         return
     }
     sub(/\\nwfilename[{][^}]*[}]/, "", s)
@@ -887,12 +857,8 @@ function line_of(s,    at) {
     }
     sub(/\\nwenddocs[{][}]/, "", s)
     if (s ~ /^\\begin[{]verbatim[}]/) {
-        # Numbered here: what comes before it in this paragraph is not yet.
-        verbatim = 1
         flush()
-        count_verbatim = ++count
-        print "\001" count > pieces
-        printf "%s", "<pre class=\"run\" tabindex=\"0\">" > pieces
+        verbatim = "<pre class=\"run\" tabindex=\"0\">"
         return
     }
     if (s ~ /^%/)
@@ -920,11 +886,8 @@ END {
         print end_chunk(ender)
     flush()
     printf "" > uses
-    for (label in used)
-        print whole[label] > uses
-    printf "" > (uses ".files")
     for (name in read_too)
-        print name > (uses ".files")
+        print name > uses
     if (failed)
         exit 1
 }

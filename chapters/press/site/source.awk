@@ -143,20 +143,10 @@ function code(s,    out, before, rest) {
     }
     return out
 }
-function escaped(s) {
-    gsub(/&/, "\\&amp;", s)
-    gsub(/</, "\\&lt;", s)
-    gsub(/>/, "\\&gt;", s)
-    return s
-}
 
 # ---- pages
 function top(to, title, up) {
-    print "<!DOCTYPE html>\n<html lang=\"en-GB\">\n<head>\n<meta charset=\"utf-8\">\n" \
-        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n" \
-        "<title>" title " · Bonkers</title>\n<link rel=\"stylesheet\" href=\"../page.css\">\n" \
-        "<script>try{var t=localStorage.getItem(\"bonkers-theme\");if(t)document." \
-        "documentElement.dataset.theme=t}catch(e){}</script>\n</head>\n<body class=\"source\">\n" \
+    print head_of(title " · Bonkers", "../", "") "</head>\n<body class=\"source\">\n" \
         "<header class=\"bar\"><a class=\"home\" href=\"../index.html\">Bonkers</a>" \
         "<span class=\"here\">" up "</span></header>\n<main>" > to
 }

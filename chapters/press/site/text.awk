@@ -1,6 +1,18 @@
 # What several of the page's filters need: arguments of macros, and short texts of
 # TeX (titles, names of chunks and files) as HTML.
 
+# A heading's number and title.
+function numbered(number, title) {
+    return (number == "" ? "" : "<span class=\"number\">" number "</span> ") title
+}
+# The head of a page that stands in the folder `up' of the site, with these lines in it.
+function head_of(title, up, lines) {
+    return "<!DOCTYPE html>\n<html lang=\"en-GB\">\n<head>\n<meta charset=\"utf-8\">\n" \
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" title \
+        "</title>\n<link rel=\"stylesheet\" href=\"" up "page.css\">\n" lines \
+        "<script>try{var t=localStorage.getItem(\"bonkers-theme\");if(t)document." \
+        "documentElement.dataset.theme=t}catch(e){}</script>\n"
+}
 # The argument in braces that begins at s[at], blanks before it skipped; after is
 # where it ends. "" and after = 0 if there is none.
 function argument(s, at,    depth, c, start, n) {

@@ -45,17 +45,17 @@ static void bounce(struct state *s)
         s->vy = -s->vy;
 }
 
-/* What a program does otherwise than a right one. */
-struct habits {
-    bool backwards; /* flies to an event by what the article has for it */
-    bool records;   /* records an event like a tick */
-    bool restarts;  /* begins a tick anew after an event */
-    bool once;      /* sees one event between two ticks, and no other */
-    double loses;   /* of a tick, at each event */
+/* What by_events does otherwise than a right program; and `lost`. */
+enum {
+    BACKWARDS = 1, /* flies to an event by what the article has for it */
+    RECORDS = 2,   /* records an event like a tick */
+    RESTARTS = 4,  /* begins a tick anew after an event */
+    ONCE = 8       /* sees one event between two ticks, and no other */
 };
+static int habits;
 
-static void go(struct habits h, struct state s, double tick, size_t samples,
-               struct state kept[])
+static void by_events(struct state s, double tick, size_t samples,
+                      struct state kept[])
 {
     double left = tick; /* until the next tick */
     size_t events = 0;
@@ -68,27 +68,21 @@ static void go(struct habits h, struct state s, double tick, size_t samples,
             continue;
         }
         ++events; /* a clock that restarts may never come to its end */
-        fly(&s, h.backwards ? event - 2.0 * tick : event);
+        fly(&s, habits & BACKWARDS ? event - 2.0 * tick : event);
         left -= event;
         bounce(&s);
-        fly(&s, -h.loses * tick);
-        if (h.records)
+        fly(&s, -lost * tick);
+        if (habits & RECORDS)
             kept[k++] = s;
-        if (h.restarts)
+        if (habits & RESTARTS)
             left = tick;
-        if (h.once) {
+        if (habits & ONCE) {
             fly(&s, left);
             left = tick;
             if (k < samples)
                 kept[k++] = s;
         }
     }
-}
-
-static void by_events(struct state s, double tick, size_t samples,
-                      struct state kept[])
-{
-    go((struct habits){0}, s, tick, samples, kept);
 }
 
 /* One axis at any time: a mirrored box beside each box. */
@@ -111,48 +105,6 @@ static void by_mirrors(struct state s, double tick, size_t samples,
         kept[k].x = folded(s.x, &kept[k].vx, width, t);
         kept[k].y = folded(s.y, &kept[k].vy, height, t);
     }
-}
-
-static void article(struct state s, double tick, size_t samples,
-                    struct state kept[])
-{
-    go((struct habits){true, true, true, false, 0.0}, s, tick, samples,
-       kept);
-}
-
-static void mended(struct state s, double tick, size_t samples,
-                   struct state kept[])
-{
-    go((struct habits){false, true, true, false, 0.0}, s, tick, samples,
-       kept);
-}
-
-static void recording(struct state s, double tick, size_t samples,
-                      struct state kept[])
-{
-    go((struct habits){false, true, false, false, 0.0}, s, tick, samples,
-       kept);
-}
-
-static void restarting(struct state s, double tick, size_t samples,
-                       struct state kept[])
-{
-    go((struct habits){false, false, true, false, 0.0}, s, tick, samples,
-       kept);
-}
-
-static void once(struct state s, double tick, size_t samples,
-                 struct state kept[])
-{
-    go((struct habits){false, false, false, true, 0.0}, s, tick, samples,
-       kept);
-}
-
-static void losing(struct state s, double tick, size_t samples,
-                   struct state kept[])
-{
-    go((struct habits){false, false, false, false, lost}, s, tick, samples,
-       kept);
 }
 
 /* Along y everything is a hundredth of a tick late. */
@@ -206,6 +158,7 @@ static void inexact(struct state s, double tick, size_t samples,
 /* A program to judge. */
 struct judged {
     program *run;
+    int habits;
     double lost, off_way, off_box;
     const char *how;                /* what it does, in words */
     const char *mistake, *question; /* for who judges it wrongly */
@@ -239,6 +192,7 @@ static void ask(struct judged all[], int count)
         struct judged *j = &all[order[k]];
         width = j->width;
         height = j->height;
+        habits = j->habits;
         lost = j->lost;
         off_way = j->off_way;
         off_box = j->off_box;
@@ -295,22 +249,22 @@ static bool check_wrong(const struct judged *j)
                    {j->mistake, seen ? j->said : 0.0, j->question}});
 }
 
-#define JUDGED(run, lost, off_way, off_box, how, mistake, question)        \
+#define JUDGED(run, habits, lost, off_way, off_box, ...)                   \
     {                                                                      \
-        run, lost, off_way, off_box, how, mistake, question, 3, 2, 0, 0, 0 \
+        run, habits, lost, off_way, off_box, __VA_ARGS__, 3, 2, 0, 0, 0    \
     }
 
 static const struct judged right[] = {
-    JUDGED(by_mirrors, 0, 0, 0, "a right program, which works with mirrors",
-           "right-one-refused",
+    JUDGED(by_mirrors, 0, 0, 0, 0,
+           "a right program, which works with mirrors", "right-one-refused",
            "This one is right, and until you take it nothing else counts. "
            "Where do you say the disk is, and where is it? Begin with the "
            "first tick."),
-    JUDGED(by_events, 0, 0, 0, "a right program, from bounce to bounce",
+    JUDGED(by_events, 0, 0, 0, 0, "a right program, from bounce to bounce",
            "rounding-refused",
            "This one is right, and rounds at each bounce and each tick. "
            "How near is near?"),
-    JUDGED(inexact, 0, 0.9e-10, 0,
+    JUDGED(inexact, 0, 0, 0.9e-10, 0,
            "a right program, off by 0.9e-10 of the way", "rounding-refused",
            "This one is right: it is off by less than 1e-10 of the way. "
            "How long is the way in your runs, and how far off may the disk "
@@ -343,7 +297,8 @@ static void test_right(void)
 
 static void test_article(void)
 {
-    JUDGE(JUDGED(article, 0, 0, 0, "the article's program", "energy-only",
+    JUDGE(JUDGED(by_events, BACKWARDS | RECORDS | RESTARTS, 0, 0, 0,
+                 "the article's program", "energy-only",
                  "The article's program jumps back in time at each bounce, "
                  "and its speeds are right to the last digit. Which of its "
                  "numbers belong to a time?"));
@@ -351,19 +306,21 @@ static void test_article(void)
 
 static void test_mended(void)
 {
-    JUDGE(JUDGED(mended, 0, 0, 0, "the article's, with its sign mended",
-                 "place-not-compared",
-                 "This disk is always inside, always on its way, and turns "
-                 "round at the walls. Is it there at the right time?"),
-          JUDGED(recording, 0, 0, 0, "each bounce is recorded like a tick",
-                 "place-not-compared",
-                 "Some of these samples belong to bounces. To which time "
-                 "does number k belong?"));
+    JUDGE(
+        JUDGED(by_events, RECORDS | RESTARTS, 0, 0, 0,
+               "the article's, with its sign mended", "place-not-compared",
+               "This disk is always inside, always on its way, and turns "
+               "round at the walls. Is it there at the right time?"),
+        JUDGED(by_events, RECORDS, 0, 0, 0,
+               "each bounce is recorded like a tick", "place-not-compared",
+               "Some of these samples belong to bounces. To which time "
+               "does number k belong?"));
 }
 
 static void test_restarting(void)
 {
-    JUDGE(JUDGED(restarting, 0, 0, 0, "the tick begins anew after a bounce",
+    JUDGE(JUDGED(by_events, RESTARTS, 0, 0, 0,
+                 "the tick begins anew after a bounce",
                  "place-not-compared",
                  "Between two samples with a bounce more than a tick goes "
                  "by. Do you look at those?"));
@@ -371,7 +328,8 @@ static void test_restarting(void)
 
 static void test_once(void)
 {
-    JUDGE(JUDGED(once, 0, 0, 0, "one bounce a tick is seen, and no more",
+    JUDGE(JUDGED(by_events, ONCE, 0, 0, 0,
+                 "one bounce a tick is seen, and no more",
                  "one-bounce-a-tick",
                  "This program forgets the second bounce between two "
                  "ticks. Is there ever more than one in your runs?"));
@@ -384,11 +342,11 @@ static void test_losing(void)
         "differences grow. How much do you let pass, and how long do you "
         "look?";
     JUDGE(
-        JUDGED(losing, 0.1, 0, 0, "each bounce loses 0.1 ticks",
+        JUDGED(by_events, 0, 0.1, 0, 0, "each bounce loses 0.1 ticks",
                "small-error-passes", question),
-        JUDGED(losing, 1e-3, 0, 0, "each bounce loses 0.001 ticks",
+        JUDGED(by_events, 0, 1e-3, 0, 0, "each bounce loses 0.001 ticks",
                "small-error-passes", question),
-        JUDGED(inexact, 0, 0, 1.2e-5,
+        JUDGED(inexact, 0, 0, 0, 1.2e-5,
                "from the hundredth tick on all is off by 1.2e-5 of the box",
                "small-error-passes",
                "This program is off by more than 1e-5 of the box, later "
@@ -397,11 +355,11 @@ static void test_losing(void)
 
 static void test_axes(void)
 {
-    JUDGE(JUDGED(late_above, 0, 0, 0, "along y all is 0.01 ticks late",
+    JUDGE(JUDGED(late_above, 0, 0, 0, 0, "along y all is 0.01 ticks late",
                  "one-axis-only",
                  "Along x this program is right. Which coordinates do you "
                  "look at?"),
-          JUDGED(late_across, 0, 0, 0, "along x all is 0.01 ticks late",
+          JUDGED(late_across, 0, 0, 0, 0, "along x all is 0.01 ticks late",
                  "one-axis-only",
                  "Along y this program is right. Which coordinates do you "
                  "look at?"));
@@ -417,17 +375,18 @@ static void test_drawn(void)
     static const char question[] =
         "A box of another size. Which lengths, tolerances, velocities and "
         "times of yours are those of a box of a metre?";
-    program *const four[] = {by_events, by_mirrors, losing, mended};
     struct judged all[MOST] = {{0}};
     for (int i = 0; i < MOST; i += 4) {
         const double unit =
             i < 8 ? (i ? 1e9 : 1e-9) : pow(10.0, check_draw(-9.0, 9.0));
         all[i].width = unit * check_draw(0.5, 2.0);
         all[i].height = unit * check_draw(0.5, 2.0);
-        all[i].lost = check_draw(0.01, 0.5);
+        const double loses = check_draw(0.01, 0.5);
         for (int k = 0; k < 4; ++k) {
             all[i + k] = all[i];
-            all[i + k].run = four[k];
+            all[i + k].run = k == 1 ? by_mirrors : by_events;
+            all[i + k].lost = k == 2 ? loses : 0.0;
+            all[i + k].habits = k == 3 ? RECORDS | RESTARTS : 0;
         }
     }
     ask(all, MOST);

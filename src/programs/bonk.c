@@ -30,19 +30,19 @@ static struct {
            .tolerance = NAN,
            .summary = "/dev/null"};
 
-/* Sixteen rows show where a run went wrong and can still be compared at a
-   glance. They are also the least number of times at which errors are
-   judged: two runs that are compared only once can agree because one of
-   them is late by a whole period, and picking the cheapest that agrees
-   would select for that chance. */
+/* The number of rows without --every. Sixteen show where a run went wrong,
+   and can still be compared at a glance. Errors are judged at sixteen times
+   at least: two runs that are compared only once can agree because one of
+   them is late by a whole period, and the cheapest run that agrees would
+   often be one of these. */
 enum { ROWS = 16, ROWS_MOST = 1000000 };
 
-/* The prefix by which --observe asks for an average. Each average is found
-   by a request of its own. */
+/* The prefix of an average in --observe. Each average is found by a request
+   of its own. */
 static const char mean_prefix[] = "mean:";
 enum { MEANS_MOST = 16, PREFIX = sizeof mean_prefix - 1 };
 
-/* An average that was asked for, and what was found. */
+/* An average that --observe names, and the result. */
 struct mean {
     struct averages_quantity quantity;
     struct averages_found found;
@@ -58,16 +58,16 @@ struct run {
     struct models_plan plan; /* of --model */
     struct progress progress;
     struct mean mean[MEANS_MOST];
-    size_t means; /* averages asked for; 0: a run is asked for */
+    size_t means; /* averages in --observe; 0: a run is wanted */
     struct table *out, *summary, *chart;
     FILE *explanation; /* of --explain */
 };
 
 /* Sets the rows, which divide the time from the scene's clock to --until
-   into equal parts: errors are taken at rows, the last row is the time that
-   was asked for, and a shorter last row would need steps of another length.
-   A row longer than a sixteenth of the run is cut into several rows of the
-   choice, of which only the last is written.
+   into equal parts: errors are taken at rows, the last row is at --until,
+   and a shorter last row would need steps of another length. A row longer
+   than a sixteenth of the run is cut into several rows of the choice, of
+   which only the last is written.
 
    The 1e-9 allows for rounding: 0.001 divides 1 although neither it nor the
    quotient is exact in binary, and 0.3 must be refused. */
@@ -91,7 +91,7 @@ static void set_rows(struct run *r)
     r->request.every = every / (double)r->judged;
 }
 
-/* Reads --model: a plan with its steps is taken as it is; a method's name
+/* Reads --model: a plan with its steps is used unchanged; a method's name
    alone leaves the number of steps to be found. A model that does not suit
    the scene is refused here, before any work. */
 static void read_model(struct run *r)
@@ -108,9 +108,9 @@ static void read_model(struct run *r)
     r->request.only = &r->plan;
 }
 
-/* Reads the averages of --observe, mean:NAME,mean:NAME... They cannot be
-   mixed with values: a path ends at the horizon of prediction, and averages
-   are asked for beyond it. */
+/* Reads the averages of --observe, mean:NAME,mean:NAME... Averages cannot
+   be mixed with values: a path ends at the horizon of prediction, and
+   averages may lie beyond it. */
 static void read_means(struct run *r)
 {
     char message[AVERAGES_TEXT], name[64];
@@ -152,17 +152,17 @@ static void read_scene(struct run *r)
                        given.scene);
 }
 
-/* Shows how much of what is reasonable has been spent; choose() calls it
-   after each run. Progress counts whole numbers, hence milliseconds. */
+/* Shows the cost that has been spent on choosing; choose() calls it after
+   each run. Progress counts whole numbers, so the unit is a millisecond. */
 static void show_progress(void *with, double spent)
 {
     const uint64_t ms = (uint64_t)(1e3 * spent);
     progress_update(with, ms, ms);
 }
 
-/* Checks all that a command may have wrong against the scene: most settings
-   can be wrong only there (a body that does not exist, a time that is over,
-   a model that does not suit). Exits with 2 before any work is done. */
+/* Checks the command against the scene, and exits with status 2 before any
+   work is done: most settings can be wrong only there, such as a body that
+   does not exist, a time that is over, or a model that does not suit. */
 static void begin_run(struct run *r)
 {
     read_scene(r);
@@ -199,8 +199,8 @@ static void explain(const struct run *r, const char *format, ...)
     va_end(values);
 }
 
-/* Explains, part 1: which interactions act. A scene in which nothing acts
-   is valid: its bodies fly straight on. */
+/* Explains, part 1: the interactions that act. A scene in which nothing
+   acts is valid: its bodies fly straight on. */
 static void explain_interactions(const struct run *r)
 {
     const struct models_acts *a = &r->choice.acts;
@@ -217,9 +217,10 @@ static void explain_interactions(const struct run *r)
             a->dimensions == 1 ? "" : "s");
 }
 
-/* Explains, part 2: what was asked and what the candidates are compared
-   with. The doubt of the reference is its difference from a coarser one; an
-   exact model needs no reference, and then there is no such line. */
+/* Explains, part 2: the request, and the reference with which the
+   candidates are compared. The doubt of the reference is its difference
+   from a coarser one. An exact model needs no reference, and has no such
+   line. */
 static void explain_request(const struct run *r)
 {
     const struct choose_choice *c = &r->choice;
@@ -238,7 +239,7 @@ static void explain_request(const struct run *r)
 
 /* Explains, part 3: all candidates, with a star at the one taken. A
    candidate without a cost was never run to its end, and shows a reason
-   instead. One with a cost may still have no error. */
+   instead; one with a cost may still have no error. */
 static void explain_candidates(const struct run *r)
 {
     const struct choose_choice *c = &r->choice;
@@ -343,8 +344,7 @@ static void write_chart_head(const struct run *r, const char *refusal)
 /* Writes the chart of error against cost. Consecutive runs of a model with
    the same cuts are one block; two blank lines between blocks make gnuplot
    begin a new curve. The last block contains only the run that was taken.
-   The chart is written after a refusal, too: then it shows how near each
-   model came. */
+   After a refusal the chart shows how near each model came. */
 static void write_chart(const struct run *r, const char *refusal)
 {
     const struct choose_choice *c = &r->choice;
@@ -363,8 +363,8 @@ static void write_chart(const struct run *r, const char *refusal)
     write_point(r, taken->plan, taken->error, taken->cost, 1);
 }
 
-/* Writes the summary, after a refusal as well: there the horizon is what
-   one wants to know. Only its last line depends on the machine. */
+/* Writes the summary, after a refusal as well: the horizon is then the most
+   useful result. Only the last line depends on the machine. */
 static void summarise(const struct run *r, const char *refusal)
 {
     const struct choose_choice *c = &r->choice;
@@ -438,8 +438,8 @@ static bool same_file(const char *a, const char *b)
 }
 
 /* Refuses a command that lacks something or contradicts itself. The
-   tolerance has no default on purpose: people would not change it, and how
-   wrong an answer may be is the one thing that no program can find out. */
+   tolerance has no default on purpose: people would not change it, and only
+   the user knows how wrong an answer may be. */
 static void check_settings(struct options *o)
 {
     const char *output = given.output ? given.output : "-";
@@ -520,8 +520,8 @@ static double size_of_run(const struct run *r)
 
 /* Notes that the run becomes much larger than the scene was at the start,
    as an orbit does that begins at its nearest point: errors of positions
-   are fractions of the size at the start, and the reader may have meant a
-   fraction of the larger one. */
+   are fractions of the size at the start, and the user may have meant a
+   fraction of the larger size. */
 static void warn_of_scale(const struct run *r)
 {
     const struct choose_choice *c = &r->choice;
@@ -536,9 +536,9 @@ static void warn_of_scale(const struct run *r)
 }
 
 /* Notes that one body far away has made the scale so large that the
-   tolerance cannot see two others apart, with the tolerance that would. It
-   is printed without being asked for: such an answer is right as asked and
-   wrong as meant. */
+   tolerance cannot tell two others apart, and which tolerance would. The
+   note is printed without --explain: the answer meets the tolerance as
+   written, but probably not as meant. */
 static void warn_of_hidden_pair(const struct run *r)
 {
     const struct choose_hidden *h = &r->choice.hidden;
@@ -552,8 +552,8 @@ static void warn_of_hidden_pair(const struct run *r)
                 h->far, h->without, e * h->without / r->choice.scale);
 }
 
-/* Writes the rows of the run, or says why there are none; a refusal leaves
-   no table behind. */
+/* Writes the rows of the run, or prints why there are none; a refusal
+   leaves no table behind. */
 static bool write_run(struct run *r, const char *refusal)
 {
     if (refusal) {
@@ -586,9 +586,10 @@ static void explain_mean(const struct run *r, const struct mean *m)
                 f->value, f->error * f->scale, f->error, f->scale);
 }
 
-/* Finds one average; returns NULL, or why there is none. Each is a request
-   of its own, since two averages of a scene may be found in different ways,
-   the energy by a law and the pressure by events. */
+/* Finds one average; returns NULL, or the reason why there is none. Each
+   average has a request of its own, since two averages of a scene may be
+   found in different ways, the energy by a law and the pressure by
+   events. */
 static const char *find_mean(struct run *r, struct mean *m)
 {
     const struct averages_request q = {.scene = &r->scene,
@@ -602,8 +603,8 @@ static const char *find_mean(struct run *r, struct mean *m)
     return m->found.sure == AVERAGES_OUT ? m->found.refusal : NULL;
 }
 
-/* Returns how the averages were found, or "several" if not all in the same
-   way. */
+/* Returns the name of the way in which the averages were found, or
+   "several" if they were found in different ways. */
 static const char *mean_model(const struct run *r)
 {
     const char *name = NULL;
@@ -639,8 +640,8 @@ static bool write_means(struct run *r)
     return table_close(r->out) && good;
 }
 
-/* Writes the keys of a run's summary, so that one script reads both: costs
-   are added, and of the errors the largest counts. */
+/* Writes the keys that a run's summary has, so that one script reads both:
+   costs are added, and the largest error is taken. */
 static void summarise_means(const struct run *r, const char *refusal)
 {
     struct table *t = r->summary;
@@ -704,8 +705,8 @@ static bool answer_run(struct run *r, const char **refusal)
     return good;
 }
 
-/* All outputs are opened before the work begins, so that a folder that does
-   not exist is noticed now and not after ten minutes. */
+/* Runs bonk. All outputs are opened before the work begins, so that a
+   folder that does not exist is noticed now and not after ten minutes. */
 int main(int argc, char *argv[])
 {
     static struct run r;

@@ -37,9 +37,9 @@ static struct {
            .collisions = UINT64_MAX,
            .summary = "/dev/null"};
 
-/* An ensemble needs a preset that draws random numbers. Its members are
-   averaged at common times: no collision can end them, and an inelastic
-   collapse would end one of them early. */
+/* The options. An ensemble needs a preset that draws random numbers. Its
+   members are averaged at common times: no collision can end them, and an
+   inelastic collapse would end one of them early. */
 static const struct options_entry entries[] = {
     {"preset", 'p', "NAME",
      "four, mixed, cradle, thermal, piston, adiabatic,\n"
@@ -108,7 +108,8 @@ static const double *read_list(struct options *o, double values[],
     return values;
 }
 
-/* The right wall may be missing, as in Galperin's problem. */
+/* Reads the positions of the walls. The right wall may be missing, as in
+   Galperin's problem. */
 static void read_walls(struct options *o, struct start_request *w)
 {
     if (options_list(o, w->wall, 2) == 1)
@@ -183,8 +184,9 @@ static void read_settings(int argc, char *argv[])
     program_apart(&o, given.output, given.summary, "table");
 }
 
-/* The lists replace what the preset says. Without a preset they stand for
-   themselves, in a box from zero to a metre behind the last body. */
+/* Makes the start: the preset, whose numbers the lists replace. Without a
+   preset the lists are all there is, in a box from zero to a metre beyond
+   the last body. Returns false if there is no memory. */
 static bool make_start(struct start *s, uint64_t seed)
 {
     struct start_request request = given.request;
@@ -255,8 +257,8 @@ static void begin_or_exit(struct bonkers *b, uint64_t seed, double *until)
             most, BONKERS_SLOWEST);
 }
 
-/* From row to row the engine runs in bites, so short that a signal is
-   noticed within a second. An engine can be stopped and continued
+/* A run. From row to row the engine runs in bites, so short that a signal
+   is noticed within a second. An engine can be stopped and continued
    anywhere, so the bites change no bit of the run. */
 struct run {
     struct bonkers b;
@@ -268,9 +270,9 @@ struct run {
     struct progress *progress; /* or NULL */
 };
 
-/* The usual end of a start is for runs that have no limit of their own. The
-   clock is read only for a summary: that takes as long as several
-   collisions, and an ensemble may have ten million rows. */
+/* Begins a run. Its end is the usual one of its start unless it has a limit
+   of its own. The clock is read only for a summary: reading it takes as
+   long as several collisions, and an ensemble may have ten million rows. */
 static void begin_run(struct run *r, uint64_t seed)
 {
     double usual;
@@ -299,15 +301,15 @@ static void show_progress(const struct run *r)
 }
 
 /* Runs to the time or the collision, whichever comes first, in bites that
-   even a slow computer does in a second. naive and scan look at every gap
+   even a slow computer does in a second. naive and scan examine every gap
    at each collision, the others do not; their term 4 * gaps makes a bite
    longer than many slabs.
 
    Slabs that have to end at a collision are undone, and the heap runs the
    last one; to end at a time costs them nothing. So they end at times, once
-   it is known how many collisions a time has, and twice the bite is the
-   limit then. A bite without a collision is not followed by another such:
-   perhaps there never will be one, and that is for the engine to say. The
+   the number of collisions in a time is known, and then twice the bite is
+   the limit. After a bite without a collision the next one has no such
+   time: if there is never another collision, the engine finds that out. The
    comparison with `most` is written as a difference, which cannot overflow
    when there is no limit. */
 static enum bonkers_stop run_bites(struct run *r, double until,
@@ -346,10 +348,10 @@ static enum bonkers_stop run_bites(struct run *r, double until,
 }
 
 /* Runs to the next row and stops there; r->over if it is the last. Times of
-   rows are multiplied, not added up (2.4, eq:clock); the last may miss the
-   end by its rounding, and the end is meant then. A run that only a number
-   of collisions limits also ends when no collision will come any more: it
-   would write rows for ever. */
+   rows are multiplied, not added up (2.4, eq:clock): the last one may miss
+   the end of the run by rounding, and is then moved to it. A run that only
+   a number of collisions limits also ends when no collision will come any
+   more, since it would write rows without end. */
 static void run_to_row(struct run *r, uint64_t collisions)
 {
     const double clock =
@@ -409,11 +411,10 @@ static void name_masses(struct table *out, const struct bonkers *b)
     table_print(out, "\n");
 }
 
-/* Writes a row, with position and velocity of each body side by side. They
-   come as two arrays: the positions go into the second half of the row,
-   from where each moves down before a pair is written over it, the
-   velocities behind the row, which has space for 2 + 3 * bodies
-   numbers. */
+/* Writes a row, with position and velocity of each body side by side. The
+   engine gives two arrays: the positions go into the second half of the
+   row, from where each moves down before a pair is written over it, the
+   velocities behind the row, which has space for 2 + 3 * bodies numbers. */
 static void write_row(struct table *out, struct bonkers *b, double row[])
 {
     double *x = row + 2 + b->gaps + 1, *v = x + b->gaps + 1;
@@ -447,15 +448,15 @@ static bool write_run(struct table *out, struct run *r)
     return true;
 }
 
-/* Members of an ensemble differ only in their seeds, and every processor
-   core runs its own. The mean must not depend on how many cores there are,
-   and floating-point sums depend on the order of their terms. So the cores
-   fill a batch of fixed size, and one of them adds it up in the order of
-   the members. */
+/* The number of members that run at one time. Members of an ensemble differ
+   only in their seeds, and every processor core runs its own. The mean must
+   not depend on the number of cores, and floating-point sums depend on the
+   order of their terms. So the cores fill a batch of fixed size, and one of
+   them adds it up in the order of the members. */
 enum { BATCH = 16 };
 
-/* Over the members, for each row and body: the sums of x and v, the mean
-   of T, and the sum of its squared deviations. */
+/* The sums over the members, for each row and body: of x and v, the mean of
+   T, and the sum of its squared deviations. */
 struct ensemble {
     size_t rows, bodies;
     uint64_t members;
@@ -586,8 +587,8 @@ static void add_run(struct totals *t, const struct run *r)
         t->energy_error = error;
 }
 
-/* Writes the summary. Where energy is meant to be lost its change is no
-   error and is called energy_change. */
+/* Writes the summary. If collisions lose energy its change is no error, and
+   has the key energy_change. */
 static void write_summary(struct table *out, const struct totals *t,
                           enum bonkers_engine engine)
 {
@@ -633,7 +634,7 @@ static bool run_ensemble(struct table *out, struct ensemble *e,
     return done > 0;
 }
 
-/* Makes, runs, writes and frees an ensemble. Returns whether it is
+/* Makes an ensemble, runs it, writes it and frees it. Returns whether it is
    complete. */
 static bool average_ensemble(struct table *out, const struct run *first,
                              struct totals *t, struct progress *p)
@@ -694,8 +695,9 @@ static void check_rows(const struct run *r)
                    r->every, end);
 }
 
-/* For an ensemble, too, one run is begun: nobody runs it, but it shows that
-   the start is possible and how many rows there will be. */
+/* Runs bonkers. Even for an ensemble a single run is begun: it goes no
+   further, but shows that the start is possible and how many rows there
+   will be. */
 int main(int argc, char *argv[])
 {
     struct run r;

@@ -74,10 +74,10 @@ struct pair {
     double before[2][COLLIDE_DIMENSIONS], after[2][COLLIDE_DIMENSIONS];
 };
 
-/* What a collision conserves, in 113 bits instead of 53, so that what
-   changes in the momentum and energy of the rounded velocities is due to
-   collide alone. The momentum and energy of a wall are infinite: it is left
-   out of the sums, and energies are measured in its frame, where that of
+/* What a collision conserves, in 113 bits instead of 53, so that any change
+   in the momentum and energy of the rounded velocities comes from collide
+   alone. The momentum and energy of a wall are infinite: it is left out of
+   the sums, and energies are measured in its frame, in which the energy of
    the ball is conserved. The momentum that the ball loses is what the wall
    takes. */
 struct totals {
@@ -100,7 +100,8 @@ static double length(size_t dimensions, const double v[])
     return sqrt(square);
 }
 
-/* The limits of masses, here, and of velocities, below, are far from
+/* Returns whether this is the inverse of a mass that can be used, or 0 for
+   a wall. The limits of masses and velocities are far from those of
    everything that moves. Beyond them the square of a number may overflow or
    vanish, and the answer would be infinity or NaN. */
 static bool is_inverse_mass(double im)
@@ -180,9 +181,10 @@ static void read_settings(int argc, char *argv[])
     program_apart(&o, given.output, given.summary, "report");
 }
 
-/* With a wall the energy scale also includes the product of the wall's
-   speed and the ball's momentum: the rounding error of a velocity depends
-   on its size in the frame of the ground, not in that of the wall. */
+/* Returns the totals of a pair with velocities v. With a wall the energy
+   scale also includes the product of the wall's speed and the ball's
+   momentum: the rounding error of a velocity depends on its size in the
+   frame of the ground, not in that of the wall. */
 static struct totals totals_of(struct pair *p,
                                double v[2][COLLIDE_DIMENSIONS])
 {
@@ -378,13 +380,13 @@ static bool run_tests(struct table *out, struct table *summary)
     return complete;
 }
 
-/* Warns of two things that are no errors, on standard error, so that the
-   report stays what it is. Bodies that move apart along the normal have an
-   answer, too (with e = 1 the state before their last collision), but it is
-   probably not what was meant. And rounding explains no error beyond 16
-   machine epsilons: the worst of a million random collisions has 2.9 on a
-   line and 7.7 in space. The warning is relative, so that it does not
-   depend on the units; a fixed one, of 1e-4 say, would miss errors of
+/* Collides the pair of the command line. Warns on standard error of two
+   things that are no errors. Bodies that move apart along the normal have
+   an answer, too (with e = 1 the state before their last collision), but it
+   is probably not the one that was meant. And rounding explains no error
+   beyond 16 machine epsilons: the worst of a million random collisions has
+   2.9 on a line and 7.7 in space. This limit is relative, so that it does
+   not depend on the units; a fixed one, of 1e-4 say, would miss errors of
    small bodies and warn of large ones that are right. */
 static void run_by_hand(struct table *out, struct table *summary)
 {

@@ -21,7 +21,7 @@
 
 enum {
     NO_BOUNDARY = DISKS_BOUNDARIES, /* no boundary was given */
-    PARTS = 1000000 /* in which the progress of a run is counted */
+    PARTS = 1000000                 /* parts of a run for its progress */
 };
 
 /* The command line. An option that was not given is 0, NULL or NaN. */
@@ -46,8 +46,8 @@ static struct {
            .seed = 1,
            .summary = "/dev/null"};
 
-/* Returns whether the start is read: every name but those of the two starts
-   that the program makes is that of a file. */
+/* Returns whether the start is read from a file: "lattice" and "random" are
+   starts that the program makes, every other name is that of a file. */
 static bool starts_from_file(void)
 {
     return strcmp(given.start, "lattice") != 0 &&
@@ -197,7 +197,7 @@ static void fill_box(struct disks *d)
 }
 
 /* Draws velocities. Random velocities have a random temperature, too; a
-   common factor makes it the one asked for. */
+   common factor makes it that of --temperature. */
 static void set_velocities(struct disks *d, struct random *r)
 {
     if (given.temperature == 0) {
@@ -248,8 +248,8 @@ static void make_start(struct disks *d)
     set_velocities(d, &r);
 }
 
-/* Reads a start. The file's box holds, if it has one; options may put its
-   disks into another. */
+/* Reads a start, with the box of its file, if it has one; options may put
+   its disks into another box. */
 static void read_start(struct disks *d)
 {
     char message[STATES_MESSAGE];
@@ -293,9 +293,9 @@ struct run {
 /* Up to this number of disks examining all pairs is as fast as cells. */
 enum { FEW = 16 };
 
-/* Chooses the engine. With few disks it is faster to examine all of them,
-   and a small periodic box has no room for cells. Both give the same bytes,
-   so no table says which it was. */
+/* Chooses the engine. With few disks it is faster to examine all pairs, and
+   a small periodic box has no room for cells. Both engines give the same
+   bytes, so tables do not name the engine. */
 static void choose_engine(struct run *r)
 {
     const bool suit = cells_suit(&r->d);
@@ -339,7 +339,7 @@ static double shortest(const struct disks *d)
 
 /* Returns the length of the first pieces of time in which the pressure is
    summed: about the time between two collisions anywhere in the box. Pieces
-   get longer as blocks are joined. */
+   get longer when blocks are joined. */
 static double first_piece(const struct disks *d)
 {
     double mass = 0;
@@ -401,7 +401,7 @@ static void run_to(struct run *r, double until, uint64_t collisions)
     r->seconds += bench_seconds() - start;
 }
 
-/* Keeps the largest drift of all averages, to be reported if the run was
+/* Keeps the largest drift of all averages, which is reported if the run was
    not steady. */
 static void watch_drift(struct run *r, const char *of, double drift)
 {
@@ -424,8 +424,8 @@ static bool can_meet(const struct disks *d)
 
 /* Runs until each disk has had `each` collisions, ends a little after the
    last of them, at a time when nothing happens, and sets all counts to
-   zero. It goes in slices, so that a signal is seen however rare the
-   collisions are. */
+   zero. It runs in slices, so that a signal is noticed even if collisions
+   are rare. */
 static void warm_up(struct run *r, double each)
 {
     const double count = (double)r->d.count;
@@ -464,17 +464,18 @@ static double Z_wall(const struct run *r, size_t k, double impulse,
     return impulse * r->d.box[k] / (2 * time * (double)r->d.count * r->kT);
 }
 
-/* Returns what collisions sum up: P V/(N kT) in a periodic box
-   (7.5, eq:virial); with walls the mean of Z_wall (1 - 2R/L), since they
-   act on centres that stay a radius away (7.6, eq:gas-walls). */
+/* Returns the pressure from the sums of collisions: P V/(N kT) in a
+   periodic box (7.5, eq:virial); with walls the mean of Z_wall (1 - 2R/L),
+   since walls act on centres that stay a radius away (7.6,
+   eq:gas-walls). */
 static double Z_virial(const struct run *r, double virial, double time)
 {
     return 1 +
            virial / ((double)(r->d.dimensions * r->d.count) * r->kT * time);
 }
 
-/* Each measurement has three functions: one before the run (begin_), one
-   at each sampling time (sample_), one at the end (end_). */
+/* The measurements. Each has a function before the run (begin_), one at
+   each sampling time (sample_), and one at the end (end_) or NULL. */
 static void begin_states(struct run *r)
 {
     states_begin(r->out, &r->d);
@@ -493,8 +494,8 @@ static const char *const axis_names[] = {"x", "y", "z"};
 
 static struct blocks counted; /* of positions or speeds */
 
-/* Positions are counted in BINS bins along each axis; their density has the
-   integral 1 over the box. */
+/* Begins the table of positions, which are counted in BINS bins along each
+   axis; their density has the integral 1 over the box. */
 static void begin_positions(struct run *r)
 {
     make_sums(&counted, r->d.dimensions * BINS);
@@ -576,8 +577,8 @@ static double scaled_speed(const struct run *r, size_t i, double parts[])
     return sqrt(square);
 }
 
-/* A sample has the densities of the speed and of the modulus of a
-   component, and the means of u and u^4. */
+/* Begins the table of speeds. A sample has the densities of the speed and
+   of the modulus of a component, and the means of u and u^4. */
 static void begin_speeds(struct run *r)
 {
     make_sums(&counted, 2 * SPEEDS + 2);
@@ -634,7 +635,8 @@ static double chi_square(const double density[], size_t *bins)
     return sum;
 }
 
-/* Writes the densities beside both laws, and both means in the summary. */
+/* Writes the measured densities next to those of both laws, and the means
+   into the summary. */
 static void end_speeds(struct run *r, struct table *summary)
 {
     static double density[LAWS][SPEEDS];
@@ -720,7 +722,8 @@ static struct {
     double time, impulse[DISKS_AXES], virial;
 } previous;
 
-/* The pressure of a row is what the sums gained since the row before. */
+/* Begins the table of the pressure. A row has the pressure since the row
+   before. */
 static void begin_pressure(struct run *r)
 {
     const bool walls = r->d.boundary == DISKS_WALLS;
@@ -1184,8 +1187,8 @@ static bool is_valid_start(struct run *r, size_t *a, size_t *b)
     return cells_fit(&r->cells, a, b);
 }
 
-/* Refuses rows too many to be counted: until the end of the run or, if that
-   is a collision, in the time that takes a disk through the box. */
+/* Refuses more rows than can be counted, until the end of the run or, if a
+   collision ends it, in the time that a disk takes to cross the box. */
 static void check_rows(const struct run *r)
 {
     const struct disks *d = &r->d;
@@ -1206,9 +1209,9 @@ static double shortest_periodic(const struct disks *d)
     return least;
 }
 
-/* Refuses what is no state, or cannot be measured as asked. A periodic box
-   must be wide enough that one image is the nearest. Only a file can bring
-   disks that do not fit. */
+/* Refuses a start that is no state, or that cannot be measured in the given
+   way. A periodic box must be wide enough that one image is the nearest.
+   Only a file can bring disks that do not fit. */
 static void check_start(struct run *r)
 {
     const struct disks *d = &r->d;
@@ -1271,7 +1274,7 @@ static void begin_to_fall(struct disks *d, double gravity)
     d->gravity = gravity;
 }
 
-/* Says why a run ended early: inelastic collapse, a disk on the floor,
+/* Prints why a run ended early: inelastic collapse, a disk on the floor,
    speeds too low, or rest. */
 static void report_collapse(const struct disks *d)
 {
@@ -1289,9 +1292,10 @@ static void report_collapse(const struct disks *d)
             (unsigned long long)d->collisions);
 }
 
-/* The start is made before files are opened, so that one that is refused
-   leaves no trace. The head is written before the warm-up, so that a run
-   interrupted in it leaves a table; an interrupted run gets no summary. */
+/* Runs disks. The start is made before files are opened, so that a start
+   that is refused leaves no trace. The head is written before the warm-up,
+   so that a run interrupted in it leaves a table; an interrupted run gets
+   no summary. */
 int main(int argc, char *argv[])
 {
     static struct run r;

@@ -39,7 +39,7 @@ struct column {
     struct statistics_description d; /* of x */
 };
 
-/* Holds only the columns that are needed, because a table may have a
+/* The columns that are needed, and no others, because a table may have a
    million rows. */
 struct columns {
     size_t count, rows, capacity, last; /* the last that a row must have */
@@ -50,8 +50,8 @@ struct columns {
     char *made_by; /* the command in the file's head, if any */
 };
 
-/* Prints what is wrong with the input, with file and line in the form that
-   editors know, and ends the program. */
+/* Prints an error in the input, with file and line in the form that editors
+   know, and ends the program. */
 static _Noreturn void bad_input(const struct columns *c, const char *format,
                                 ...)
 {
@@ -79,8 +79,8 @@ struct head {
 };
 
 /* Reads "# 3 x1 [m] ...", "# command: ..." or "# seed: ..."; any other line
-   is a comment. Command and seed are copied to the table that is
-   written, so that a histogram still says where its samples came from. */
+   is a comment. Command and seed are copied to the table that is written,
+   so that a histogram names the origin of its samples. */
 static void read_head(struct head *h, struct columns *c, const char *text)
 {
     char name[NAME_LENGTH], unit[NAME_LENGTH];
@@ -96,7 +96,8 @@ static void read_head(struct head *h, struct columns *c, const char *text)
         c->made_by = strdup(text + 11);
 }
 
-/* A file from Windows has '\r' at the end of each line. */
+/* Returns whether a letter separates fields. A file from Windows has '\r'
+   at the end of each line. */
 static bool is_blank(char letter)
 {
     return letter == ' ' || letter == '\t' || letter == '\n' ||
@@ -258,7 +259,7 @@ static void read_table(struct columns *c)
             take_row(c, text);
         }
     }
-    c->line = 0; /* what follows concerns no line */
+    c->line = 0; /* no line is being read */
     if (ferror(file))
         bad_input(c, "%s", strerror(errno));
     if (file != stdin)
@@ -416,8 +417,9 @@ struct bins {
     size_t count;
 };
 
-/* Without --range the bins reach from the least sample to the greatest;
-   without --bins there are as many as (3.19, eq:width) advises. */
+/* Returns the bins of a column. Without --range they reach from the least
+   sample to the greatest; without --bins there are as many as (3.19,
+   eq:width) advises. */
 static struct bins choose_bins(size_t i,
                                const struct statistics_description *d)
 {
@@ -436,7 +438,7 @@ static struct bins choose_bins(size_t i,
 }
 
 /* Refuses a column of which no table can be made. All columns are described
-   before anything is written, so that this comes first. */
+   before anything is written, so that no table is begun in vain. */
 static void refuse_column(const struct columns *c,
                           const struct column *column)
 {
@@ -461,9 +463,10 @@ static void refuse_column(const struct columns *c,
                   column->name);
 }
 
-/* Describes a column, and refuses it if nothing can be written of it; also
-   if the law that takes its mean and standard deviation from the column has
-   no width, or an infinite one. */
+/* Describes a column. Refuses a column of which no table can be made, or
+   from which a law would take a standard deviation that is 0 or infinite,
+   or whose bins would be so narrow that the density exceeds the largest
+   double. */
 static void describe(struct columns *c, size_t i)
 {
     struct column *column = &c->column[i];
@@ -530,13 +533,12 @@ static void test_law(const struct columns *c, size_t i,
     TABLE_RESULTS_OF(
         given.summary, column->name, {"law_mean", laws_mean(&completed)},
         {"law_sd", laws_sd(&completed)}, {"law_fitted", (double)fitted});
-    if (!fitted) {
+    if (!fitted)
         TABLE_RESULTS_OF(
             given.summary, column->name, {"law_distance", t.distance},
             {"law_distance_probability", t.distance_probability},
             {"mean_z", (d->mean - laws_mean(&completed)) / d->mean_error},
             {"sd_z", (d->sd - laws_sd(&completed)) / d->sd_error});
-    }
     TABLE_RESULTS_OF(given.summary, column->name, {"law_chi2", t.chi2},
                      {"law_degrees", t.degrees},
                      {"law_chi2_probability", t.chi2_probability});
@@ -647,7 +649,7 @@ static double *in_unit(const struct columns *c, size_t i)
 }
 
 /* Returns (x - mean)^2 of column i in units of the square of its size, to
-   be freed. Of a velocity that is the kinetic energy but for a factor. */
+   be freed. For a velocity this is the kinetic energy, up to a factor. */
 static double *squares_of(const struct columns *c, size_t i)
 {
     double *y = in_unit(c, i);
@@ -838,9 +840,8 @@ static void begin_table(const struct columns *c)
     }
 }
 
-/* Writes what is found in a column. That errors are only lower bounds is
-   said on standard error: it is no part of the result, and must not be
-   missed. */
+/* Writes the results of a column. A note that errors are only lower bounds
+   goes to standard error, where it cannot be missed. */
 static void write_column(const struct columns *c, size_t i)
 {
     if (c->against && i + 1 == c->count)

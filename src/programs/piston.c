@@ -48,8 +48,9 @@ static void read_pair(struct options *o, double pair[2], double low)
                      options_text(o), low);
 }
 
-/* The piston sets the gas in motion, so that the swing begins at V M / M',
-   with the mass M' of what moves (4.10, eq:added-mass). */
+/* Returns the state at the start. The piston sets the gas in motion, so
+   that the swing begins at V M / M', with M' the mass of all that moves
+   (4.10, eq:added-mass). */
 static struct piston_state first_state(const struct piston *p)
 {
     struct piston_state state = own.start;
@@ -65,8 +66,8 @@ static double large_period(const struct piston *p, size_t points)
     return piston_period(p, piston_energy(p, &state), points);
 }
 
-/* Writes what every theory says about the period, with the masses of the
-   gases and without. */
+/* Writes the periods of all theories, with the masses of the gases and
+   without. */
 static void summarise_periods(struct table *summary)
 {
     struct piston bare = own.piston;
@@ -139,11 +140,11 @@ static void study_run(struct study *s)
     summarise_periods(s->summary);
 }
 
-/* Returns the time of one swing by steps of dt, begun to the right, until
-   the piston comes by again in the same direction; NAN if a step fails.
-   The return falls between two steps. Newton's method shortens the last one
-   until it ends on the spot: each pass divides the distance that is missing
-   by the velocity and doubles the digits that are right, so six are plenty.
+/* Returns the time of one swing by steps of dt, from a start to the right
+   until the piston passes the place again in the same direction; NAN if a
+   step fails. The passage falls between two steps. Newton's method shortens
+   the last one until it ends there: each pass divides the missing distance
+   by the velocity and doubles the right digits, so six passes are plenty.
    The shorter step is as exact as the others. */
 static double stepped_period(const struct piston *p, stepper *step,
                              double dt)
@@ -207,9 +208,10 @@ static double cost_of(enum way way, const struct piston *p, double number)
     return bench_median(rounds, BENCH_ROUNDS);
 }
 
-/* Tries each way without gas masses and with them, steps halved and points
-   doubled until nothing changes any more but the leapfrog's last digits. A
-   signal ends the study between two numbers; the rows before it stay. */
+/* Writes the period and cost of each way, without gas masses and with them.
+   Steps are halved and points doubled until only the leapfrog's last digits
+   change. A signal ends the study between two numbers; the rows before it
+   are kept. */
 static void study_cost(struct study *s)
 {
     static const double first[WAYS] = {1, 1, 1, 0, 0};
@@ -241,9 +243,9 @@ static void study_cost(struct study *s)
 
 enum { MOVERS = 4096, KEPT = 6 };
 
-/* What is kept of a table of bonkers: rows of time (s), position (m) and
-   velocity (m/s) of the piston, and the energies (J) of piston, left gas
-   and right gas. */
+/* The part of a table of bonkers that is kept: rows of time (s), position
+   (m) and velocity (m/s) of the piston, and the energies (J) of piston,
+   left gas and right gas. */
 struct run_rows {
     size_t rows, capacity, movers;
     double (*row)[KEPT];
@@ -316,7 +318,7 @@ static bool read_row(const char *line, size_t body, const struct columns *c,
 }
 
 /* Reads the table. The first row shows whether the head was complete. On
-   failure prints what is wrong, frees everything and returns false. */
+   failure prints the reason, frees everything and returns false. */
 static bool read_table(struct study *study, struct run_rows *r)
 {
     static struct columns c;
@@ -362,9 +364,9 @@ static bool read_table(struct study *study, struct run_rows *r)
     return !wrong;
 }
 
-/* Writes what was read, and of each gas the temperature 2 K / N and the
-   pressure 2 K / l, for the state diagram. Of the movers body - 1 are on
-   the left. */
+/* Writes the rows of the table, and for each gas the temperature 2 K / N
+   and the pressure 2 K / l, for the state diagram. Of the movers body - 1
+   are on the left. */
 static void study_gases(struct study *s)
 {
     struct run_rows r = {0};
@@ -515,7 +517,8 @@ static void study_measure(struct study *s)
     const struct fit f = fit_decay(&r);
     TABLE_COLUMNS(s->out, {"t", "s", "middle of a window"},
                   {"share", "", "the piston's, mean of the window"});
-    /* Without a fit there is no column of it, and the head says why. */
+    /* Without a fit its column is missing, and the head gives the
+       reason. */
     const bool fitted = f.n >= FEWEST_WINDOWS;
     if (fitted)
         table_column(s->out, "fit", "", "the fitted decay");
@@ -575,8 +578,8 @@ static const struct options_entry entries[] = {
     {"fit", 'F', "A,B", "excess of the share (0.1,0.01)"},
     {0}};
 
-/* The limits are so wide that nothing that moves is refused, and so narrow
-   that nothing overflows. */
+/* Takes an option. The limits are so wide that nothing that moves is
+   refused, and so narrow that nothing overflows. */
 static void take_option(struct options *o, int letter)
 {
     switch (letter) {
@@ -626,8 +629,8 @@ static void check_settings(struct options *o, const char *study)
         own.energies[1], length - own.start.x, own.masses[1]};
 }
 
-/* The defaults are those of the eleven particles. A start that is not a
-   number stands for the middle of the box. */
+/* The defaults belong to the eleven particles. A start that is NaN means
+   the middle of the box. */
 STUDY_MAIN(.name = PROGRAM,
            .purpose = "A piston between two adiabatic springs of gas.",
            .events = "steps", .studies = studies, .usual = "run",

@@ -181,8 +181,8 @@ static bool is_too_full(void)
 }
 
 /* Ends the program if the disks cannot be in the box: if one is wider than
-   the box, or if they are more than any packing holds, which is
-   pi/sqrt(12) = 0.9069 of a plane and pi/sqrt(18) = 0.7405 of space. */
+   the box, or if they fill more than any packing does, which is pi/sqrt(12)
+   = 0.9069 of a plane and pi/sqrt(18) = 0.7405 of space. */
 static void check_room(struct options *o, const struct sampling *p)
 {
     const double widest =
@@ -235,7 +235,7 @@ static void check_throws(struct options *o, struct sampling *p)
             floor(tries));
 }
 
-/* A run: what it measures, and how far it is. */
+/* A run: its state, its sums, and its progress. */
 struct run {
     struct sampling p;
     struct random r;
@@ -249,7 +249,7 @@ struct run {
     bool hopeless; /* too many throws in a row have failed */
 };
 
-/* The quantities of which run.numbers takes the means. */
+/* The quantities whose means are in run.numbers. */
 enum number {
     ACCEPTANCE, /* of moves; direct sampling: throws per sample */
     MEAN_X,     /* x of disk 1, m */
@@ -273,7 +273,7 @@ static double longest_distance(void)
     return given.boundary == DISKS_PERIODIC ? least : sqrt(square);
 }
 
-/* Allocates what a run needs. If memory is short, prints that and returns
+/* Allocates the memory of a run. If it is short, prints that and returns
    false. */
 static bool begin_run(struct run *run)
 {
@@ -297,12 +297,12 @@ static bool begin_run(struct run *run)
     return false;
 }
 
-/* Throws until all disks fit. Returns false after a signal, or if they do
-   not seem to fit: no rule tells whether so many do, so the throws
-   themselves decide. At an acceptance of 2e-7 a hundred million of them,
+/* Throws until all disks fit. Returns false after a signal, or if the disks
+   do not seem to fit: no rule tells this in advance, so the throws
+   themselves decide. At an acceptance of 2e-7 a hundred million throws,
    which take some seconds, would all fail with a probability of e^-20. The
    mean is taken of throws per sample, which are independent; the acceptance
-   is one over it. */
+   is one over this mean. */
 static bool next_direct(struct run *run)
 {
     uint64_t throws = 1;
@@ -342,8 +342,8 @@ static bool next_markov(struct run *run)
 }
 
 /* Makes an event chain along a random axis, of a random length: with a
-   length of five diameters, always the same, eight disks in a box of four
-   never leave the squares of a board on which they begin. No push is
+   fixed length of five diameters eight disks in a box of four would never
+   leave the squares of a chessboard on which they begin. No push is
    rejected. */
 static bool next_chain(struct run *run)
 {
@@ -369,7 +369,7 @@ static bool next_sample(struct run *run)
 }
 
 /* Finds a start and makes the samples that do not count, a tenth of the
-   others, since the first configurations still remember the lattice.
+   others, since the first configurations are still near the lattice.
    Returns false if there is no start. */
 static bool warm_up(struct run *run)
 {
@@ -397,8 +397,8 @@ static bool warm_up(struct run *run)
     return true;
 }
 
-/* Bins divide the whole length of the box, so that tables of any method
-   have the same ones. */
+/* Returns the bin of x. Bins divide the whole length of the box, so that
+   the tables of all methods have equal bins. */
 static size_t bin_of(double x, double length, size_t bins)
 {
     const double bin = x / length * (double)bins;
@@ -452,8 +452,8 @@ static void write_state(struct run *run)
 }
 
 /* Measures the densities at contact for one disk at the walls and for it
-   with up to three others; all disks and pairs take turns. To do so
-   for all of them would take longer than to make the sample. */
+   with up to three others; all disks and pairs take turns. For all of them
+   it would take longer than making the sample. */
 static void count_contacts(struct run *run)
 {
     const size_t n = run->p.large, i = run->done % n;
@@ -557,8 +557,9 @@ static void write_number(struct table *out, const struct run *run,
         {with, factor * means_error(&run->numbers, quantity)});
 }
 
-/* Returns how far the large disks have come since the warm-up, root mean
-   square, m: it tells whether a Markov chain moves at all. */
+/* Returns the root mean square distance of the large disks from their
+   places after the warm-up, m: it tells whether a Markov chain moves at
+   all. */
 static double distance_moved(const struct run *run)
 {
     double sum = 0;
@@ -605,9 +606,9 @@ static void write_summary(struct table *out, const struct run *run)
         write_number(out, run, "Z_chain", GAIN, 1, 1);
 }
 
-/* Writes what there is. Returns the exit status. A run that a signal has
-   cut short keeps its table and gets no summary, which would pass for one
-   of a complete run. A table without a configuration is not written. */
+/* Writes the results, and returns the exit status. A run cut short by a
+   signal keeps its table and gets no summary, which would look like that of
+   a complete run. A table without a configuration is not written. */
 static int finish(struct run *run, struct table *summary)
 {
     const bool complete = progress_end(&run->progress) && !run->hopeless;

@@ -68,7 +68,7 @@ static const char *describe_all(void)
     return text;
 }
 
-/* Refuses a name that is none, with the list of those that are. */
+/* Refuses a name that is no scene, with the list of all scenes. */
 _Noreturn static void refuse_name(const char *name)
 {
     fprintf(stderr, PROGRAM ": '%s' is no scene; there are", name);
@@ -183,8 +183,8 @@ static int write_scene(const struct settings *s)
     return out && table_close(out) ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
-/* The first argument names the scene; without one there are only --help,
-   which lists all scenes, and --version. */
+/* Writes a scene. The first argument names it; without one there are only
+   --help, which lists all scenes, and --version. */
 int main(int argc, char *argv[])
 {
     struct settings s = {0};

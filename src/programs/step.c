@@ -53,9 +53,9 @@ static struct {
            .summary = "/dev/null"};
 
 /* The names of --method, their help, and the headings of the options that
-   belong to adaptive methods and to the others are made from the table of
-   methods in stepping.c. GSL's adaptive method is asked for by its name
-   like the others, though it is not in that table. */
+   belong to adaptive methods and to the others, made from the table of
+   methods in stepping.c. GSL's adaptive method has a name like the others,
+   though it is not in that table. */
 static const char *method_names[STEPPING_MOST + 2];
 static const char outside_name[] = "rk8pd";
 static char method_help[128 * STEPPING_MOST] = "how to step:";
@@ -134,9 +134,9 @@ static bool is_adaptive(void)
     return m && m->adaptive;
 }
 
-/* Returns whether a contact may wait ahead of the time that the run has
-   reached, where the method's own steps have come to. A checkpoint does not
-   hold that, so such runs have none. */
+/* Returns whether a contact may wait ahead of the run's time, because the
+   method's own steps are further. A checkpoint does not store such a
+   contact, so these runs have no checkpoints. */
 static bool contact_may_wait(void)
 {
     return is_adaptive() && given.contact == LOCATED;
@@ -221,8 +221,8 @@ static uint64_t steps_in(double time, double dt, bool *whole)
 
 /* Sets the steps of the run and of a row. Without --until a thousand steps
    are taken; without --every there are as many rows as can be drawn. A
-   scene that was saved at the end of a run may be later than this end, or
-   earlier, by rounding; it is neither refused nor stepped for that. */
+   scene that was saved at the end of a run may be slightly later than this
+   end, or earlier, by rounding: then it is neither refused nor stepped. */
 static void set_rows(struct run *r, double start)
 {
     const double dt = r->motion.stepping.dt;
@@ -302,7 +302,8 @@ static double below_zero(double energy)
     return energy < 0 ? -energy : 0;
 }
 
-/* Returns the sum of the parts, and remembers it if it is finite. */
+/* Returns the sum of the parts of the energy, and keeps it as the last one
+   seen if it is finite. */
 static double add_up(struct run *r, struct motion_energy e)
 {
     const double sum = e.kinetic + (e.gravity + e.springs + e.weight);
@@ -356,9 +357,9 @@ static void begin_watch(struct run *r)
 
 /* Finds the energy of a row, and returns whether it is finite and within
    the bound (11.16, eq:energy-bound), relative to the scale of the rows
-   before it. A scene that starts at rest at height 0 has the scale 0, and
-   whatever its next row gains, by rounding even, would be beyond any bound:
-   then nothing is compared. */
+   before it. A scene that starts at rest at height 0 has the scale 0:
+   anything that its next row gained, even by rounding, would exceed the
+   bound, so then nothing is compared. */
 static bool energy_is_in_bounds(struct run *r)
 {
     struct watch *w = &r->watch;
@@ -380,12 +381,12 @@ static uint64_t to_power_of_two(uint64_t steps)
     return power - steps;
 }
 
-/* Returns whether the energy should stay as it is: without friction,
-   dashpots, contacts that are springs or lose energy. A run that ends whole
-   may still be wrong (Euler's oscillator gains energy without reaching the
-   bound for a while; leapfrog's at omega dt = 2 jumps from side to side at
-   constant energy), so it is examined twice more if nothing takes or gives
-   energy (find_complaint). */
+/* Returns whether the energy should be constant: there is no friction, no
+   dashpot, and no contact that is a spring or loses energy. Only then a run
+   that ends whole is examined twice more (find_complaint), since it may
+   still be wrong: Euler's oscillator gains energy without reaching the
+   bound for a while, and leapfrog's at omega dt = 2 jumps from side to side
+   at constant energy. */
 static bool is_conservative(const struct run *r)
 {
     const struct scene *s = &r->scene;
@@ -424,8 +425,8 @@ static double omega_squared(const struct scene *s,
 /* Returns the step times the highest angular frequency of a spring between
    two bodies (omega_squared). If no spring is compressed, the fastest
    motion of the scene is at least as fast, so a step at the method's limit
-   is reported rightly. A chain may be faster by up to sqrt(2); then the
-   energy tells. */
+   is reported rightly. A chain may be faster by up to sqrt(2), which only
+   the energy shows. */
 static double stiffest_omega_dt(const struct run *r)
 {
     const struct scene *s = &r->scene;
@@ -443,9 +444,9 @@ static uint64_t passed(const struct run *r)
     return r->watch.passed + (p ? p->passed : 0);
 }
 
-/* Returns what a run that ended well has done wrong: the step is at the
-   limit of the method or beyond (a limit of 0 is Euler's or that of an
-   adaptive method; for these the energy tells), pairs passed through each
+/* Returns the fault of a run that ended whole: the step is at the limit of
+   the method or beyond (a limit of 0 is that of Euler's or of an adaptive
+   method, whose faults show in the energy), pairs passed through each
    other, bodies overlapped at the start, or the energy of a row was off by
    more than a tenth of its scale (11.15, eq:energy-scale). */
 static enum complaint find_complaint(const struct run *r)
@@ -463,7 +464,7 @@ static enum complaint find_complaint(const struct run *r)
     return keeps && r->watch.worst > 0.1 * scale ? NOTE_ENERGY : NO_NOTE;
 }
 
-/* Notes that bodies passed through each other within a step. */
+/* Prints that bodies passed through each other within a step. */
 static void print_passed(const struct run *r)
 {
     const struct spheres *p = motion_contacts(&r->motion);
@@ -480,7 +481,7 @@ static void print_passed(const struct run *r)
                 r->motion.collides ? ", or --contact located" : "");
 }
 
-/* Notes what was wrong with a run that ended whole. */
+/* Prints the fault of a run that ended whole. */
 static void print_note(const struct run *r)
 {
     const enum complaint c = find_complaint(r);
@@ -503,7 +504,8 @@ static void print_note(const struct run *r)
             100 * r->watch.worst / (fabs(r->watch.start) + r->watch.depth));
 }
 
-/* Writes a checkpoint: the motion, and what the scene does not hold. */
+/* Writes a checkpoint: the motion, and the numbers that the scene does not
+   contain. */
 static bool keep_checkpoint(struct run *r)
 {
     const struct checkpoint_numbers known = {
@@ -524,7 +526,7 @@ static bool keep_checkpoint(struct run *r)
     return checkpoint_write(&r->checkpoint, &r->motion, known);
 }
 
-/* Returns a time that nobody can set back, s. */
+/* Returns the time of a clock that nobody can set back, s. */
 static double wall_clock(void)
 {
     struct timespec now;
@@ -583,13 +585,14 @@ static enum ending ending_of(enum stepping_end end)
                                       : STUCK;
 }
 
-/* Takes at most *batch steps, to the next row, power of two or end at most.
-   A batch takes about a thirtieth of a second: often enough for Ctrl-C,
-   progress and checkpoints, too rarely to cost anything; no method lets the
-   bytes depend on how a run is divided. The speed in the summary is that of
-   the steps alone. Reading the processor's time takes as long as ten steps
-   of two bodies, so it is read only if the last batch took over 10
-   microseconds; where few do, rows are a part of what is timed. */
+/* Takes at most *batch steps, and at most those to the next row, to the
+   next power of two, or to the end. A batch takes about a thirtieth of a
+   second: often enough for Ctrl-C, progress and checkpoints, too rarely to
+   cost anything; with no method do the bytes depend on how a run is
+   divided. The speed in the summary is that of the steps alone. Reading the
+   processor's time takes as long as ten steps of two bodies, so it is read
+   only if the last batch took over 10 microseconds; if few batches do, the
+   time includes the rows. */
 static enum ending run_batch(struct run *r, uint64_t *batch)
 {
     const bool timed = r->took > 1e-5;
@@ -632,7 +635,7 @@ static enum ending add_row(struct run *r)
 }
 
 /* Takes a shorter last step to the end. The checkpoint before it is the
-   last: who continues from there takes the step again. */
+   last: a run that continues from there takes the step again. */
 static enum ending take_last_step(struct run *r)
 {
     if (r->kept && !keep_checkpoint(r))
@@ -675,7 +678,7 @@ static enum ending run_on(struct run *r)
     return end;
 }
 
-/* Explains contacts within a step that are too many, or end in a rest that
+/* Prints that contacts within a step are too many, or end in a rest that
    only walls can give. */
 static void explain_crowd(const struct run *r)
 {
@@ -688,8 +691,8 @@ static void explain_crowd(const struct run *r)
                 r->time, body[0], other);
 }
 
-/* Explains why a run failed: up to which time there are rows, and what to
-   try first. Of a run that ended whole it notes what was wrong. */
+/* Prints why a run failed: up to which time there are rows, and what to try
+   first. Of a run that ended whole it prints the fault, if any. */
 static void explain(const struct run *r, enum ending end)
 {
     if (end == STUCK && r->motion.impact.crowded)
@@ -1007,11 +1010,11 @@ static const struct table_key keys[] = {
     {"shortest", "time", "the shortest of its steps"},
     {0}};
 
-/* Refuses what can be seen only when all options are read. The forces of a
-   tree jump, by as much as they are wrong, where a body comes so near that
-   a cell is opened. A method that estimates its error by differences would
-   take the jumps for errors and shorten its steps in vain, and the
-   equations of an implicit step might have no solution. */
+/* Refuses settings that contradict each other. The forces of a tree jump,
+   by as much as they are wrong, where a body comes so near that a cell is
+   opened. A method that estimates its error by differences would take the
+   jumps for errors and shorten its steps in vain, and the equations of an
+   implicit step might have no solution. */
 static void check_settings(struct options *o)
 {
     if (!given.scene)
@@ -1092,8 +1095,8 @@ static void read_settings(struct options *o, int argc, char *argv[])
     check_settings(o);
 }
 
-/* A run that blew up has a summary, too, since its end is a result; one
-   that was interrupted has none. */
+/* Runs step. A run that blew up has a summary, too, since its end is a
+   result; one that was interrupted has none. */
 int main(int argc, char *argv[])
 {
     static struct run r;

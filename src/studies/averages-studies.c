@@ -38,7 +38,7 @@ static double measure_pressure(const struct scene *s, double T)
     return 1 + virial / (2 * energy * T);
 }
 
-/* Asks for the mean pressure over T, to a hundredth. */
+/* Finds the mean pressure over T, to a hundredth. */
 static struct averages_found find_pressure(const struct scene *s, double T)
 {
     const struct averages_request q = {
@@ -53,9 +53,9 @@ static struct averages_found find_pressure(const struct scene *s, double T)
 }
 
 /* Writes a row. The answer and the run are independent of each other: the
-   velocities of their starts differ by a part in 1e12, which makes
-   different runs of them after a few dozen collisions. A refusal has no
-   answer, and its error is not noted either. */
+   velocities of their starts differ by a part in 1e12, so that the runs
+   differ after a few dozen collisions. A refusal has no answer, and no
+   error is written. */
 static void study_pair(struct study *s, double T, double seed)
 {
     struct scene pair;
@@ -70,9 +70,8 @@ static void study_pair(struct study *s, double T, double seed)
     scene_free(&pair);
 }
 
-/* Takes two disks, twenty starts, and ever longer times T: the mean over
-   all of T beside the answer, which has simulated as much of T as it
-   wanted. */
+/* Writes, for two disks, twenty starts and ever longer times T, the mean
+   over all of T and the answer, which simulates only a part of T. */
 static void study_disks(struct study *s)
 {
     TABLE_COLUMNS(s->out, {"T", "s", "time of the mean"},

@@ -70,7 +70,7 @@ static const struct subject subjects[] = {
     {"cantilever", "cantilever", 8, {{0}}},
     {0}};
 
-/* Ends the program: half an atlas is of no use. */
+/* Prints why and ends the program, since half an atlas is of no use. */
 _Noreturn static void fail(const char *why)
 {
     program_give_up("%s", why);
@@ -118,8 +118,8 @@ static void make_path(struct path *p, const struct scene *s)
 }
 
 /* Runs the plan for at most `limit` seconds by the price list, and fills p
-   with what there was of the run and its cost. Returns false if it did not
-   reach its end. */
+   with the run, as far as it came, and its cost. Returns false if it did
+   not reach its end. */
 static bool run_plan(struct path *p, const struct models_plan *plan,
                      const struct scene *s, double every, double limit)
 {
@@ -156,8 +156,8 @@ static double distance(const struct path *a, const struct path *b,
 }
 
 /* Returns the scale of position errors: the diagonal of the box that
-   contains all bodies and the walls. It is computed here and not asked of
-   the module under examination, so that a mistake in one is seen by the
+   contains all bodies and the walls. It is computed here and not by the
+   module under examination, so that a mistake in one shows against the
    other. */
 static double size_of(const struct scene *s)
 {
@@ -175,18 +175,18 @@ static double size_of(const struct scene *s)
     return sqrt(square);
 }
 
-/* When and with what a body collides next. */
+/* The next collision of a body: its time and its partner. */
 struct meeting {
     quad t;
     size_t with; /* a body; a wall: bodies + 2 * axis + side */
 };
 
-/* Hard bodies that move straight between events, in 113-bit arithmetic, as
-   the truth for scenes in which only contacts act. It is the simplest
-   program possible: all positions belong to the same time, there is no
-   calendar and no grid, only the next meeting of each body. Lines, disks
-   and walls are treated alike; on a line the square root of
-   (5.3, eq:pair-time) is exact by itself. */
+/* Hard bodies that move straight between events, in 113-bit arithmetic: the
+   truth for scenes in which only contacts act. The program is as simple as
+   possible: all positions belong to one time, and there is no calendar and
+   no grid, only the next collision of each body. Lines, disks and walls are
+   treated alike; on a line the square root of (5.3, eq:pair-time) is exact
+   by itself. */
 struct flight {
     size_t bodies;
     const struct scene *scene;
@@ -227,7 +227,7 @@ static quad pair_time(const struct flight *f, size_t i, size_t j)
 }
 
 /* Returns the first wall that body i reaches (5.1, eq:wall-time). A body
-   that is behind a wall by rounding meets it now, not in the past. */
+   that is behind a wall by rounding reaches it now, not in the past. */
 static struct meeting wall_time(const struct flight *f, size_t i)
 {
     const struct scene *s = f->scene;
@@ -247,8 +247,8 @@ static struct meeting wall_time(const struct flight *f, size_t i)
     return first;
 }
 
-/* Finds the next meeting of body i. If it is sooner than what the other
-   body expects, the other's meeting is replaced, too. */
+/* Finds the next collision of body i. If it comes before the one that its
+   partner expects, it replaces that one as well. */
 static void predict(struct flight *f, size_t i)
 {
     f->next[i] = wall_time(f, i);
@@ -288,7 +288,8 @@ static void collide(struct flight *f, size_t i, size_t j)
 }
 
 /* Moves all bodies to the next event, that of body i, and predicts again
-   for all that took part in it or expected to meet one of these. */
+   for all bodies that took part in it or expected to collide with one of
+   these. */
 static void handle_event(struct flight *f, size_t i)
 {
     const size_t n = f->bodies, j = f->next[i].with;
@@ -314,8 +315,8 @@ static size_t find_next(const struct flight *f)
     return best;
 }
 
-/* Starts a flight. The doubles of the scene are taken as exact: that they
-   are rounded themselves is no error of a method. */
+/* Starts a flight. The doubles of the scene are taken as exact, since their
+   rounding is no error of a method. */
 static void begin_flight(struct flight *f, const struct scene *s)
 {
     const size_t n = s->bodies;
@@ -363,8 +364,8 @@ struct truth {
         unsure; /* difference of the two ways to find it over the scale */
 };
 
-/* Runs a plan with compensated sums: a scene with `carry` lines is stepped
-   with sums that carry their rounding errors, so it gets carries of
+/* Runs a plan with sums that carry their rounding errors: step does this
+   with a scene that has `carry` lines, so the scene gets carries of
    zero. */
 static bool run_with_carries(struct path *p, struct models_plan plan,
                              const struct scene *s, double every)
@@ -380,8 +381,8 @@ static bool run_with_carries(struct path *p, struct models_plan plan,
 
 enum { LEVELS = 3, FIRST = 8, HALVINGS = 20 };
 
-/* A column of Richardson's table: entry 0 is the run itself; in each of the
-   following one more term of its error is removed. */
+/* A column of Richardson's table: entry 0 is the run itself, and each
+   further entry has one more term of its error removed. */
 struct column {
     struct path entry[LEVELS];
 };
@@ -450,8 +451,8 @@ static double converge(struct path *best, const char *method,
     return change;
 }
 
-/* Fills best with radau15, which chooses its step lengths; returns what a
-   tolerance ten times finer changed. */
+/* Fills best with radau15, which chooses its step lengths; returns the
+   difference that a tolerance ten times finer makes. */
 static double refine_lengths(struct path *best, const struct scene *s,
                              double every)
 {
@@ -477,11 +478,11 @@ static bool only_contacts(const struct scene *s)
 }
 
 /* Finds the true path. Where only contacts act, events with 113 bits are
-   the truth. Elsewhere it is found in two ways that have little in common:
-   by extrapolated steps of equal length (kahan-li8, which cannot follow
-   friction; there gauss4, symmetric as well) and by steps of variable
-   length. The one that changed less is taken, and the difference of the two
-   says how well it is known. */
+   the truth. Elsewhere the path is found in two ways that have little in
+   common: by extrapolated steps of equal length (kahan-li8, or gauss4 where
+   there is friction, which kahan-li8 cannot follow; both are symmetric) and
+   by steps of variable length. The path that changed less is taken, and the
+   difference of the two is its uncertainty. */
 static void find_truth(struct truth *t, const struct scene *s, double every,
                        double budget)
 {
@@ -529,9 +530,9 @@ struct map {
     size_t points;
 };
 
-/* Runs a plan and adds its point. Returns its error, INFINITY if the run
-   did not end well. An error of 0 has no place on a logarithmic map; it is
-   drawn at the lower edge, 1e-17. */
+/* Runs a plan and adds its point. Returns its error, or INFINITY if the run
+   did not come to its end. An error of 0 cannot be drawn on a logarithmic
+   map; it is set to the lower edge, 1e-17. */
 static double add_point(struct map *m, struct models_plan plan)
 {
     if (m->points == MOST_POINTS)
@@ -545,11 +546,11 @@ static double add_point(struct map *m, struct models_plan plan)
     return error;
 }
 
-/* Doubles the steps of each row, from one, until two more doublings in a
-   row do not help (the truth is known no better, or rounding, or what was
-   left out, is all that remains of the error) or cost too much. The cost
-   grows at least as much with each doubling as with the one before, so that
-   a run that would be stopped is not started. Returns the smallest
+/* Doubles the steps of each row, from one, until two more doublings do not
+   help, because the rest of the error is rounding, or a part that was left
+   out, or the uncertainty of the truth; or until a run costs too much. The
+   cost grows at least as much with each doubling as with the one before, so
+   that a run that would be stopped is not started. Returns the smallest
    error. */
 static double double_steps(struct map *m, struct models_plan plan)
 {
@@ -587,8 +588,8 @@ static void lower_tolerance(struct map *m, struct models_plan plan)
     }
 }
 
-/* Bisects for the fewest steps that meet the tolerance between n/2 and n,
-   in sixteenths of n. */
+/* Finds by bisection the fewest steps that meet the tolerance, between n/2
+   and n, in sixteenths of n. */
 static void refine(struct map *m, struct models_plan plan, double tolerance)
 {
     const uint64_t n = plan.steps;
@@ -640,9 +641,9 @@ static bool is_luck(const struct map *m, const struct point *p,
     return false;
 }
 
-/* Returns the cheapest point that meets the tolerance of those with the
-   same model and cuts as plan, or, if plan is NULL, of all but those of
-   model `without`; NULL if none does. */
+/* Returns the cheapest point that meets the tolerance, or NULL. If plan is
+   not NULL only points with its model and cuts count, otherwise all but
+   those of the model `without`. */
 static const struct point *cheapest_of(const struct map *m,
                                        const struct models_plan *plan,
                                        const struct models_model *without,
@@ -701,14 +702,14 @@ static bool is_front(const struct map *m, const struct point *p)
 
 /* Returns whether the plan leaves nothing out and its model belongs to this
    family. A user who does not compare models would take the most accurate
-   of such plans: by events if only contacts act, by steps otherwise. */
+   of such plans: events if only contacts act, otherwise steps. */
 static bool is_plain(const struct point *p, enum models_family family)
 {
     return p->plan.cuts == 0 && p->plan.model->family == family;
 }
 
 /* Returns the cheapest plain way to 1e-11, or to twice the least error of
-   all such (four disks do not reach 1e-11); NULL: there is none. */
+   all plain ways (four disks do not reach 1e-11); NULL: there is none. */
 static const struct point *finest(const struct map *m)
 {
     const struct point *best = NULL;
@@ -727,9 +728,10 @@ static const struct point *finest(const struct map *m)
     return best;
 }
 
-/* Returns what the classic habit costs: events or leapfrog, its steps
-   halved until the tolerance is met. Where the map ends before, leapfrog's
-   order fills in: twice the steps have a quarter of the error. */
+/* Returns the point of the classic method: events, or leapfrog with its
+   steps halved until the tolerance is met. Where the map ends before that,
+   the error follows from leapfrog's order: twice the steps have a quarter
+   of the error. */
 static struct point classic_way(const struct map *m, double tolerance)
 {
     const bool events = only_contacts(&m->scene);
@@ -752,9 +754,8 @@ static struct point classic_way(const struct map *m, double tolerance)
 }
 
 /* Tries all models with steps, or all others, with these cuts. It begins at
-   the end of the table, where the high orders are: they soon lower the
-   limit, and the low orders are then not run for longer than is
-   sensible. */
+   the end of the table, with the high orders: they soon lower the limit, so
+   that the low orders are not run for too long. */
 static void try_models(struct map *m, unsigned cuts, bool steps)
 {
     size_t k = 0;
@@ -773,10 +774,10 @@ static void try_models(struct map *m, unsigned cuts, bool steps)
     }
 }
 
-/* Tries all sets of what may be left out, as the bits of a number. A set
-   whose error, in the finest plain way, exceeds the largest tolerance is
-   tried only with models without steps. Rods exist only with leapfrog and
-   are always tried. */
+/* Tries all sets of cuts, the parts that a plan may leave out, as the bits
+   of a number. A set whose error, in the finest plain way, exceeds the
+   largest tolerance is tried only with models without steps. Rods exist
+   only with leapfrog and are always tried. */
 static void try_cuts(struct map *m)
 {
     const unsigned all = models_cuts(&m->scene);
@@ -793,7 +794,7 @@ static void try_cuts(struct map *m)
     }
 }
 
-/* What the chooser took for a tolerance, and how it did. */
+/* The choice for a tolerance, and how good it was. */
 struct pick {
     struct point point; /* cost NAN: refused */
     double deciding;    /* cost of choosing, s by the price list */
@@ -814,7 +815,8 @@ static void take_pick(struct pick *p, struct map *m, const struct record *r)
         false};
 }
 
-/* Asks the chooser, with the same functions and the same limit as bonk. */
+/* Lets the chooser choose, with the functions and the limit that bonk
+   uses. */
 static void ask_chooser(struct pick *p, struct map *m, double tolerance)
 {
     const struct choose_request q = {.scene = &m->scene,
@@ -842,10 +844,10 @@ static void write_way(const struct point *p, struct table *out)
                 p ? p->cost : NAN);
 }
 
-/* Writes the row of a pick. It begins with a name by which the book asks
-   for it: the scene and the digits of the tolerance. Beside the pick are
-   the cheapest way that meets the tolerance, the cheapest of another model,
-   the finest plain one, and what halving the step would have come to. */
+/* Writes the row of a pick. It begins with a name by which the book quotes
+   it: the scene and the digits of the tolerance. After the pick come the
+   cheapest way that meets the tolerance, the cheapest of another model, the
+   finest plain one, and the classic method. */
 static void write_pick(const struct map *m, const struct pick *p, int k,
                        struct table *out)
 {
@@ -873,8 +875,8 @@ static int cheaper(const void *one, const void *other)
                : (a->error > b->error) - (a->error < b->error);
 }
 
-/* Writes the points; a run that is wrong by 30 scales helps nobody, and is
-   left out. */
+/* Writes the points. A run that is wrong by 30 scales or more is of no use,
+   and is left out. */
 static void write_points(const struct map *m, struct table *out)
 {
     enum { OFF = 30 };
@@ -898,15 +900,15 @@ struct price_run {
     uint64_t rows;
 };
 
-/* Plans are such that a run takes from half a millisecond to some
+/* The runs of the price list. Each takes from half a millisecond to some
    hundredths of a second: long for a clock of microseconds, short enough
    when all units are measured six times. On 24 bodies of a circle act 276
    pairs; most springs of a short beam belong to no band; of a hundred balls
    in a row hardly a pair comes near, of 250 disks many do. Radau's paths
    have degree nine: with sixty disks they make curves, and on a line most
    curves have a root. Two balls have one gap between them and thirty have
-   29; four disks have little to examine for a collision and ninety a lot.
- */
+   29; four disks have little to examine for a collision and ninety a
+   lot. */
 static const struct price_run price_runs[MODELS_UNITS] = {
     [MODELS_EVALUATION] = {"sun-earth", NULL, 0, "kahan-li8:1000", 10, 10},
     [MODELS_BODY] = {"ring", "particles", 500, "kahan-li8:40", 1, 10},
@@ -929,9 +931,9 @@ static const struct price_run price_runs[MODELS_UNITS] = {
     [MODELS_MODE] = {"cantilever", "nx", 12, "modes", 1, 2},
     [MODELS_ROW] = {"cradle", "balls", 2, "relabel", 1, 20000},
 };
-/* Makes the run, and returns how long it took, s. Its beginning is timed as
-   well, which is most of the work for modes. `alone` switches gravity off:
-   bodies on which nothing acts are those of a ring without it. */
+/* Makes the run, and returns the time it took, s. The time includes the
+   beginning, which is most of the work for modes. `alone` switches gravity
+   off: bodies on which nothing acts are those of a ring without it. */
 static double time_run(const struct price_run *b, bool alone,
                        double work[MODELS_UNITS])
 {
@@ -957,8 +959,8 @@ static double time_run(const struct price_run *b, bool alone,
     return seconds;
 }
 
-/* Returns what a unit costs if the other units of the run cost what the
-   list says, ns. */
+/* Returns the cost of a unit, ns, if the other units of the run have the
+   prices of the list. */
 static double price_in(const struct price_run *b, enum models_unit unit)
 {
     double work[MODELS_UNITS];
@@ -968,7 +970,7 @@ static double price_in(const struct price_run *b, enum models_unit unit)
     return (seconds - models_cost(work)) / units * 1e9;
 }
 
-/* Whole runs, short ones as well, whose predicted cost has to be about
+/* Whole runs, short ones among them, whose predicted cost has to be about
    right: with many bodies the start and the rows are a part of it. */
 static const struct price_run whole_runs[] = {
     {"gas", "particles", 100, "disks", 1e-4, 16},
@@ -999,7 +1001,7 @@ static void make_map(struct map *m, const struct subject *t)
 }
 
 /* Returns whether nothing on the map meets the tolerance, and the finest
-   run does meet it up to the horizon that was named. */
+   run does meet it up to the horizon of the pick. */
 static bool is_refusal_right(struct map *m, const struct pick *p,
                              double tolerance)
 {
@@ -1015,8 +1017,8 @@ static bool is_refusal_right(struct map *m, const struct pick *p,
 }
 
 /* Returns 0 if the pick is right, 1 if it does not meet the tolerance, 2 if
-   it costs more than 1.13 times the cheapest that does, 3 if it is a
-   refusal where something would have met it. */
+   it costs more than 1.13 times the cheapest point that does, 3 if it is a
+   refusal although a point meets the tolerance. */
 static int judge(struct map *m, const struct pick *p, double tolerance)
 {
     const struct point *best = cheapest_of(m, NULL, NULL, tolerance);

@@ -19,8 +19,7 @@ static struct {
     double until;
 } own = {.most = 1000000, .until = 10};
 
-/* Makes and starts a run; ends the program where memory is short, for then
-   there is nothing to measure. */
+/* Makes and starts a run. Ends the program if there is no memory. */
 static void begin_or_exit(struct bonkers *b,
                           const struct start_request *request,
                           enum bonkers_engine engine)
@@ -34,13 +33,13 @@ static void begin_or_exit(struct bonkers *b,
     start_free(&start);
 }
 
-/* A small naive engine that calculates in the widest numbers there are. It
-   serves as the truth, and rounds after every operation to be a line in
-   another precision. That is not like single precision but is single
-   precision: a wide number has more than twice the digits of a float and
-   two to spare, and a result rounded twice is then what a float unit would
-   have given. */
-enum { LINE_BODIES = 32 }; /* most that such a line can hold */
+/* A small engine that examines all gaps and calculates in the widest
+   numbers of the compiler. It serves as the truth, or rounds after every
+   operation to another precision. This does not imitate single precision
+   but is single precision: a wide number has more than twice the digits of
+   a float and two more, so a result rounded twice is the one of a float
+   unit. */
+enum { LINE_BODIES = 32 }; /* most bodies of such a line */
 
 enum line_kind {
     LINE_WIDE,   /* the widest precision */
@@ -57,7 +56,8 @@ struct line {
     quad now, x[LINE_BODIES], v[LINE_BODIES], im[LINE_BODIES];
 };
 
-/* Every result passes through here, and only here the kind matters. */
+/* Returns a result in the precision of the line. Every result passes
+   through here, and only here the kind has an effect. */
 static quad rounded(const struct line *l, quad value)
 {
     return l->kind == LINE_SINGLE   ? (quad)(float)value
@@ -76,8 +76,8 @@ static void line_copy(struct line *l, const struct bonkers *b,
     }
 }
 
-/* Returns how long it is until a gap closes and sets *first to that gap;
-   less than 0 if none does. */
+/* Returns the time until a gap closes and sets *first to that gap; less
+   than 0 if none does. */
 static quad line_wait(const struct line *l, size_t *first)
 {
     quad least = -1;
@@ -142,8 +142,8 @@ static void line_run_to(struct line *l, quad t)
     line_move(l, t - l->now);
 }
 
-/* The energy is not rounded on the way: the ruler must be finer than what
-   it measures. */
+/* Returns the energy. It is not rounded on the way: it has to be more
+   precise than the errors that it measures. */
 static double line_energy(const struct line *l)
 {
     quad sum = 0;
@@ -152,10 +152,10 @@ static double line_energy(const struct line *l)
     return (double)(sum / 2);
 }
 
-/* Returns the collisions in a second of a run that lasts a twentieth of one
-   or more. The two slow engines are asked for a number of collisions and
-   not for a time: to arrive at a time costs them one more search, which at
-   a million bodies is as expensive as a collision. */
+/* Returns the collisions in a second of a run that lasts a twentieth of a
+   second or more. The two slow engines run to a number of collisions and
+   not to a time: to end at a time costs them one more search, which at a
+   million bodies is as expensive as a collision. */
 static double speed_of(struct bonkers *b)
 {
     const double n = (double)b->gaps, bite = fmax(4, 1e5 / n);
@@ -173,11 +173,11 @@ static double speed_of(struct bonkers *b)
     return (double)(b->collisions - before) / seconds;
 }
 
-/* Sets speed[] to the medians of the engines' speeds, and speed[0] to how
-   much the slab engine did twice, per cent. Each engine has a gas of its
-   own from the same seed, and they take turns, since the frequency of a
-   processor wanders. Round -1 is the warm-up; the next one overwrites its
-   result. */
+/* Sets speed[] to the medians of the engines' speeds, and speed[0] to the
+   collisions that the slab engine did twice, per cent. Each engine has a
+   gas of its own from the same seed, and they take turns, since the
+   frequency of a processor changes. Round -1 is the warm-up; the next one
+   overwrites its result. */
 static void compare_engines(struct study *s, size_t movers,
                             double speed[BONKERS_ENGINES])
 {
@@ -198,7 +198,8 @@ static void compare_engines(struct study *s, size_t movers,
     }
 }
 
-/* The small ones are close together, to find where the scan loses. */
+/* Numbers of particles; the small ones are close together, to find where
+   the scan is slower. */
 static const size_t sizes[] = {4,    10,    30,     100,
                                1000, 10000, 100000, 1000000};
 enum { SIZES = sizeof sizes / sizeof sizes[0] };
@@ -257,11 +258,11 @@ static void study_speed(struct study *s)
         note_large(s->summary, speed);
 }
 
-/* Notes, for random velocities of two masses, how often g - q is a tie and
-   how often a tie is rounded up (section A coin that is not fair). What the
-   rounding of `rest` has lost is known exactly, since a wide number can
-   hold the difference: if that is half of the distance to the next double,
-   it was a tie. */
+/* Writes, for random velocities of two masses, how often g - q is a tie and
+   how often a tie is rounded up (section A coin that is not fair). The
+   rounding error of `rest` is known exactly, since a wide number can store
+   the difference: if it is half of the distance to the next double, there
+   was a tie. */
 static void throw_coins(struct table *summary, const char *name,
                         double mass1, double mass2)
 {
@@ -310,9 +311,9 @@ static const struct table_key drift_keys[] = {
    other bodies, whose energy drifts from the beginning, and START_MIXED in
    single precision. Energies at the start come from the same function as
    later ones, so that an error begins at zero. The energy in single
-   precision is compared with that in double: its error begins with 1e-8,
-   which rounding has changed at the start, and keeps its value when the run
-   stops. */
+   precision is compared with that in double: its error begins at 1e-8,
+   because the start is rounded, and is constant after the run has
+   stopped. */
 static void study_drift(struct study *s)
 {
     const struct start_request request = {.kind = START_MIXED};
@@ -357,8 +358,8 @@ static void study_drift(struct study *s)
 }
 
 /* Returns the largest distance from the start after n collisions and as
-   much time back again, by an engine. Two starts of the same kind are the
-   same to the last bit, and one is kept to compare with. */
+   much time back again, by an engine. Two starts of one kind are equal to
+   the last bit, and the second is used for the comparison. */
 static double miss(enum bonkers_engine engine, uint64_t n)
 {
     const struct start_request request = {.kind = START_MIXED};
@@ -368,7 +369,7 @@ static double miss(enum bonkers_engine engine, uint64_t n)
     begin_or_exit(&start, &request, engine);
     bonkers_run(&b, INFINITY, n);
     const double t = b.now;
-    /* All bodies are brought to one time, and fly back. */
+    /* All bodies are moved to the present, and fly back. */
     bonkers_settle(&b);
     for (size_t i = 0; i <= b.gaps; ++i)
         b.body[i].v = -b.body[i].v;
@@ -409,8 +410,8 @@ static const struct table_key reverse_keys[] = {
     {"<line>_<n>", "m", "largest miss after n and back; nan: not run"},
     {0}};
 
-/* Measures how far a reversed run misses its start. The slow lines, which
-   round every operation, stop at fewer collisions. */
+/* Measures how far a reversed run ends from its start. The slow lines,
+   which round every operation, stop at fewer collisions. */
 static void study_reverse(struct study *s)
 {
     progress_begin(&s->progress, PROGRAM, own.most, "collisions");
@@ -452,8 +453,8 @@ static void walk(struct bonkers_body body[], size_t gaps, uint64_t steps,
     }
 }
 
-/* Returns the root of the mean squared distance of the movers from the
-   truth at its time, to which each flies from its own. */
+/* Returns the root mean square distance of the movers from the truth, at
+   the time of the truth, to which each mover flies from its own time. */
 static double distance(const struct line *truth,
                        const struct bonkers_body body[])
 {
@@ -468,8 +469,8 @@ static double distance(const struct line *truth,
 }
 
 /* Walks from the start to the time until, as often as it takes to fill a
-   fiftieth of a second, for one walk may be too short for the stopwatch.
-   Returns the processor time of one, s. body: where it ended. */
+   fiftieth of a second, because one walk may be too short for the clock.
+   Returns the processor time of one walk, s, and in body[] its end. */
 static double time_walk(double until, const struct bonkers *b, double dt,
                         struct bonkers_body body[])
 {
@@ -522,8 +523,8 @@ static const struct table_key steps_keys[] = {
     {"smallest_step", "s", "of the walks"},
     {0}};
 
-/* Events come first, in the row of the step zero; then the step is halved
-   until it is one and a half millionths of a second, and once too often. */
+/* Writes the row of events first, as the step zero; then the step is halved
+   until it is less than a millionth of a second. */
 static void study_steps(struct study *s)
 {
     const struct start_request request = {.kind = START_MIXED};
@@ -600,8 +601,8 @@ static void study_collapse(struct study *s)
 static const double pull = 9.81, long_run = 900; /* m/s2, s */
 
 /* Returns the state of a ball, let go from 1 m, after the time long_run in
-   this number of leapfrog steps. They are exact for a body that falls; all
-   that they can do wrong is to notice the floor at the end of a step. */
+   this number of leapfrog steps. These are exact for a falling body; their
+   only error is to notice the floor at the end of a step. */
 static struct bonkers_body bounce_in_steps(uint64_t steps)
 {
     struct bonkers_body a = {.x = 1};
@@ -616,8 +617,9 @@ static struct bonkers_body bounce_in_steps(uint64_t steps)
     return a;
 }
 
-/* Returns where one let go from a height (m) is in truth after a time, m.
-   One remainder says it, for the ball is back after each bounce. */
+/* Returns the true height, m, of a ball at a time after it was let go at a
+   height, m. One remainder gives it, since the ball comes back after each
+   bounce. */
 static double bounced(double height, double until)
 {
     const double v = sqrt(2 * pull * height), phase = v / pull + until;
@@ -641,8 +643,9 @@ static struct bonkers_body bounce_by_events(uint64_t *bounces)
     return (struct bonkers_body){x[1], v[1], 0, 0};
 }
 
-/* Equal beads let go from 0.2 m, 0.4 m, ...: as good as ten balls, in
- * order. */
+/* Equal beads let go from 0.2 m, 0.4 m, ... Since equal beads exchange
+   their velocities, they move like ten independent balls in order of
+   height. */
 enum { BEADS = 10 };
 
 static int by_height(const void *a, const void *b)
@@ -663,8 +666,8 @@ static double error_of_beads(const struct bonkers_body body[], double until)
     return sqrt(sum / BEADS);
 }
 
-/* Walks with weight: half a drift, the pull, and the other half as walk
-   does it, with what is late to collide at its end. */
+/* Walks with weight: half a drift and the pull, then the other half by
+   walk, which also makes the collisions that are due. */
 static void walk_upright(struct bonkers_body body[], double until,
                          double dt)
 {
@@ -678,8 +681,8 @@ static void walk_upright(struct bonkers_body body[], double until,
     }
 }
 
-/* Writes a row of the table: for steps of dt, or for events if that is 0.
-   Both begin alike, again and again until the stopwatch can be read. */
+/* Writes a row of the table: for steps of dt, or for events if dt is 0. The
+   run is repeated from one start until the clock can measure it. */
 static void time_beads(struct table *out, double until, double dt)
 {
     struct bonkers_body body[BEADS + 2];
@@ -794,8 +797,8 @@ static void study_row(struct study *s)
 
 enum { SHOWN = 60, EVENTS = 32 };
 
-/* Where a body was at the start, at its collisions and at the end. A trail
-   that is full ends early, which a picture can bear. */
+/* The places of a body at the start, at its collisions and at the end. A
+   trail that is full ends early, which does no harm to a picture. */
 struct trail {
     size_t count;
     double x[EVENTS], t[EVENTS];

@@ -21,9 +21,9 @@ static struct {
          .collisions = 1000000,
          .digits = 5};
 
-/* Returns after how many collisions, more than n, the drift is noted next:
-   at 1, 2 and 5 times each power of ten from a thousand on, at a tenth of
-   the run and at its end. */
+/* Returns the next number of collisions, more than n, at which the drift is
+   written: 1, 2 and 5 times each power of ten from a thousand on, a tenth
+   of the run, and its end. */
 static uint64_t next_stop(uint64_t n, uint64_t last)
 {
     static const uint64_t steps[] = {1, 2, 5};
@@ -39,9 +39,10 @@ struct rounding {
     double energy_max, energy_square, momentum_max, velocity_max;
 };
 
-/* Compares a collision with (1.5, eq:difference) in 113 bits. The errors of
-   the two velocities are all that is needed: with v off by dv the momentum
-   is off by m dv, and the energy by m (v + dv/2) dv. */
+/* Compares a collision with (1.5, eq:difference) in 113 bits, and adds its
+   errors to the sums. They follow from the errors of the two velocities:
+   with v off by dv the momentum is off by m dv, and the energy by m (v +
+   dv/2) dv. */
 static void measure_rounding(struct rounding *all, int form, double u1,
                              double u2, double im1, double im2)
 {
@@ -88,7 +89,7 @@ static void study_rounding(struct study *s)
                    "pairs");
     for (size_t k = 0; k < own.ratio_count; ++k) {
         struct rounding all[COLLIDE_FORMS] = {{0, 0, 0, 0}};
-        random_seed(&r, s->seed); /* the same for every ratio */
+        random_seed(&r, s->seed); /* equal pairs for every ratio */
         for (uint64_t i = 0; i < own.tests && !progress_signal(); ++i) {
             const double im1 = random_between(&r, 0.5, 1.5);
             const double ratio = own.ratios[k];
@@ -108,19 +109,19 @@ static void study_rounding(struct study *s)
             const double rms = sqrt(a->energy_square / (double)own.tests);
             TABLE_ROW(s->out, own.ratios[k], form, a->energy_max, rms,
                       a->momentum_max, a->velocity_max);
-            if (k + 1 == own.ratio_count) {
+            if (k + 1 == own.ratio_count)
                 TABLE_RESULTS_OF(s->summary, collide_form_names[form],
                                  {"energy_max", a->energy_max},
                                  {"energy_rms", rms},
                                  {"momentum_max", a->momentum_max},
                                  {"velocity_max", a->velocity_max});
-            }
         }
     }
 }
 
-/* The drift: four bodies in a row between two walls, and a lottery that
-   decides which gap closes next. Every form plays the same lottery. */
+/* The drift: four bodies in a row between two walls, and random numbers
+   that decide which gap closes next. Every form uses the same random
+   numbers. */
 enum { MOVERS = 4, BODIES = MOVERS + 2 };
 
 static const double row_im[BODIES] = {0,         1 / 11.23, 1 / 21.23,
@@ -128,8 +129,8 @@ static const double row_im[BODIES] = {0,         1 / 11.23, 1 / 21.23,
 
 /* Draws a gap that closes; its number is that of its left neighbour. The
    loop ends because some gap always closes: between two walls at rest the
-   velocities cannot grow from left to right all the way from zero to zero,
-   and the four movers never stop all at once. */
+   velocities cannot increase from left to right all the way from zero to
+   zero, and the four movers never stop all at once. */
 static uint64_t row_draw(struct random *r, const double v[BODIES])
 {
     for (;;) {
@@ -208,11 +209,10 @@ static void study_drift(struct study *s)
         }
         table_row(s->out, COLLIDE_FORMS + 1, error);
     }
-    for (int f = 0; f < COLLIDE_FORMS; ++f) {
+    for (int f = 0; f < COLLIDE_FORMS; ++f)
         TABLE_RESULTS_OF(s->summary, collide_form_names[f],
                          {"energy_error", error[f + 1]},
                          {"energy_error_tenth", tenth[f]});
-    }
     TABLE_RESULTS(
         s->summary, {"predicted_difference", predicted / (double)start},
         {"slope",
@@ -222,8 +222,8 @@ static void study_drift(struct study *s)
 }
 
 /* Returns how many collisions the heavy ball, the light one and the wall
-   have; stops at limit, for rounding may find no end. The wall is a body at
-   rest of inverse mass zero, made for each collision. */
+   have; stops at limit, since rounding may make the collisions endless. The
+   wall is a body at rest of inverse mass zero, made for each collision. */
 static uint64_t count_galperin(int form, double im_heavy, uint64_t limit)
 {
     double heavy = -1, light = 0;
@@ -293,9 +293,9 @@ static void study_galperin(struct study *s)
                          {"count", row[f + 2]});
     table_real(s->summary, "count_float", row[COLLIDE_FORMS + 2]);
 }
-/* Draws states of energy 1/2, which is a random direction in the velocities
-   scaled by the roots of the masses, in which the bodies approach, and
-   collides them. */
+/* Draws states of energy 1/2 in which the bodies approach, and collides
+   them. Such a state is a random direction in the velocities scaled by the
+   roots of the masses. */
 static void study_map(struct study *s)
 {
     const double im[] = {1, 0.25};

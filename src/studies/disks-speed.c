@@ -14,10 +14,10 @@
 
 enum {
     SIZES = 16,        /* numbers of disks in a table, at most */
-    PAIRS_MOST = 10000 /* disks up to which all pairs are timed, too */
+    PAIRS_MOST = 10000 /* most disks for which all pairs are timed */
 };
 
-/* A list of numbers of disks is timed at one packing. */
+/* The command line: a list of numbers of disks, timed at one packing. */
 static struct {
     size_t dimensions, sizes;
     double packing, particles[SIZES];
@@ -32,11 +32,11 @@ static struct {
          .packing = 0.3,
          .summary = "/dev/null"};
 
-/* Returns whether all are to be a fluid when they are timed: below the
-   packing at which it freezes, unless --collisions asks for a short run. A
-   dense lattice does not melt in few collisions, and a crystal is faster
-   than a fluid, whose collisions change the partners; so where there is a
-   fluid, disks start smaller, as a thin gas, and grow (warm_up). */
+/* Returns whether the disks have to be a fluid when they are timed: below
+   the packing at which the fluid freezes, unless --collisions sets a short
+   run. A dense lattice does not melt in few collisions, and a crystal is
+   faster than a fluid, whose collisions change the partners. So where there
+   is a fluid, disks start smaller, as a thin gas, and grow (warm_up). */
 static bool is_fluid(void)
 {
     return own.packing <= (own.dimensions == 2 ? 0.70 : 0.494) &&
@@ -72,7 +72,7 @@ static void begin_or_exit(struct disks *d, size_t count)
     disks_set_temperature(d, 1, &r);
 }
 
-/* Copies everything, for the engine of pairs. */
+/* Copies all disks for the engine of pairs. */
 static void copy_or_exit(struct disks *to, const struct disks *from)
 {
     const size_t n = from->count;
@@ -128,7 +128,7 @@ static double speed_of(struct engines *e, bool fast)
 }
 
 /* Times both engines: one round of each is discarded, then they alternate,
-   and the medians count. *pairs is NaN if there are too many disks for
+   and the medians are taken. *pairs is NaN if there are too many disks for
    pairs. */
 static void compare(struct engines *e, double *pairs, double *cells)
 {
@@ -162,8 +162,9 @@ static double bytes_each(const struct cells *c)
            (cell * (double)c->cells + days) / (double)d->count;
 }
 
-/* Two columns, stale events and renewed lists, show that the work for a
-   collision does not depend on N, whatever the clock says. */
+/* Writes the head. Two columns, stale events and renewed lists, show that
+   the work for a collision does not depend on N, independently of the
+   clock. */
 static void write_head(struct table *t)
 {
     static const char *const asked[] = {"one by one", "four at a time",
@@ -184,10 +185,10 @@ static void write_head(struct table *t)
                   {"renewed", "", "lists made anew for a collision"});
 }
 
-/* Times what each step of the chapter saves, by taking them away one after
-   the other: first neighbours are examined one at a time, then the calendar
-   has one endless day, so that all events are on one page, which is
-   searched for each event as pairs do. */
+/* Times the gain of each step of the chapter, by taking the steps away one
+   after the other: first neighbours are examined one at a time, then the
+   calendar has one endless day, so that all events are on one page, which
+   is searched for each event as pairs do. */
 static void write_steps(struct engines *e, struct table *out)
 {
     struct calendar *calendar = &e->cells.calendar;
@@ -265,7 +266,7 @@ static void make_cells(struct engines *e)
 
 /* Returns the radius to which disk i grows, m: nine tenths of the way to
    the nearest of its neighbours. If disks grew the whole way, thousands
-   would touch and collide at the same time, and no calendar has days that
+   would touch and collide at one time, and no calendar has days that
    short. */
 static double room_of(const struct cells *c, size_t i)
 {
@@ -299,12 +300,12 @@ static bool grow(struct engines *e)
     return whole;
 }
 
-/* Runs until the start has left no trace. The cells do it for both engines:
-   the bits are the same, and the pairs would take an hour. Small disks
-   grow, fly for a while, and grow again. Grown disks are too close at
+/* Runs until nothing is left of the start. The cells do it for both
+   engines, which give the same bits: the pairs would take an hour. Small
+   disks grow, fly for a while, and grow again. Grown disks are too close at
    first: at the packing 0.70 Z is 11.1 and falls towards the fluid's 10.3
-   for some hundred collisions of each disk; hence three million collisions
-   at the end. */
+   for some hundred collisions of each disk, so three million collisions are
+   made at the end. */
 static void warm_up(struct engines *e)
 {
     const uint64_t n = e->disks.count;
@@ -320,9 +321,9 @@ static void warm_up(struct engines *e)
     }
 }
 
-/* Returns how many tiles make up so many disks along each axis, 1 if none
-   are laid. A million disks would take minutes to melt; some thousands that
-   have melted are laid side by side instead. */
+/* Returns the number of tiles along each axis, 1 if none are laid. A
+   million disks would take minutes to melt; instead some thousands are
+   melted and laid side by side. */
 static size_t tiles_along(size_t count)
 {
     size_t along = 1;
@@ -336,7 +337,7 @@ static size_t tiles_along(size_t count)
 }
 
 /* Replaces the disks by copies of them. Each copy draws velocities of its
-   own, and after five collisions of each disk no tile is like another. */
+   own, and after five collisions of each disk no two tiles are alike. */
 static void lay_tiles(struct engines *e, size_t along, size_t count)
 {
     struct disks tile = e->disks, *d = &e->disks;
@@ -354,8 +355,7 @@ static void lay_tiles(struct engines *e, size_t along, size_t count)
     disks_free(&tile);
 }
 
-/* Makes the disks that are timed. A run that is to be short warms up as
-   shortly. */
+/* Makes the disks that are timed. The warm-up is short if the run is. */
 static void make_fluid(struct engines *e, size_t count)
 {
     const size_t along = tiles_along(count);

@@ -45,9 +45,8 @@ static void begin_four(struct disks *d, double v, uint64_t seed)
 
 enum { BINS = 100 };
 
-/* Returns the bin of a position. A disk at a wall after a collision with it
-   is on the edge of a bin; rounding must not decide to which side it
-   belongs. */
+/* Returns the bin of a position. A disk that has just collided with a wall
+   is on the edge of a bin, and rounding must not decide on the side. */
 static int bin_of(double x)
 {
     const double inside = 0.5 + (x - 0.5) * (1 - 1e-9);
@@ -92,7 +91,8 @@ static const struct table_key clock_keys[] = {
     {"edge_<program>", "%", "density at the edge, off direct sampling"},
     {0}};
 
-/* Counts become densities in the table. */
+/* Writes the densities of a coordinate, from counts, by all three
+   programs. */
 static void study_clock(struct study *s)
 {
     static double bins[CLOCKS][BINS];
@@ -129,10 +129,11 @@ static void write_place(struct study *s, struct loop *l)
     TABLE_ROW(s->out, l->d.now, place[0], place[1]);
 }
 
-/* Writes three blocks of rows from one state, a second after a start on the
-   lattice, up to 1.5 s. The bound of a thousand rows is for the article's
-   loop: with a few seeds it turns a pair that it has pushed into each other
-   to and fro for ever, and its clock stands still. */
+/* Writes three blocks of rows, up to 1.5 s: of the events (way 0), of the
+   clock (1), and of the article's loop (2). All begin with one state, a
+   second after a start on the lattice. The bound of a thousand rows is for
+   the article's loop: with a few seeds it reverses a pair that it has
+   pushed into each other again and again, and its clock stops. */
 static void study_timeline(struct study *s)
 {
     TABLE_COLUMNS(s->out, {"t", "s", "events; clock times; the article's"},
@@ -161,8 +162,8 @@ static void study_timeline(struct study *s)
     }
 }
 
-/* Returns how far the disks miss their start, m, after the time t and the
-   same time back; adds the collisions of one way to *collisions. At the
+/* Returns how far the disks miss their start, m, after the time t and as
+   much time back; adds the collisions of one way to *collisions. At the
    turn all disks are moved to the present, or the way back would begin
    elsewhere. */
 static double miss(struct disks *d, double t, double *collisions)
@@ -213,8 +214,8 @@ static const struct table_key reverse_keys[] = {
     {"rate_4", "1/s", "the same, 4 J"},
     {0}};
 
-/* At twice the speed everything takes half the time: the table has both
-   energies side by side. */
+/* Writes the misses of two energies side by side: at twice the speed
+   everything takes half the time. */
 static void study_reverse(struct study *s)
 {
     double one[16], four[16], n = 0, other;
@@ -234,7 +235,7 @@ static void study_reverse(struct study *s)
                   {"rate_4", log(four[14] / four[2]) / 3});
 }
 
-/* Makes a pair that will meet at impact parameter `miss`, with a gap
+/* Makes a pair that will collide at the impact parameter `miss`, with a gap
    between the rims, both in units of sigma = 1, from a random side. */
 static void throw_pair(struct random *r, double gap, double miss,
                        double apart[], double closing[])
@@ -249,9 +250,9 @@ static void throw_pair(struct random *r, double gap, double miss,
     apart[2] = 0;
 }
 
-/* Finds the errors of the time of contact: *book by the root that textbooks
-   print, *ours by the stable one. Returns by how much the distance is wrong
-   at the time of the stable root, or -1 if the disks do not meet. */
+/* Finds the errors of the time of contact: *book with the root in
+   textbooks, *ours with the stable one. Returns the error of the distance
+   at the time of the stable root, or -1 if the disks do not collide. */
 static double contact_errors(const double x[], const double v[],
                              double *book, double *ours)
 {
@@ -276,9 +277,9 @@ static double contact_errors(const double x[], const double v[],
 enum { GRAZE, GAP, EXACT, KINDS };
 
 /* Draws random pairs of one kind and keeps the largest of each of two
-   errors: for grazing pairs those of our time and of the distance, for the
-   others those of both times, divided by the gap, to which the time is
-   about equal. */
+   errors. For grazing pairs these are the errors of our time and of the
+   distance, for the others those of both times, divided by the gap, which
+   is about equal to the time. */
 static void worst_of(int kind, double size, struct random *r,
                      double worst[])
 {
@@ -312,8 +313,8 @@ static const struct table_key contact_keys[] = {
     {"ours_exact", "1", "stable root, exact places"},
     {0}};
 
-/* Sizes are powers of two; the summary has 2^-40 of grazing and the gap
-   2^-26. */
+/* Writes the errors for sizes that are powers of two. The summary has those
+   of the grazing 2^-40 and of the gap 2^-26. */
 static void study_contact(struct study *s)
 {
     static const char *const keys[] = {"time", "place",      "book",
@@ -401,7 +402,7 @@ static void study_collapse(struct study *s)
     disks_free(&d);
 }
 
-/* The slow engine: looks at every pair before each collision. */
+/* Runs the slow engine, which examines every pair before each collision. */
 static void run_pairs(struct disks *d, uint64_t collisions)
 {
     while (d->collisions < collisions)
@@ -409,7 +410,7 @@ static void run_pairs(struct disks *d, uint64_t collisions)
 }
 
 /* Returns collisions, those with walls included, in a second of processor
-   time, from bites that fill a twentieth of a second. */
+   time, from pieces of a run that together take a twentieth of a second. */
 static double speed_of(struct disks *d, bool plan)
 {
     const uint64_t before = d->collisions + d->wall_collisions;
@@ -459,9 +460,8 @@ static void study_speed(struct study *s)
 }
 
 /* Returns Z = P V/(N kT) of a run of this number of collisions; adds the
-   seconds that it took. Runs that end with a collision have a small
-   preference for what happens before collisions, of the order of one event
-   in all: even in the shortest runs it is below the noise. */
+   seconds that it took. A run that ends with a collision has a bias of the
+   order of one event: even in the shortest runs it is below the noise. */
 static double pressure_of(uint64_t collisions, uint64_t seed, bool plan,
                           double *seconds)
 {

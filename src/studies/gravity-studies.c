@@ -22,20 +22,22 @@ static struct {
     size_t kernel;
 } own = {.factor = 1};
 
-/* Returns how long a study runs, in its own unit. */
+/* Returns the length of a study in its own unit: --orbits, or the usual
+   one. */
 static double duration(double usual)
 {
     return own.orbits > 0 ? own.orbits : usual;
 }
 
-/* A scene, what attracts in it, and the method that moves it. */
+/* A scene, its gravity, and the method that moves it. */
 struct sky {
     struct scene scene;
     struct gravity gravity;
     struct stepping stepping;
 };
 
-/* Makes a scene as the program scene would, apart from the keys chosen. */
+/* Makes a scene of chapter 9 with its default values, apart from the keys
+   chosen. */
 static void make_scene(struct scene *s, const char *name,
                        const struct gallery_choice chosen[])
 {
@@ -73,8 +75,8 @@ static double energy_of(const struct sky *k)
     return sum / 2 + gravity_potential(&k->gravity, s->position);
 }
 
-/* Gives the position and velocity of body i relative to body 0, the one in
-   the middle. */
+/* Sets x[] and v[] to the position and velocity of body i relative to body
+   0, the one in the middle. */
 static void relative_to_first(const struct scene *s, size_t i, double x[3],
                               double v[3])
 {
@@ -91,8 +93,8 @@ static double length(const double x[3])
 }
 
 /* Measures the year and the drift of the paper's listing, in steps of its
-   own length, to a small fraction of a step: when the Earth has come round,
-   at the height y and climbing at v_y, it passed the axis y / v_y ago. */
+   own length, to a small fraction of a step: after a turn the Earth is at
+   the height y and climbs at v_y, so it passed the axis y / v_y ago. */
 static void measure_year(struct study *s)
 {
     struct sky k;
@@ -189,8 +191,8 @@ static void study_anomaly(struct study *s)
     }
 }
 
-/* Returns how far from its position a planet is after one orbit that starts
-   at the aphelion, in units of the aphelion's distance. */
+/* Returns the distance of a planet from its start after one orbit that
+   begins at the aphelion, in units of the aphelion's distance. */
 static double orbit_error(double e, const char *method, double evaluations)
 {
     struct sky k;
@@ -349,7 +351,7 @@ static double eccentricity_of(const struct scene *s, size_t i)
 }
 
 /* Returns the relative change of the energy in a century of all eight
-   planets, by leapfrog, with Jupiter so many times as heavy. */
+   planets, by leapfrog, with the mass of Jupiter multiplied by a factor. */
 static double century_with_jupiter(double jupiter)
 {
     struct sky k;
@@ -401,7 +403,7 @@ static void study_planets(struct study *s)
 }
 
 /* Writes the paths of the stars and of a planet that starts at this
-   distance, for so many days. */
+   distance (AU), for a number of days. */
 static void write_paths(struct study *s, double distance, double days)
 {
     struct sky k;
@@ -450,9 +452,8 @@ static const double binary = 0.2243, binary_period = 41.0808939256;
 /* Returns how many of 8 phases survive for `periods` periods of the stars:
    massless planets that start at this distance (in units of the stars') and
    come neither within 0.05 of it to the centre nor beyond 5. Without a mass
-   they leave the stars' circles as they are. Leapfrog with 100 steps a
-   period suffices, since the answer is yes or no; it is looked up every ten
-   steps. */
+   they do not disturb the stars' circles. Leapfrog with 100 steps a period
+   suffices for a yes or no, and every tenth step is examined. */
 static int survivors(double distance, double periods)
 {
     int alive = 0;
@@ -481,8 +482,8 @@ static const struct table_key survival_keys[] = {
     {"law_AU", "AU", "the same"},
     {0}};
 
-/* Goes outwards by 0.04 of the stars' distance, and finds from where on all
-   phases survive. */
+/* Writes the survivors at distances that grow by 0.04 of the stars', and
+   finds the distance from which on all phases survive. */
 static void study_survival(struct study *s)
 {
     const double periods = duration(1000);
@@ -503,9 +504,9 @@ static void study_survival(struct study *s)
                   {"law", law}, {"law_AU", law * binary});
 }
 
-/* Gives the largest relative error of the energy in `periods` periods of
-   the stars, and the error of the planet's position after 400 days, AU,
-   against one computed in quadruple precision. */
+/* Sets *energy to the largest relative error of the energy in `periods`
+   periods of the stars, and *place to the error of the planet's position
+   after 400 days, AU, against one computed in quadruple precision. */
 static void precision(const char *method, double evaluations,
                       double periods, double *energy, double *place)
 {
@@ -532,8 +533,8 @@ static const struct table_key work_keys[] = {
     {"dx_<method>_<n>", "AU", "error of place after 400 d"},
     {0}};
 
-/* Gives each method the same budgets. A run whose error exceeds the energy
-   itself is left out. */
+/* Writes the errors of all methods for equal budgets. A run whose error
+   exceeds the energy itself is left out. */
 static void study_work(struct study *s)
 {
     static const char *const methods[] = {
@@ -572,8 +573,8 @@ static void begin_ellipses(struct sky *k, struct jacobi *j)
     p->flow = jacobi_flow;
 }
 
-/* Returns the largest relative error of the energy up to the time t, looked
-   up a thousand times, and in *cost the processor time, s; ends the sky. */
+/* Returns the largest relative error of the energy up to the time t, from a
+   thousand samples, and in *cost the processor time, s; ends the sky. */
 static double largest_energy_error(struct sky *k, double t, double *cost)
 {
     struct jacobi j = {0};
@@ -594,8 +595,8 @@ static double largest_energy_error(struct sky *k, double t, double *cost)
 }
 
 /* Returns the largest relative error of the energy of eight planets in a
-   century, with their masses times a factor and so many days from kick to
-   kick. */
+   century, with their masses multiplied by a factor, and the days between
+   two kicks. */
 static double century(const char *method, double days, double factor)
 {
     struct sky k;
@@ -647,8 +648,8 @@ static void study_ellipses(struct study *s)
     }
 }
 
-/* Times the planet of two suns for 1e4 periods, for a table that is
-   kept. */
+/* Times the planet of two suns for 1e4 periods, for a table in
+   plots/data. */
 static void study_two_suns(struct study *s)
 {
     static const struct {
@@ -675,8 +676,8 @@ static void study_two_suns(struct study *s)
     }
 }
 
-/* Returns how far the bodies are from one circle, in units of its radius.
-   Nothing but rounding disturbs it at the start. */
+/* Returns the deviation of the bodies from one circle, in units of its
+   radius. At the start rounding is the only disturbance. */
 static double deviation(const struct scene *s)
 {
     double least = INFINITY, most = 0;
@@ -690,8 +691,8 @@ static double deviation(const struct scene *s)
 
 enum { PARTS_OF_ORBIT = 20 };
 
-/* What is measured of a choreography that breaks. The rate is the slope of
-   the logarithm where it is straight: above rounding and below a tenth. */
+/* The results of a choreography that breaks. The rate is the slope of the
+   logarithm where it is straight: above rounding and below a tenth. */
 struct broken {
     double orbits;       /* until the circle is off by a tenth */
     double rate;         /* of growth, in units of the angular velocity */
@@ -814,8 +815,8 @@ static const struct table_key ring_speeds_keys[] = {
     {"per_decade", "1/AU^2", "its growth, by the law"},
     {0}};
 
-/* Writes the speeds in a ring of 0.02 planets, and what equations (22) to
-   (24) of the paper give. */
+/* Writes the speeds in a ring of 0.02 planets, by equations (22) to (24) of
+   the paper. */
 static void study_ring_speeds(struct study *s)
 {
     const double sigma = 0.02, inner = 2, outer = 2.5;
@@ -869,8 +870,8 @@ static double dispersion(const struct scene *s, size_t particles)
 }
 
 /* Returns the root mean square of the radial velocities in units of the
-   circular one: how much the particles, which start on circles, stir each
-   other. */
+   circular one. The particles start on circles, so this tells how much they
+   disturb each other. */
 static double stirring(const struct scene *s, size_t particles)
 {
     double sum = 0;
@@ -892,10 +893,10 @@ static const struct table_key ring_keys[] = {
     {"stirring", "1", "rms radial velocity / circle's"},
     {0}};
 
-/* Runs a ring, and writes all its bodies and three numbers that judge the
-   run. Three thousand bodies are worth the fastest kernel, if no other is
-   asked for; so the bytes of this table may differ between processors, and
-   its head names the kernel. */
+/* Runs a ring, and writes all its bodies and three numbers that tell how
+   good the run is. Three thousand bodies are worth the fastest kernel,
+   unless --kernel names another one; so the bytes of this table may differ
+   between processors, and its head names the kernel. */
 static void study_ring(struct study *s)
 {
     const double period = 2 * KEPLER_PI / CELESTIAL_K * 2.25 * sqrt(2.25);
@@ -931,9 +932,10 @@ static void study_ring(struct study *s)
     end_sky(&k);
 }
 
-/* Returns by which angle, rad, softening turns the ellipse of eccentricity
-   e in an orbit. The aphelion is between two steps, where r v passes zero;
-   near it the path is straight enough to go back along the velocity. */
+/* Returns the angle, rad, by which softening turns the ellipse of
+   eccentricity e in an orbit. The aphelion is between two steps, where r v
+   passes zero; near it the path is straight enough to go back along the
+   velocity. */
 static double precession(double e, double softening)
 {
     struct sky k;
@@ -958,8 +960,8 @@ static double precession(double e, double softening)
     return atan2(x[1], x[0]);
 }
 
-/* Measures how softening turns an ellipse. The change of a circle's period
-   is known without a run. */
+/* Writes by which angle softening turns an ellipse. The change of a
+   circle's period is known without a run. */
 static void study_softening(struct study *s)
 {
     TABLE_COLUMNS(s->out, {"eps", "AU", "softening"},
@@ -974,9 +976,9 @@ static void study_softening(struct study *s)
 }
 
 /* Adds to sum[] the acceleration, along x and y and in single precision,
-   that bodies first to last - 1 give body i. Positions keep their 53 bits:
-   what fails is the sum. compensation: of the sums, or NULL for plain
-   sums. */
+   that bodies first to last - 1 give body i. Positions keep their 53 bits,
+   since the sum is what is tested. compensation: of the sums, or NULL for
+   plain sums. */
 static void add_single(const struct scene *s, size_t i, size_t first,
                        size_t last, float sum[2], float compensation[2])
 {
@@ -999,9 +1001,10 @@ static void add_single(const struct scene *s, size_t i, size_t first,
     }
 }
 
-/* Accelerations of a body by the planet, body 0, and by the ring; and by
-   how much the ring's changes if each term is rounded to a whole number of
-   spacings of the planet's: a model of the single sum's error. */
+/* Accelerations of a body by the planet, body 0, and by the ring; and the
+   change of the ring's if each term is rounded to a whole number of
+   spacings of the planet's, which is a model of the error of a sum in
+   single precision. */
 struct pulls {
     double planet[2], ring[2], lost[2];
 };
@@ -1038,8 +1041,8 @@ static struct pulls pulls_at(const struct scene *s, size_t i)
 enum { FIRST, LAST, CARRIED, ORDERS };
 
 /* Fills a row for a ring: its size, then the root mean square errors of its
-   own acceleration, by the three sums and by the model, in units of that;
-   at some 250 of the particles. */
+   own acceleration, by the three sums and by the model, in units of this
+   acceleration, from some 250 of the particles. */
 static void compare_singly(const struct scene *s, double row[2 + ORDERS])
 {
     const size_t every = s->bodies > 256 ? s->bodies / 256 : 1;
@@ -1064,7 +1067,8 @@ static void compare_singly(const struct scene *s, double row[2 + ORDERS])
         row[1 + k] = sqrt(error[k] / size);
 }
 
-/* Forces in single precision for a run, to see what its energy tells. */
+/* Computes forces in single precision for a run, to see whether the energy
+   shows their errors. */
 static void accelerate_single(void *what, const double x[],
                               const double v[], double a[])
 {
@@ -1080,7 +1084,8 @@ static void accelerate_single(void *what, const double x[],
     }
 }
 
-/* Begins a ring of the same mass with more and more particles. */
+/* Begins a ring of this number of particles. Its mass does not depend on
+   the number. */
 static void begin_single(struct sky *k, double particles)
 {
     const double step = 2 * KEPLER_PI / CELESTIAL_K * 3.375 / 200;
@@ -1117,7 +1122,7 @@ static const struct table_key single_keys[] = {
     {0}};
 
 /* Writes the error of a ring's own acceleration against the number of its
-   particles, at the same mass of the ring. */
+   particles, at a constant mass of the ring. */
 static void study_single(struct study *s)
 {
     struct sky k;
@@ -1145,10 +1150,10 @@ static void study_single(struct study *s)
 #ifdef VECTOR_AVX512
 #include <immintrin.h>
 
-/* Runs 20 n operations in four lanes: fused multiply-adds in ten
-   independent chains, which keep the units busy and do nothing useful; the
-   peak of this machine. The chains stay in registers only if the inner loop
-   is unrolled, hence VECTOR_LONG, gcc's third level. */
+/* Runs 20 n operations in four lanes, to measure the peak of this machine:
+   fused multiply-adds in ten independent chains, which occupy all units and
+   compute nothing useful. The chains stay in registers only if the inner
+   loop is unrolled, which VECTOR_LONG, gcc's third level, does. */
 VECTOR_LONG
 __attribute__((target("avx2,fma"))) static double peak4(uint64_t n)
 {
@@ -1164,7 +1169,7 @@ __attribute__((target("avx2,fma"))) static double peak4(uint64_t n)
     return _mm256_cvtsd_f64(a[0]);
 }
 
-/* Does the same in eight lanes. */
+/* Runs 20 n operations in eight lanes, as peak4 does in four. */
 VECTOR_LONG
 __attribute__((target("avx512f"))) static double peak8(uint64_t n)
 {
@@ -1182,8 +1187,9 @@ __attribute__((target("avx512f"))) static double peak8(uint64_t n)
 
 #endif
 
-/* Runs 20 n operations in plain C, for the portable kernel; unrolled by
-   hand for machines on which no level of the compiler can be asked for. */
+/* Runs 20 n operations in plain C, for the portable kernel. It is unrolled
+   by hand, for machines on which the level of the compiler cannot be
+   set. */
 static double peak1(uint64_t n)
 {
     const double m = 0.999, c = 0.001;
@@ -1205,9 +1211,9 @@ static double peak1(uint64_t n)
     return sum;
 }
 
-/* What a kernel is compared with: its operations for a pair (a fused
-   multiply-add counts as two; a root, a quotient and an estimate as one),
-   and the speed of a loop that does nothing but multiply-adds, on as many
+/* The standard with which a kernel is compared: its operations for a pair
+   (a fused multiply-add counts as two; a root, a quotient and an estimate
+   as one), and the speed of a loop of multiply-adds alone, on as many
    numbers at a time as there are lanes. */
 struct yardstick {
     double operations, lanes;
@@ -1276,9 +1282,9 @@ static double kernel_error(struct gravity *g, const double x[], double a[])
     return worst;
 }
 
-/* Runs a leapfrog of two bodies with nothing in it that is not needed, the
-   measure of what the general one costs; returns a coordinate, so that the
-   loop is not dropped. */
+/* Runs a leapfrog of two bodies in its simplest form, to measure the
+   overhead of the general one. Returns a coordinate, so that the loop is
+   not dropped. */
 static double step_by_hand(double x[6], double v[6], const double m[2],
                            double k2, double h, uint64_t steps)
 {
@@ -1297,7 +1303,7 @@ static double step_by_hand(double x[6], double v[6], const double m[2],
     return x[1];
 }
 
-/* Gives the nanoseconds of a leapfrog step of the Sun and the Earth, by the
+/* Sets the nanoseconds of a leapfrog step of the Sun and the Earth, by the
    module stepping and by step_by_hand. */
 static void measure_two(double *general, double *by_hand)
 {
@@ -1316,8 +1322,9 @@ static void measure_two(double *general, double *by_hand)
     end_sky(&k);
 }
 
-/* Writes the row of a kernel. Peak and kernel alternate, so that both see
-   the same machine, and the medians are compared. */
+/* Writes the row of a kernel. Peak and kernel alternate, so that both are
+   measured on the machine in the same condition, and the medians are
+   compared. */
 static void measure_kernel(struct study *s, struct sky *k, double a[],
                            enum gravity_kernel kernel)
 {
@@ -1369,8 +1376,8 @@ static void study_speed(struct study *s)
 }
 
 /* Writes, for rings of 63 to 4095 particles, the pairs a second by one
-   thread and by two, and the ratio. It is taken in each round, before its
-   median: then a slow moment of the machine spoils one of five. */
+   thread and by two, and the median of the ratios of the rounds: a slow
+   moment of the machine then spoils only one of five. */
 static void study_threads(struct study *s)
 {
     bench_machine(s->out);
@@ -1408,8 +1415,8 @@ static void study_threads(struct study *s)
 
 enum { DIRECT, LANES, NARROW, WIDE, WAYS };
 
-/* Returns the milliseconds of all forces into a. What a tree costs includes
-   its growing. */
+/* Returns the milliseconds that all forces take, and puts them into a[].
+   The time of a tree includes its construction. */
 static double time_forces(struct sky *k, int way, double a[])
 {
     struct gravity *g = &k->gravity;
@@ -1422,8 +1429,9 @@ static double time_forces(struct sky *k, int way, double a[])
     return (bench_seconds() - begin) * 1e3;
 }
 
-/* Gives the ring's own acceleration at body i, a[] without the planet's.
-   That is so much larger that beside it every tree would look exact. */
+/* Sets ring[] to the ring's own acceleration at body i: a[] without the
+   planet's, which is so much larger that any tree would look exact in
+   comparison. */
 static void without_planet(const struct sky *k, size_t i, const double a[],
                            double ring[3])
 {
@@ -1438,8 +1446,8 @@ static void without_planet(const struct sky *k, size_t i, const double a[],
                   s->k2 * s->mass[0] / (r2 * sqrt(r2)) * d[c];
 }
 
-/* Returns the root mean square error of the tree's a against the direct sum
-   b, in units of the root mean square of the ring's own. */
+/* Returns the root mean square error of the tree's accelerations a against
+   the direct sum b, in units of the root mean square of the ring's own. */
 static double tree_error(const struct sky *k, const double a[],
                          const double b[])
 {
@@ -1456,7 +1464,7 @@ static double tree_error(const struct sky *k, const double a[],
     return sqrt(error / size);
 }
 
-/* Writes a row: so many particles, two direct sums, and two trees. */
+/* Writes a row: the number of particles, two direct sums, and two trees. */
 static void compare_tree(struct study *s, size_t particles)
 {
     struct sky k;
@@ -1534,7 +1542,8 @@ static const struct options_entry entries[] = {
     {"kernel", 'k', "NAME", "auto, portable or avx512 (the fastest here)"},
     {0}};
 
-/* A kernel that this processor lacks is refused at once. */
+/* Takes an option. A kernel that this processor lacks is refused at
+   once. */
 static void take_option(struct options *o, int letter)
 {
     switch (letter) {

@@ -57,7 +57,8 @@ static void make_box(struct sampling *p, double radius)
         end_without_memory();
 }
 
-/* Starts a chain and runs it for that many sweeps to forget its start. */
+/* Starts a chain and runs it for a number of sweeps, after which its start
+   has no influence. */
 static void start_chain(struct sampling *p, double step, uint64_t sweeps,
                         struct random *r)
 {
@@ -68,7 +69,7 @@ static void start_chain(struct sampling *p, double step, uint64_t sweeps,
         sampling_try(p, step, r);
 }
 
-/* Returns in which of BINS equal parts of its range a coordinate is. */
+/* Returns the bin of a coordinate, of BINS equal parts of its range. */
 static size_t bin_of(const struct sampling *p, double x)
 {
     const double r = p->disks.disk[0].radius;
@@ -113,10 +114,10 @@ enum way { THROWN, KEPT, CHAIN, MOVED, WAYS };
 static const char *const way_names[WAYS] = {"thrown", "kept", "chain",
                                             "moved"};
 
-/* Takes a sample in one of four ways, of which two are wrong. If one disk
-   does not fit all are thrown again (THROWN), or only the last one (KEPT,
-   wrong: that is what disks_place_random does). After every try there is a
-   sample (CHAIN), or only after those that moved a disk (MOVED, wrong). */
+/* Takes a sample in one of four ways, of which two are wrong. If a disk
+   does not fit, THROWN throws all again, and KEPT only the last one (wrong:
+   disks_place_random does this). CHAIN samples after every try, MOVED only
+   after tries that moved a disk (wrong). */
 static void take(enum way way, struct means *m, struct sampling *p,
                  double step, struct random *r)
 {
@@ -190,7 +191,7 @@ static const struct table_key mistakes_keys[] = {
     {0}};
 
 /* Compares wrong samplers with right ones. Each has a run of its own, which
-   begins with a chain long enough to forget the one before. */
+   begins with a chain so long that nothing is left of the one before. */
 static void study_mistakes(struct study *s)
 {
     struct means means[WAYS];
@@ -214,7 +215,7 @@ static void study_mistakes(struct study *s)
     sampling_free(&p);
 }
 
-/* Runs a chain and keeps, sweep by sweep, x of disk 1 and the fraction of
+/* Runs a chain and stores for each sweep x of disk 1 and the fraction of
    all coordinates in the outermost bins. Returns the acceptance. */
 static double run_chain(struct sampling *p, double step, uint64_t sweeps,
                         double x[], double edge[], struct random *r)
@@ -235,7 +236,7 @@ static double run_chain(struct sampling *p, double step, uint64_t sweeps,
     return (double)moved / (double)(sweeps * count);
 }
 
-/* Returns how many samples make an independent one. */
+/* Returns the number of samples that are worth an independent one. */
 static double inefficiency(size_t n, const double x[])
 {
     static struct statistics_blocking b;
@@ -291,8 +292,8 @@ static void study_memory(struct study *s)
     free(x);
 }
 
-/* Measures how many random configurations fit: draws until the number asked
-   for has fitted, or PATIENCE times. */
+/* Measures the fraction of random configurations that fit. It throws until
+   --samples of them have fitted, or PATIENCE times. */
 static void study_acceptance(struct study *s)
 {
     struct random r;
@@ -345,8 +346,8 @@ static bool next_try(enum method method, struct sampling *p, double step,
     }
 }
 
-/* Dynamics begins where a chain has led, with all speeds 1; the others have
-   no use for speeds. */
+/* Prepares a method. Dynamics begins at the end of a chain, with all speeds
+   1; the others do not use speeds. */
 static void begin_method(enum method method, struct sampling *p,
                          double step, struct random *r)
 {
@@ -409,9 +410,9 @@ static void run_method(enum method method, struct sampling *p, double step,
 }
 
 /* Measures each method, as the mean of eight runs after one that fills the
-   caches. The reference is a run of dynamics far longer than those. The
-   error of direct sampling, which is right by construction, falls straight
-   to the end, which shows that the two agree. */
+   caches. The reference is a run of dynamics far longer than those. Direct
+   sampling is right by construction: that its error falls straight to the
+   end shows that the reference is right, too. */
 static void study_cost(struct study *s)
 {
     struct random r;
@@ -455,11 +456,11 @@ enum gauging { SLIDES, COLLISIONS, CHAINS, GAUGINGS };
 static const char *const gauging_names[GAUGINGS] = {"markov", "dynamics",
                                                     "chains"};
 
-/* A measurement of Z - 1 under way. */
+/* A measurement of Z - 1 in progress. */
 struct gauge {
     struct sampling p;
     struct random r;
-    double step, sum; /* of what the samples say */
+    double step, sum; /* of the samples' results */
     uint64_t samples;
 };
 
@@ -508,7 +509,7 @@ static double follow_chain(struct gauge *g, size_t axis)
     return gained / length;
 }
 
-/* Returns Z - 1 so far. Dynamics sums what its collisions say from the
+/* Returns Z - 1 so far. Dynamics sums the virial of its collisions from the
    beginning (7.5, eq:virial). */
 static double gauge_value(struct gauge *g, enum gauging way)
 {

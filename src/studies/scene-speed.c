@@ -13,13 +13,13 @@
 
 #define PROGRAM "scene-speed"
 
-/* Numbers from 0 to 10, all with the same number of digits, one every WIDTH
-   bytes. */
+/* The numbers that are read: from 0 to 10, with equal numbers of digits,
+   one every WIDTH bytes. */
 enum { NUMBERS = 20000, WIDTH = 32, MOST_DIGITS = 19 };
 
 /* Returns the seconds to read a number with decimal_read or strtod, and
-   counts in ways[] how decimal_read did it. The sum keeps the compiler from
-   dropping values that are not used. */
+   counts in ways[] the ways that decimal_read took. The sum keeps the
+   compiler from dropping values that are not used. */
 static double time_numbers(char text[][WIDTH], bool ours, size_t ways[])
 {
     const double start = bench_seconds();
@@ -76,8 +76,8 @@ static char *write_gas(size_t bodies, size_t *length, struct random *r)
     return text;
 }
 
-/* Times the reading of a gas from memory, so that no disk is timed with
-   it. */
+/* Times the reading of a gas from memory, so that the disk has no
+   influence. */
 static void time_scene(size_t bodies, struct table *out, struct random *r)
 {
     double seconds[BENCH_ROUNDS];

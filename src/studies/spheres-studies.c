@@ -48,7 +48,7 @@ struct run {
     double dt;
 };
 
-/* Prepares to step the scene that is in r. */
+/* Prepares the scene in r for steps of dt. */
 static void begin(struct run *r, int way, double dt)
 {
     r->dt = dt;
@@ -203,13 +203,12 @@ enum { DTS = 7, FITTED = 5 };
 static const double dts[DTS] = {0.0025, 0.005, 0.01, 0.02,
                                 0.04,   0.08,  0.16};
 
-/* What the parabolas are fitted to: points and errors of each way. */
+/* The points to which the parabolas are fitted, with their errors. */
 struct points {
     double y[3][DTS], error[3][DTS];
 };
 
-/* Writes a row with all ways, and keeps in points what the parabolas
-   need. */
+/* Writes a row with all ways, and stores the points of the parabolas. */
 static void pressure_row(struct study *s, double dt, int at,
                          struct points points[])
 {
@@ -319,8 +318,8 @@ static void count_pairs(const struct disks *d, double shell[])
     }
 }
 
-/* Counts the pairs of the gas by events, ten times a second, which takes
-   longer than the flight; returns the virial over N kT. */
+/* Counts the pairs of the gas by events, ten times a second; the counting
+   takes longer than the run. Returns the virial over N kT. */
 static double fill_shells(const struct study *s, double shell[])
 {
     const double seed = (double)s->seed;
@@ -344,9 +343,9 @@ static double fill_shells(const struct study *s, double shell[])
     return virial;
 }
 
-/* Returns the slope d ln g / d ln r at contact, and in *error its error.
-   The area of a shell grows with its radius; what remains is the density of
-   pairs, through whose logarithm a parabola is put. */
+/* Returns the slope d ln g / d ln r at contact, and in *error its error. A
+   parabola is fitted to the logarithm of the density of pairs, which is the
+   count of a shell over its area. */
 static double contact_slope(const double shell[], double *error)
 {
     double t[SHELLS], y[SHELLS], e[SHELLS];
@@ -483,8 +482,8 @@ static double near_by_steps(struct run *r)
     return near;
 }
 
-/* Returns the rest of (7.6, eq:gas-walls) with all its terms on one side,
-   in units of 2 K t. */
+/* Returns the error of (7.6, eq:gas-walls), the sum of its terms on one
+   side, in units of 2 K t. */
 static double identity(struct run *r)
 {
     const double time = 20, radius = 0.1;
@@ -581,8 +580,8 @@ static double missed_way_back(uint64_t seed, int way, double dt)
     return bench_median(miss, DISKS) / 0.2;
 }
 
-/* Makes all checks of one way and step. What has an exact value is compared
-   with it, the others with the runs by events. */
+/* Makes all checks of one way and step. Results with an exact value are
+   compared with it, the others with the runs by events. */
 static void do_checks(struct study *s, int way, double dt,
                       const double truth[], double near, double found[])
 {
@@ -632,8 +631,8 @@ static void study_checks(struct study *s)
         }
 }
 
-/* Starts of a row of five balls: how many fly at the left and the right,
-   and the masses (kg) of the first, the last and the middle ball. */
+/* Starts of a row of five balls: the numbers that move at the left and the
+   right, and the masses (kg) of the first, the last and the middle ball. */
 static const struct {
     const char *name;
     double left, right, first, last, middle;
@@ -668,9 +667,9 @@ static void begin_events(struct bonkers *b, const struct scene *s)
     start_free(&start);
 }
 
-/* Gives positions and velocities of the balls at a time; returns the number
-   of collisions. There are no walls, so that a ball that leaves is not sent
-   back. */
+/* Sets x[] and v[] to the positions and velocities of the balls at a time,
+   by events; returns the number of collisions. There are no walls, so that
+   a ball that leaves is not sent back. */
 static uint64_t row_by_events(int row, double gap, double until, double x[],
                               double v[])
 {
@@ -697,8 +696,8 @@ struct stepped {
     double gap, dt;
 };
 
-/* Gives positions and velocities of the balls at a time, by steps in a
-   chosen order. */
+/* Sets x[] and v[] to the positions and velocities of the balls at a time,
+   by steps in a chosen order. */
 static void row_by_steps(int row, struct stepped how, double until,
                          double x[], double v[])
 {
@@ -713,8 +712,8 @@ static void row_by_steps(int row, struct stepped how, double until,
     end(&r);
 }
 
-/* Gives the velocities if all contacts happen at once: a tridiagonal system
-   for the impulses, solved by elimination. */
+/* Sets v[] to the velocities if all contacts happen at one time: a
+   tridiagonal system for the impulses, solved by elimination. */
 static void row_at_once(int row, double v[])
 {
     struct scene s;
@@ -757,7 +756,7 @@ static const struct {
     {"down", {APPROACHING, SPHERES_DESCENDING, 0, 0.001}}};
 
 /* Fills a line of the table: a row by events, whose velocities are exact,
-   by steps, and at once. */
+   by steps, and with all contacts at one time. */
 static void compare_row(struct study *s, int row, double line[2 + KINDS])
 {
     double x[BALLS], exact[BALLS], v[BALLS];
@@ -784,9 +783,10 @@ static const struct table_key rows_keys[] = {
     {"<way>_<row>_<i>", "m/s", "velocity of ball i at the end"},
     {0}};
 
-/* Starts the row in nine ways, with wide gaps, with gaps that a ball
-   crosses ten times in a step, and without gaps. The worst difference of
-   each kind leaves out the last start, which is a case of its own. */
+/* Writes the collisions of nine starts of the row, with wide gaps, with
+   gaps that a ball crosses ten times in a step, and without gaps. The worst
+   difference of each kind leaves out the last start, which is a special
+   case. */
 static void study_rows(struct study *s)
 {
     double worst[KINDS] = {0}, line[2 + KINDS];
@@ -877,7 +877,7 @@ static void make_break(struct scene *s, double jitter, uint64_t seed)
 
 static const double usual_break = 0.5; /* s */
 
-/* Gives the positions after a break by steps that go back. */
+/* Sets x[] to the positions after a break by steps that go back. */
 static void break_by_steps(enum spheres_order order, double dt, double x[])
 {
     struct run r;
@@ -889,9 +889,9 @@ static void break_by_steps(enum spheres_order order, double dt, double x[])
     end(&r);
 }
 
-/* Gives the positions after a break by events, in a box so large that its
-   walls do not matter. It has its corner at the origin, the table its
-   middle. */
+/* Sets x[] to the positions after a break by events, in a box so large that
+   its walls have no effect. The box has its corner at the origin, the table
+   has its middle there. */
 static void break_by_events(double jitter, uint64_t seed, double x[])
 {
     const double far = 50; /* m */
@@ -1025,7 +1025,8 @@ static void make_three(struct scene *s, double k2)
     s->softening = 0.2;
 }
 
-/* Begins a motion with all that acts, its contacts located or not. */
+/* Begins a motion with all forces of a scene, its contacts located or
+   not. */
 static void move(struct motion *m, struct scene *s, const char *method,
                  double dt, bool located)
 {
@@ -1036,7 +1037,8 @@ static void move(struct motion *m, struct scene *s, const char *method,
     m->spheres.shift = SPHERES_BACK;
 }
 
-/* Gives the positions of the three after 1 s; returns the collisions. */
+/* Sets x[] to the positions of the three after 1 s; returns the
+   collisions. */
 static uint64_t move_three(const char *method, double k2, bool located,
                            uint64_t steps, double x[9])
 {
@@ -1079,7 +1081,7 @@ static double drop_ball(double e)
 static const struct {
     const char *name, *method;
     bool located;
-    uint64_t coarse; /* steps from which its order is taken */
+    uint64_t coarse; /* fewest steps for its order */
 } moments[] = {{"stepwise", "leapfrog", false, 64},
                {"leapfrog", "leapfrog", true, 64},
                {"rk4", "rk4", true, 64},
@@ -1157,7 +1159,7 @@ static const struct {
 
 static const double pair_omega = 100; /* of the linear ones, 1/s */
 
-/* Makes a row of balls of 1 kg of which the first moves with 1 m/s. */
+/* Makes a row of balls of 1 kg; the first one moves at 1 m/s. */
 static void make_touching(struct scene *s, int way, size_t balls)
 {
     make_bodies(s, balls, 0.1);
@@ -1169,8 +1171,8 @@ static void make_touching(struct scene *s, int way, size_t balls)
     s->velocity[0] = 1;
 }
 
-/* Returns the speed at which two balls part that met at 1 m/s, with a gap
-   between them at the start. */
+/* Returns the speed at which two balls separate that approached each other
+   at 1 m/s, with a gap between them at the start. */
 static double parting_speed(int way, double dashpot, double gap, double dt)
 {
     struct scene s;
@@ -1186,8 +1188,8 @@ static double parting_speed(int way, double dashpot, double gap, double dt)
     return parting;
 }
 
-/* Returns how long the contact of Hertz's balls lasts: until the gap, on a
-   straight line within the last step, is zero again. */
+/* Returns the duration of the contact of Hertz's balls, s: until the gap,
+   on a straight line within the last step, is zero again. */
 static double hertz_time(void)
 {
     struct scene s;
@@ -1231,8 +1233,8 @@ static void touch_row(struct study *s, int way)
     scene_free(&scene);
 }
 
-/* Gives the least and the most of the energy that comes back, of 1, which
-   depends on where in a step the contact begins. */
+/* Sets *least and *most to the range of the energy that comes back, of 1,
+   which depends on the place in a step at which the contact begins. */
 static void energy_range(double omega_dt, double *least, double *most)
 {
     *least = INFINITY;
@@ -1248,8 +1250,8 @@ static void energy_range(double omega_dt, double *least, double *most)
 
 /* Returns the worst error of the speed, which has to be e, if a contact of
    this time (s) takes `steps` steps, give or take half a step. With whole
-   steps it would begin and end at the same place in a step, and errors
-   cancel that do not elsewhere. */
+   steps a contact would begin and end at equal places in a step, and errors
+   would cancel that do not cancel otherwise. */
 static double worst_parting_speed(int way, double dashpot, double time,
                                   int steps, double e)
 {
@@ -1318,10 +1320,10 @@ static void study_touch(struct study *s)
 
 enum { LOCATED = WAYS + 1 }; /* WAYS: by events */
 
-/* Returns the length of a run: contacts that are located take so long that
-   they run for a fifth of the others' time, and not at the packing 0.7.
-   Nothing acts between them, so that leapfrog's steps have no error of
-   their own. */
+/* Returns the length of a run. Located contacts take so long that they are
+   run for a fifth of the others' time, and not at the packing 0.7. Between
+   them nothing acts, so that leapfrog's steps have no error of their
+   own. */
 static double length_of(int way, double usual)
 {
     return way == LOCATED ? usual / 5 : usual;
@@ -1365,8 +1367,8 @@ static double time_run(struct scene *scene, int way, double dt,
     return value[VIRIAL];
 }
 
-/* Gives the virial over N kT, and the processor time for a second of the
-   gas, warm-up included. */
+/* Sets *virial to the virial over N kT, and *cost to the processor time for
+   a second of the gas, warm-up included. */
 static void cost_of(const struct study *s, double packing, int way,
                     double dt, struct blocks_average *virial, double *cost)
 {
@@ -1374,7 +1376,7 @@ static void cost_of(const struct study *s, double packing, int way,
     const double until = length_of(way, usual_length);
     for (uint64_t i = 0; i < own.runs; ++i) {
         struct scene scene;
-        /* The gas on a lattice, at the packing that is asked for. */
+        /* The gas starts on a lattice. */
         const double area = 250 * 3.14159265358979324 * 0.01 / packing;
         const double height = sqrt(area / 1.5);
         make_scene(&scene, "gas",
@@ -1399,10 +1401,10 @@ static const struct {
 
 enum { COSTS = 14 };
 
-/* Writes a row, whose first numbers, of the events, are given. Contacts
-   that are located have no error that could depend on the step, and every
-   other step is enough for them. A row begins with a name by which the book
-   quotes it. */
+/* Writes a row, whose first numbers, those of the events, are given.
+   Contacts that are located have no error that could depend on the step,
+   and are computed at every other step only. A row begins with a name by
+   which the book quotes it. */
 static void compare_step(struct study *s, double dt, bool all,
                          double row[COSTS])
 {

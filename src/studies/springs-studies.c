@@ -18,13 +18,13 @@ static struct {
     double until; /* end of the study of membranes, s */
 } own = {.until = 40};
 
-/* Ends the program for want of memory. */
+/* Ends the program because there is no memory. */
 static _Noreturn void no_memory(void)
 {
     program_give_up("there is no memory");
 }
 
-/* A scene, its springs, and how it is stepped. */
+/* A scene, its springs, and the method that steps it. */
 struct run {
     struct scene scene;
     struct springs springs;
@@ -41,7 +41,7 @@ static void make(struct scene *s, const char *name,
         program_give_up("%s", wrong);
 }
 
-/* Prepares r->scene to be stepped. */
+/* Prepares r->scene for steps of dt. */
 static void set_off(struct run *r, const struct stepping_method *method,
                     double dt)
 {
@@ -70,7 +70,8 @@ static double kinetic(const struct scene *s)
     return sum;
 }
 
-/* Returns the energy, J. What is held has no weight: gravity is 0 there. */
+/* Returns the energy, J. A held body has no weight, since its gravity is
+   0. */
 static double energy(const struct run *r)
 {
     const struct scene *s = &r->scene;
@@ -81,7 +82,7 @@ static double energy(const struct run *r)
     return sum;
 }
 
-/* Returns what textbooks print for a damping of g, q = 1 m and v = 0 at
+/* Returns the formula of textbooks for a damping of g, q = 1 m and v = 0 at
    t = 0, m = D = 1: two exponentials, or a cosine with a phase. */
 static double by_the_book(double g, double t)
 {
@@ -96,9 +97,10 @@ static double by_the_book(double g, double t)
     return exp(-g * t) / w * cos(w * t - atan2(g, w));
 }
 
-/* Returns the same from a power series in y = (w t)^2, valid for weak,
+/* Returns the place from a power series in y = (w t)^2, valid for weak,
    critical and strong damping. It converges for all t, but where it
-   alternates for long it loses digits: a judge for short times only. */
+   alternates for long it loses digits, so it serves for short times
+   only. */
 static double by_series(double g, double t)
 {
     const double y = (1 - g) * (1 + g) * t * t;
@@ -113,8 +115,8 @@ static double by_series(double g, double t)
 static const struct table_key critical_keys[] = {
     {"book_error", "1", "two exponentials, relative, e = 1e-10"}, {0}};
 
-/* Approaches critical damping from both sides, by quarters of a power of
-   ten. */
+/* Writes the place of an oscillator near critical damping, on both sides of
+   it, by quarters of a power of ten. */
 static void study_critical(struct study *s)
 {
     const double t = 3;
@@ -141,7 +143,8 @@ static const double dampings[DAMPINGS] = {0.2, 1, 2, 4}; /* kg/s */
 static const struct table_key regimes_keys[] = {
     {"worst", "m", "distance from the exact motion"}, {0}};
 
-/* Leapfrog at four dampings, and how far it is from the exact motion. */
+/* Writes the places of oscillators at four dampings, by leapfrog, and how
+   far they are from the exact motion. */
 static void study_regimes(struct study *s)
 {
     struct run r[DAMPINGS];
@@ -204,7 +207,8 @@ static const struct table_key spin_keys[] = {
     {"axial_energy", "J", "then"},
     {0}};
 
-/* Compares with (10.2, eq:spin-decay), in which c/mu is 1/s here. */
+/* Compares the spins of both dumbbells with (10.2, eq:spin-decay), in which
+   c/mu is 1/s here. */
 static void study_spin(struct study *s)
 {
     struct run r[2];
@@ -239,7 +243,8 @@ static void study_spin(struct study *s)
 static const struct table_key path_keys[] = {
     {"energy", "J", "at the start"}, {0}};
 
-/* Writes the path, by a method and a step beyond reproach for a picture. */
+/* Writes the path, by a method and a step that are precise enough for any
+   picture. */
 static void study_path(struct study *s)
 {
     const double every = 0.02, until = 10;
@@ -260,8 +265,8 @@ static void study_path(struct study *s)
     tidy_up(&r);
 }
 
-/* Where the bodies of the double pendulum are after 10 s: x1, z1, x2, z2,
-   computed by another program in quadruple precision. */
+/* The places of the bodies of the double pendulum after 10 s: x1, z1, x2,
+   z2, computed by another program in quadruple precision. */
 static const double after_10[4] = {-.156264701442401, .0112096197458345,
                                    -.921375731195946, -1.25031461636596};
 
@@ -292,9 +297,10 @@ static bool swing_of(const struct stepping_method *method, uint64_t n,
     return end == STEPPING_DONE && row[2] < 3;
 }
 
-/* Halves the step, beginning with 0.2 s, until the error is close to
-   rounding or the work becomes too much. Only a timed table has a column of
-   processor time: the other one is the same on all machines. */
+/* Writes the errors of all methods. The step is halved, from 0.2 s on,
+   until the error is close to rounding or the work becomes too much. Only a
+   timed table has a column of processor time: without it the table is equal
+   on all machines. */
 static void write_errors(struct study *s, bool timed)
 {
     if (timed)
@@ -358,9 +364,9 @@ static const double damping_step = 0.025; /* s */
 static const struct table_key silent_keys[] = {
     {"<method>", "m", "range of the stretch in the last 0.2 s"}, {0}};
 
-/* Writes how much the stiff spring is stretched, stepped by RK4 with a step
-   near its limit, by the leapfrog with the same, and with a small step.
-   What is left of its oscillation is read off the last ten rows. */
+/* Writes how much the stiff spring is stretched, by RK4 and leapfrog with a
+   step near the limit of RK4, and by a method with a small step. The rest
+   of its oscillation is taken from the last rows. */
 static void study_silent(struct study *s)
 {
     double most[WAYS], least[WAYS];
@@ -390,8 +396,8 @@ static void study_silent(struct study *s)
     }
 }
 
-/* A pendulum of which body 1 stays at the distance 1 m from body 0, and the
-   accelerations without the rod, m/s^2, which lie as in the scene. */
+/* A pendulum whose body 1 stays at the distance 1 m from body 0, and the
+   accelerations without the rod, m/s^2, in the order of the scene. */
 struct rod {
     struct run run;
     double a[9];
@@ -404,9 +410,9 @@ static double along(const double r[], const double a[])
     return (r[1] - r[0]) * a[1] + (r[7] - r[6]) * a[7];
 }
 
-/* Returns, after a free drift from r to x, the fraction of r that has to be
-   taken off so that the rod has its length of 1 m again: the smaller root
-   of (10.6, eq:rod). */
+/* Returns the fraction of r by which a free drift from r to x has to be
+   corrected, so that the rod is 1 m long again: the smaller root of (10.6,
+   eq:rod). */
 static double shorten(const double r[], const double x[])
 {
     const double dx = x[1] - x[0], dz = x[7] - x[6];
@@ -415,8 +421,9 @@ static double shorten(const double r[], const double x[])
     return c / (b + sqrt(b * b - c));
 }
 
-/* Takes a step of RATTLE: kick and drift, mend the length, kick, and mend
-   the velocity. Coordinates x and z of body 1 are numbers 1 and 7. */
+/* Takes a step of RATTLE: kick and drift, correct the length, kick, and
+   correct the velocity. Coordinates x and z of body 1 are numbers 1 and
+   7. */
 static void rod_step(struct rod *o, double dt)
 {
     double *const x = o->run.scene.position, *const v =
@@ -440,9 +447,9 @@ static void rod_step(struct rod *o, double dt)
     v[7] -= rate * (x[7] - x[6]);
 }
 
-/* Swings the pendulum with a rod for 10 s in n steps, and finds where it is
-   then. The scene's upper spring has the stiffness 0: the rod does what it
-   did. Returns whether the place is finite. */
+/* Swings the pendulum with a rod for 10 s in n steps, and sets place[] to
+   its end. The scene's upper spring has the stiffness 0, since the rod
+   replaces it. Returns whether the place is finite. */
 static bool rod_swing(uint64_t n, double place[4])
 {
     struct rod o = {0};
@@ -458,8 +465,9 @@ static bool rod_swing(uint64_t n, double place[4])
     return isfinite(place[0] + place[1] + place[2] + place[3]);
 }
 
-/* Finds where the double pendulum whose upper spring has this stiffness is
-   after 10 s. The step is proportional to the period of that spring. */
+/* Sets place[] to the place, after 10 s, of the double pendulum whose upper
+   spring has this stiffness. The step is proportional to the period of that
+   spring. */
 static void spring_swing(double stiffness, double place[4])
 {
     const uint64_t n = (uint64_t)(10 * 100 * sqrt(stiffness / 100)) + 1000;
@@ -520,8 +528,8 @@ static void make_at_rest(struct scene *s, bool pendulum)
     s->position[8] = s->position[7] - 1 - 1.8 / 5;
 }
 
-/* Moves what is at rest along its fastest mode by a billionth; returns the
-   mode's angular frequency. */
+/* Moves a scene at rest along its fastest mode by a billionth; returns the
+   angular frequency of this mode. */
 static double disturb(struct scene *s)
 {
     struct springs p;
@@ -539,10 +547,10 @@ static double disturb(struct scene *s)
 
 /* Returns whether a disturbance of 1e-9 m grows within this number of steps
    of the phase omega dt: to a centimetre, or by half against both the start
-   and the second quarter. Waiting for a factor of a thousand would find
-   RK4's limit 2e-4 too high, since at 1 + d times the limit the amplitude
-   grows by a factor of only 1 + 7d a step. This finds the limit to 3e-5 in
-   4000 steps. */
+   and the second quarter. To wait for a factor of a thousand would give a
+   limit for RK4 that is 2e-4 too high, since at 1 + d times the limit the
+   amplitude grows by a factor of only 1 + 7d a step. The limit is exact to
+   3e-5 with 4000 steps. */
 static bool grows(const struct stepping_method *method, bool pendulum,
                   double phase, uint64_t steps)
 {
@@ -571,14 +579,13 @@ static bool grows(const struct stepping_method *method, bool pendulum,
     return !small || far[3] > 1.5 * fmax(start, far[1]);
 }
 
-/* Returns the method's limit of omega dt, from low upwards until it is
-   unstable, by 1 per cent, then by halving. 0: it is never stable;
-   INFINITY: it is stable even at 20. Some methods become stable again
-   beyond their limit, in windows: so the search does not halve an interval
-   of which only the ends are known, and its stride is shorter than the
-   narrowest window in which a method is NOT stable (that of Kahan and
-   Li, 3.0965 to 3.1401; by 2 per cent at a time the search stepped over it
-   and reported 5.6). */
+/* Returns the method's limit of omega dt: from low upwards by 1 per cent
+   until it is unstable, then by halving the interval. 0: it is never
+   stable; INFINITY: it is stable even at 20. Some methods become stable
+   again beyond their limit, in windows; so the search goes in strides that
+   are shorter than the narrowest window of instability (that of Kahan and
+   Li, 3.0965 to 3.1401; with strides of 2 per cent the search stepped over
+   it and reported 5.6). */
 static double find_limit(const struct stepping_method *m, bool pendulum,
                          uint64_t steps, double low)
 {
@@ -601,9 +608,9 @@ static double find_limit(const struct stepping_method *m, bool pendulum,
     return low;
 }
 
-/* Finds the limits of omega dt with the pendulum and on the membrane, whose
-   limit is looked for close below the pendulum's. Implicit methods are
-   tried at one large step. */
+/* Finds the limits of omega dt with the pendulum and on the membrane. The
+   search on the membrane begins just below the pendulum's limit. Implicit
+   methods are tried at one large step. */
 static void find_limits(const struct stepping_method *m, double limit[2])
 {
     if (m->family == STEPPING_IMPLICIT) {
@@ -642,8 +649,8 @@ static void study_limits(struct study *s)
     }
 }
 
-/* Makes three bodies in a row, of which the middle one may move across it,
-   by a at the start: (10.7, eq:loose). */
+/* Makes three bodies in a row. The middle one can move only across it, and
+   begins at a: (10.7, eq:loose). */
 static void put_between(struct scene *s, double a)
 {
     if (!scene_create(s, 3) || !scene_add_kind(s, 50, 0))
@@ -700,8 +707,8 @@ static void study_quartic(struct study *s)
 
 /* Returns the amplitude, m, of the mode with r and `half` half waves in the
    displacement of an n x n membrane across it: a projection on its shape.
-   The shapes of a grid are at right angles, so that a mode does not see the
-   others. */
+   The shapes of a grid are orthogonal, so that other modes have no
+   effect. */
 static double amplitude(const struct scene *s, size_t n, size_t r,
                         size_t half)
 {
@@ -714,8 +721,8 @@ static double amplitude(const struct scene *s, size_t n, size_t r,
     return 4 * sum / (double)((n - 1) * (n - 1));
 }
 
-/* Returns the amplitude of all that is not in the first mode (of one mode
-   that moves as much in the root mean square), over a. */
+/* Returns the amplitude of all modes but the first, over a: that of one
+   mode with their root mean square displacement. */
 static double others(const struct scene *s, size_t n, double a)
 {
     const double *const z = s->position + 2 * s->bodies;
@@ -730,7 +737,7 @@ static double others(const struct scene *s, size_t n, double a)
 enum { MEMBRANES = 3 };
 
 /* Amplitudes at the start, m: of a membrane at rest length that moves along
-   z alone, of the same one free to move, and of a taut one. */
+   z alone, of one that is free to move, and of a taut one. */
 static const double lifted[MEMBRANES] = {0.1, 0.1, 0.01};
 
 static const struct table_key membranes_keys[] = {
@@ -796,7 +803,7 @@ static size_t turn_to(struct scene *s, size_t axis, double *home)
     return body;
 }
 
-/* Returns the time of ten half swings of coordinate `at` round home. Each
+/* Returns the time of ten half swings of coordinate `at` about home. Each
    passage falls between two steps; the last piece of the way is taken as
    straight. */
 static double ten_halves(struct run *r, size_t at, double home)
@@ -860,8 +867,9 @@ static void study_dispersion(struct study *s)
     table_real(s->summary, "worst", worst);
 }
 
-/* Hangs a membrane of loose springs in a gravity g until friction has
-   brought it to rest; returns how deep its middle is. */
+/* Returns how deep the middle is of a membrane of loose springs that
+   friction has brought to rest in a gravity g; puts it into s, if not
+   NULL. */
 static double sag(struct scene *s, double g)
 {
     struct run r;
@@ -907,8 +915,8 @@ static void study_sag(struct study *s)
                   {"ratio", sag(NULL, 0.004) / sag(NULL, 0.0005)});
 }
 
-/* Lets friction bring r to rest, until nothing moves any more. Nothing is
-   solved for, so that the rest is independent of the linear theory. */
+/* Lets friction bring r to rest, until nothing moves any more. No equation
+   is solved, so that the rest is independent of the linear theory. */
 static void settle(struct run *r)
 {
     for (int i = 0; i < 400; ++i) {
@@ -972,7 +980,7 @@ static void study_shapes(struct study *s)
         }
 }
 
-/* A beam: in what it differs from the usual one, and what it does. */
+/* A beam: how it differs from the usual one, and the results. */
 struct beam {
     const char *name;
     struct gallery_choice choice[3];
@@ -1005,8 +1013,8 @@ static void find_linear(struct beam *b, const struct scene *s, size_t nx)
     springs_free(&p);
 }
 
-/* Finds what the motion does: to the turning point, and to rest under a
-   friction that goes with the first mode. */
+/* Finds the turning point of the motion, and the rest under a friction in
+   proportion to the first frequency. */
 static void find_turn(struct beam *b)
 {
     struct run r;
@@ -1076,9 +1084,10 @@ static void study_beams(struct study *s)
                   {"third", beams[0].third}, {"fastest", beams[0].fastest});
 }
 
-/* The way that the bands replaced: each body looks up all its neighbours,
-   and every spring is computed twice. For springs in bands, with dashpots
-   as MPPhys prints them. */
+/* Adds the forces of one band for one side, in the way that the bands
+   replaced: each body looks up all its neighbours, and every spring is
+   computed twice. For springs in bands, with dashpots as MPPhys prints
+   them. */
 VECTOR_LOOP static void look_up(const struct springs *p,
                                 const struct springs_band *b,
                                 const double *restrict x,
@@ -1119,8 +1128,8 @@ static void accelerate_twice(void *springs, const double x[],
 /* The ways that are compared; TRIPS is the gather without the sweep. */
 enum { SCATTER, GATHER, TRIPS, TWICE, SPEEDS };
 
-/* Makes a free membrane of n x n bodies with the usual dashpots, to be
-   stepped in one way. */
+/* Makes a free membrane of n x n bodies with the usual dashpots, for one
+   way of stepping. */
 static void make_fast(struct run *r, size_t n, int way)
 {
     make(&r->scene, "membrane",
@@ -1133,8 +1142,8 @@ static void make_fast(struct run *r, size_t n, int way)
         r->stepping.forces.accelerate = accelerate_twice;
 }
 
-/* Returns the steps of a body in a second, by whichever clock, of two
-   million and more. */
+/* Returns the steps of a body in a second by the given clock, from two
+   million steps or more. */
 static double speed_of(struct run *r, double (*seconds)(void))
 {
     const uint64_t steps = 2000000 / r->scene.bodies + STEPPING_WATCH;
@@ -1184,8 +1193,8 @@ static void study_speed(struct study *s)
 }
 
 /* Writes the steps of a body in a second by one thread and by two, by the
-   clock on the wall, and the ratio: that of each round, since a slow moment
-   of the machine then spoils one of five. */
+   clock on the wall, and the median of the ratios of the rounds: a slow
+   moment of the machine then spoils only one of five. */
 static void study_threads(struct study *s)
 {
     bench_machine(s->out);

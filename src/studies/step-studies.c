@@ -28,7 +28,7 @@ struct system {
     void (*accelerate)(void *friction, const double x[], const double v[],
                        double a[]);
     double (*energy)(const double x[], const double v[]);
-    double x[3 * 2], v[2]; /* at the start; what is not named is 0 */
+    double x[3 * 2], v[2]; /* at the start; 0 if not given */
 };
 
 static void oscillator_force(void *friction, const double x[],
@@ -110,7 +110,7 @@ static double chain_energy(const double x[], const double v[])
 
 /* The orbit starts at the pericentre of an ellipse of eccentricity 1/2 and
    semi-major axis 1, with the speed sqrt(3); its energy is -1/2 and its
-   period 2 pi. The chain starts as a triangle: see begin_or_exit. */
+   period 2 pi. The start of the chain is computed in start(). */
 static const struct system oscillator = {
     1, oscillator_force, oscillator_energy, {1}, {0}};
 static const struct system pendulum = {
@@ -168,15 +168,14 @@ static double distance(const struct run *c, const double x[],
 }
 
 /* Returns how many steps a number of evaluations allows: methods are
-   compared at the same number. An implicit step takes about eight
-   rounds. */
+   compared at equal numbers. An implicit step takes about eight rounds. */
 static double steps_for(const struct stepping_method *m, double budget)
 {
     const double rounds = m->family == STEPPING_IMPLICIT ? 8 : 1;
     return budget / (double)m->stages / rounds;
 }
 
-/* Writes the table of methods as their rows promise it. */
+/* Writes the table of methods, as their rows in methods.c describe them. */
 static void study_methods(struct study *s)
 {
     table_print(s->out, "# method           order  stages  limit  "
@@ -263,8 +262,8 @@ static double area(double p[RIM][2])
     return fabs(sum) / 2;
 }
 
-/* Steps the points on the rim of a disk in phase space; each is the state
-   of a pendulum of its own. */
+/* Steps the points on the rim of a disk in phase space; each point is a
+   pendulum of its own. */
 static void step_rim(double p[RIM][2], const char *method, uint64_t steps)
 {
     struct run c;
@@ -346,8 +345,8 @@ static void study_energy(struct study *s)
         record_energy(s, m);
 }
 
-/* An oscillator whose constants are the frequency squared and the
-   friction. */
+/* Writes the force of an oscillator; the constants are the frequency
+   squared and the friction. */
 static void linear_force(void *what, const double x[], const double v[],
                          double a[])
 {
@@ -378,9 +377,10 @@ static void step_matrix(const struct stepping_method *m, double w, double c,
     }
 }
 
-/* Returns by which factor a step lengthens the state at most, in the long
-   run: the largest modulus of an eigenvalue. It is the root of the norm of
-   the 2^30-th power, found by 30 squarings, each divided by its size. */
+/* Returns the factor by which a step lengthens the state at most, in the
+   long run: the largest modulus of an eigenvalue. It is the root of the
+   norm of the 2^30-th power, found by 30 squarings, each divided by its
+   size. */
 static double growth(double m[3][3])
 {
     double exponent = 0;
@@ -400,8 +400,9 @@ static double growth(double m[3][3])
     return exp(exponent);
 }
 
-/* Covers the complex plane of lambda dt by a grid: an oscillator with the
-   friction c = -2 Re(lambda) and the frequency w = |lambda|. */
+/* Writes the growth on a grid in the complex plane of lambda dt: an
+   oscillator with the friction c = -2 Re(lambda) and the frequency w =
+   |lambda|. */
 static void study_stability(struct study *s)
 {
     TABLE_COLUMNS(s->out, {"re", "", "real part of lambda dt"},
@@ -497,7 +498,7 @@ static double error_of(const struct system *y, const char *method,
     return end == STEPPING_DONE ? error : INFINITY;
 }
 
-/* Returns the order from the two shortest steps whose errors are still a
+/* Returns the order from the two shortest steps whose errors are at least a
    thousand times rounding; steps are halved until then. */
 static double order_of(const char *method, double friction, double x,
                        double v, double *error)
@@ -570,7 +571,8 @@ static double friction_limit(const struct stepping_method *m, double w)
     return high < 20 ? low : INFINITY;
 }
 
-/* Returns how far a splitting moves back and forth in a step. */
+/* Returns the sum of |y|: how far a splitting moves back and forth in a
+   step. */
 static double sum_of_moduli(const double y[], size_t n)
 {
     double sum = 0;
@@ -589,8 +591,8 @@ static void study_damping(struct study *s)
                     friction_limit(m, 0));
 }
 
-/* Writes what a step does to a velocity under friction alone; the row and
-   column of the position are set to 0. */
+/* Writes by which factor a step changes a velocity under friction alone;
+   the row and column of the position are set to 0. */
 static void study_friction(struct study *s)
 {
     table_column(s->out, "c dt", "", "friction times step");
@@ -652,8 +654,8 @@ static void study_fails(struct study *s)
     }
 }
 
-/* The rounding of one orbit is one random walk, which might be lucky; so
-   sixteen orbits that differ a little are averaged. */
+/* Orbits that differ a little, whose errors are averaged: the rounding of
+   one orbit is a single random walk, which might be lucky. */
 enum { STARTS = 16 };
 
 /* Continues to this number of steps, and returns the root mean square of
@@ -668,7 +670,7 @@ static double error_after(struct run c[STARTS], uint64_t steps)
     return sqrt(sum / STARTS);
 }
 
-/* Writes the error of sixteen orbits after 1, 2, 4, ... turns. */
+/* Writes the error of the orbits after 1, 2, 4, ... turns. */
 static void record_rounding(struct study *s, double steps_of_orbit,
                             bool compensated)
 {
@@ -714,14 +716,14 @@ struct outcome {
     double evaluations, error, seconds;
 };
 
-/* A system to be run to a time at which its state is known. */
+/* A system, a time, and the exact state at this time. */
 struct task {
     const struct system *system;
     double until, x[MOST], v[MOST];
 };
 
-/* Runs a task with this many steps. The time is used by study_cost alone:
-   tables that are made again by every build contain no times. */
+/* Runs a task with this many steps. The time is for study_cost alone:
+   tables that every build makes again contain no times. */
 static struct outcome work_of(const struct task *k, const char *method,
                               uint64_t steps)
 {
@@ -759,7 +761,7 @@ static struct outcome work_of_reference(const struct task *k,
     return o;
 }
 
-/* Ten orbits end where they began. */
+/* Sets the task of ten orbits, which end at their start. */
 static void set_orbit_task(struct task *k)
 {
     *k = (struct task){.system = &orbit, .until = 10 * period};
@@ -865,7 +867,7 @@ static void record_cost(struct study *s, const struct task *k,
                   bench_median(seconds, BENCH_ROUNDS), o.error);
 }
 
-/* Times ten orbits. Efforts double; for rk8pd tolerances shrink by
+/* Times ten orbits. Efforts are doubled; tolerances of rk8pd are divided by
    sixteen. */
 static void study_cost(struct study *s)
 {
@@ -939,8 +941,9 @@ static void stiff_force(void *friction, const double x[], const double v[],
     a[1] = -1e6 * x[1];
 }
 
-/* A force that jumps, -1 or 1 on the sides of zero, with the potential |x|:
-   a body at rest at x = 1/2 is there again after every 4 s. */
+/* Writes a force that jumps, -1 or 1 on the sides of zero, with the
+   potential |x|: a body at rest at x = 1/2 is there again after every 4
+   s. */
 static void jump_force(void *friction, const double x[], const double v[],
                        double a[])
 {
@@ -993,8 +996,8 @@ static double relative_to_centre(const struct run *c, int i, int j,
     return dx * dx + dy * dy;
 }
 
-/* Writes the closest approach of two bodies: ticks of 50 ns, of which a
-   quarter is written. Near its least value the square of the distance is a
+/* Writes the closest approach of two bodies, in ticks of 50 ns, of which
+   every fourth is written. Near its minimum the square of the distance is a
    parabola, which gives distance and time. */
 static void record_approach(struct study *s)
 {
@@ -1021,9 +1024,9 @@ static void record_approach(struct study *s)
     stepping_free(&c.s);
 }
 
-/* Writes all steps up to t = 20, and in the summary how the run went. A
-   time just beyond the end of the last step asks for exactly one step
-   more. */
+/* Writes all steps up to t = 20, and the results of the run into the
+   summary. A time just beyond the end of the last step makes the method
+   take exactly one step more. */
 static void record_lengths(struct study *s, const char *method,
                            double tolerance)
 {
@@ -1070,8 +1073,8 @@ static void record_drift(struct study *s)
     stepping_free(&c.s);
 }
 
-/* Counts the steps of systems that give adaptive methods trouble, the stiff
-   one and the one with a jump, beside one that does not. */
+/* Counts the steps of systems that are hard for adaptive methods, the stiff
+   one and the one with a jump, and of one that is easy. */
 static void record_trouble(struct study *s)
 {
     static const struct {

@@ -42,8 +42,6 @@ double disks_heat(const struct disks *d)
 {
     double drift[DISKS_AXES], heat = 0;
     disks_drift(d, drift);
-    if (drift[0] == 0 && drift[1] == 0 && drift[2] == 0)
-        return disks_energy(d);
     for (size_t i = 0; i < d->count; ++i) {
         double v[DISKS_AXES];
         for (size_t k = 0; k < DISKS_AXES; ++k)

@@ -345,6 +345,22 @@ static struct ladder ladder(const char *name, uint64_t steps, double error,
                            .rise = 1};
 }
 
+TEST(test_rise, "finer steps cost more, or a little more")
+{
+    struct ladder two[2];
+    size_t n = 0;
+    begin(1e-6);
+    request.scene = &still;
+    for (int k = 0; k < 2; ++k) {
+        WHOLE(0.5, 0.5, 0.5);
+        add_ladder(&task, two, &n, models_find(k ? "dopri5" : "leapfrog"),
+                   0);
+    }
+    UNIT_EQUAL(n, 2);
+    UNIT_EQUAL(two[0].rise, 1);
+    UNIT_EQUAL(two[1].rise, 1 / 7.0);
+}
+
 TEST(test_lost, "errors that say nothing")
 {
     begin(1e-6);

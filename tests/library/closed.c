@@ -157,6 +157,9 @@ TEST(test_relabel_at_once, "what happens at the very time has happened")
     relabel(0, INFINITY, 2, at, with, 3);
     UNIT_EQUAL(x[0], 0);
     UNIT_EQUAL(v[0], 1);
+    relabel(-INFINITY, 4, 2, at, (double[]){1, -1}, 3);
+    UNIT_LIST(x, 0, 0, 4);
+    UNIT_LIST(v, 0, -1, -1);
     relabel(0, 4, 2, at, with, 3);
     UNIT_EQUAL(x[0], 0);
     UNIT_EQUAL(v[0], 1);

@@ -266,10 +266,12 @@ TEST(test_slack_at_0, "and of a point at a wall at 0")
 {
     FREED(scene) s;
     ENDED(motion) m;
-    UNIT_MUST(scene_create(&s, 1));
+    UNIT_MUST(scene_create(&s, 2));
     s.contact = true;
     s.wall[0] = SCENE_HARD;
-    s.high[0] = 10;
+    s.high[0] = 100;
+    s.position[1] = 50;
+    s.radius[1] = 1;
     s.velocity[0] = 1;
     s.gravity[0] = -8;
     s.dt = 1;
@@ -279,4 +281,5 @@ TEST(test_slack_at_0, "and of a point at a wall at 0")
     UNIT_MUST(m.impact.gaps == 1);
     UNIT_EQUAL(m.impact.gap->rounding,
                0x1p-50 * (*m.impact.high - *m.impact.low));
+    UNIT_EQUAL(m.impact.low[3], -1 - 0x1p-50); /* a box round body 1 */
 }

@@ -55,6 +55,19 @@ static bool builds(UNUSED void *unused)
     return well;
 }
 
+static bool parses(void *unused)
+{
+    static const char text[] = "pos 0 0 0 0 1 0 .1\npos 1 1 0 0 1 0 .1\n"
+                               "s 0 5 0\ns 1 7 0\nsl 0 1 0\nsl 1 0 1\n";
+    struct scene s;
+    struct scene_error e;
+    (void)unused;
+    const bool well = scene_parse(&s, text, sizeof text - 1, &e);
+    if (well)
+        scene_free(&s);
+    return well;
+}
+
 static bool moves(void *method)
 {
     struct motion m;
@@ -145,6 +158,7 @@ TEST(test_scenes, "scenes")
     make("membrane");
     fails("a copy", copies, "", false);
     fails("a scene", builds, "", false);
+    fails("a text", parses, "", false);
     for (size_t i = 0; i < GALLERIES; ++i)
         for (laid = galleries[i]; laid->name; ++laid)
             fails(laid->name, lays, "", false);

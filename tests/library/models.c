@@ -359,6 +359,20 @@ TEST(test_line_refuses, "line and relabel refuse what is no line")
     refuses("line", "bodies overlap at the start");
     scene.restitution = 1;
     refuses("relabel", "bodies overlap at the start");
+    scene_free(&scene);
+    UNIT_MUST(scene_create(&scene, 2)); /* without any room between walls */
+    scene.contact = true;
+    PUT(scene.radius, 0.5, 0.5);
+    PUT(scene.position, 0.5, 1.5);
+    scene.wall[0] = SCENE_HARD;
+    scene.high[0] = 2;
+    for (size_t c = 2; c < 6; ++c)
+        scene.freedom[c] = 0;
+    const struct models_plan p = plan("relabel");
+    const char *why;
+    RUN r;
+    UNIT_MUST(models_begin(&r, &p, &scene, 1, &why));
+    UNIT_EQUAL(models_row(&r), MODELS_BROKEN);
     scene.wall[0] = SCENE_PERIODIC;
     refuses("line", "the line is periodic");
     scene.wall[0] = SCENE_HARD;

@@ -143,6 +143,9 @@ TEST(test_acts, "what acts")
             models_analyse(&a, &s);
             UNIT_TRUE(a.contact == (n > 1 || wall < 3));
         }
+    UNIT_EQUAL(BEARS_RODS + BEARS_PARTICLES + BEARS_SPRINGS +
+                   BEARS_GRAVITY + BEARS_CONTACT + BEARS_FRICTION,
+               BEARS_ALL);
     FREED(scene) s = made(2);
     s.mass[0] = 0;
     UNIT_TRUE(!attracts(&s)); /* without k2 nothing does */

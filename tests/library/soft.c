@@ -245,6 +245,9 @@ TEST(test_by_hand, "two by hand")
         UNIT_NEAR(a[c], force[c], 2e-15);
     memset(a, 0, sizeof a);
     s.position[5] = s.position[8] = 0;
+    s.wall[1] = SCENE_HARD; /* which two just touch, on their way up */
+    s.low[1] = -9;
+    s.high[1] = 0.25;
     soft_add(&t, s.position, s.velocity, a);
     for (size_t c = 0; c < 9; ++c)
         UNIT_EQUAL(a[c], 0);

@@ -22,13 +22,11 @@ bool build_runner(const char *folder, const char *exercise,
 void build_tell(const char *text, const char *source, const char *types,
                 FILE *story);
 
-/* Writes to story a warning about source from the last build in that
-   folder: the first that we can explain or, if there is none, the first of
-   all. */
+/* Writes to story a warning about source from the last build in `folder`:
+   the first that we can explain or, if there is none, the first of all. */
 void build_warning(const char *folder, const char *source, FILE *story);
 
-/* Returns whether the last build in that folder found an error in
-   source. */
+/* Returns whether the last build in `folder` found an error in source. */
 bool build_blames(const char *folder, const char *source);
 
 /* Returns whether build/check/flags turns the address sanitizer on. */

@@ -37,8 +37,8 @@ struct check {
     const char *input;    /* the arguments, with units */
     double expected;
     double tolerance;     /* largest |got - expected| that passes */
-    const char *because;  /* where the tolerance comes from */
-    const char *equation; /* its label in the book; NULL: the suite's */
+    const char *because;  /* reason for the tolerance */
+    const char *equation; /* label in the book; NULL: the suite's */
     const char *question; /* a question that helps the student on */
     struct check_mistake mistakes[12]; /* unused ones have no name */
 };
@@ -50,11 +50,11 @@ struct check {
 struct check_test {
     const char *name;
     void (*run)(void);
-    int points; /* at least 1 */
+    int points; /* points of the test, at least 1 */
     int hidden; /* further points; 0: its inputs are not drawn */
 };
 
-enum { CHECK_TESTS = 32 }; /* tests of a suite and the end of the list */
+enum { CHECK_TESTS = 32 }; /* most entries of tests[], with the end */
 
 /* The tests of one exercise; every suite defines one of these, named
    check_suite. Idle tests pass when nothing was done (a function that
@@ -64,7 +64,7 @@ enum { CHECK_TESTS = 32 }; /* tests of a suite and the end of the list */
 struct check_suite {
     const char *file; /* "01a-collide.c", in exercises/ and solutions/ */
     const char *title;
-    int minutes; /* how long the exercise should take */
+    int minutes; /* minutes that a student needs */
     /* The label of the equation that failures name: "eq:difference". */
     const char *equation;
     struct check_test tests[CHECK_TESTS]; /* the last has no name */

@@ -1,4 +1,4 @@
-/* The header of a student's file: the mark of a gap. */
+/* The header for students' files: marks what is still to be written. */
 #ifndef EXERCISE_H
 #define EXERCISE_H
 

@@ -34,7 +34,7 @@ static const unsigned char *untouched(void)
 
 static struct place {
     const char *name;
-    unsigned char *before, *behind; /* its two guards */
+    unsigned char *before, *behind; /* the guards of an output */
 } places[MOST];
 static size_t used;
 

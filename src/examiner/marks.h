@@ -12,7 +12,7 @@
    hidden tests. */
 struct mark {
     char *name;
-    bool hidden;      /* its inputs must not be shown */
+    bool hidden;      /* inputs must not be shown */
     int points;       /* points for passing */
     enum state state; /* NOT_BEGUN: it was not run */
     char *story;      /* the examiner's report on it */
@@ -36,7 +36,7 @@ struct marks {
     struct mark marks[MARKS_MOST];
     char *story;    /* messages of the compiler, or "" */
     char *prints;   /* the beginning of what the program printed */
-    char *advice;   /* what sanitizers found; costs no points */
+    char *advice;   /* findings of sanitizers; cost no points */
     double seconds; /* wall-clock time, build included, s */
     double build_seconds;
     int tries; /* 2 if run again after a time-out */

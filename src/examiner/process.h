@@ -26,9 +26,9 @@ struct process_files {
     void (*enter)(void); /* called in the new process; NULL: none */
 };
 
-/* How a program ended. */
+/* The end of a program. */
 struct process_end {
-    int status;     /* as waitpid gives it */
+    int status;     /* status as from waitpid */
     bool timed_out; /* a limit on time was reached */
     bool waited;    /* it was the limit on wall-clock time */
 };

@@ -222,8 +222,8 @@ static void draft_close(struct draft *draft)
         text_fail("cannot write '%s': %s", draft->path, strerror(errno));
 }
 
-/* Returns whether no other student has the same name: the second would
-   overwrite the marks of the first. */
+/* Returns whether no other student has this student's name: the later one
+   would overwrite the other's marks. */
 static bool alone(const struct course *c, size_t s)
 {
     const char *student = marks_of(c, s, 0)->student;

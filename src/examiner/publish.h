@@ -18,7 +18,7 @@ struct course {
     const char *const *notes;  /* [s]: lines on the files of student s;
                                   [students]: on files of no student */
     const char *name;          /* name of the submissions' folder */
-    const char *isolation;     /* how programs were isolated */
+    const char *isolation;     /* the kind of isolation of programs */
     const char *when;          /* time of grading, 2026-10-05T09:30:00Z */
 };
 

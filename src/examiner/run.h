@@ -44,7 +44,7 @@ struct run_order {
    breaks it, and the suite shows the first such line. */
 struct run {
     int status;   /* exit status */
-    bool flooded; /* it printed more than RUN_PRINTS */
+    bool flooded; /* more than RUN_PRINTS was printed */
     size_t rows, columns;
     double *numbers;    /* all rows, one after the other */
     const char *broken; /* the first line that breaks it, or "" */

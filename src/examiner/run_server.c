@@ -322,7 +322,7 @@ static double take_calls(const struct counter *c)
         return -1.0;
     if (c->told >= 0) {
         close(c->program);
-        shutdown(c->ours, SHUT_RDWR); /* for all at the other end */
+        shutdown(c->ours, SHUT_RDWR); /* wakes all at the other end */
         if (read(c->told, &calls, sizeof calls) != sizeof calls)
             calls = -1;
         close(c->told);

@@ -30,7 +30,7 @@ long syscall(long number, ...);
 #define MEMORY_KIB 524288     /* address space of each process, KiB */
 #define DISK_BYTES "33554432" /* size of the sandbox's folder, bytes */
 #define DISK_FILES "2000"     /* most files in it */
-#define OUTER_WORK "/mnt"     /* its mount point outside the sandbox */
+#define OUTER_WORK "/mnt"     /* the folder's mount point outside */
 
 enum {
     BUILD_MS = 45000, /* wall-clock time to compile and link */

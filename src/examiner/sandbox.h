@@ -24,7 +24,7 @@ struct sandbox_order {
     enum sandbox_kind kind;
     const char *name;     /* name of the file, "exercises/01a-x.c" */
     int source;           /* the student's file */
-    const char *included; /* its name, "kit/exercise.h" */
+    const char *included; /* the header's name, "kit/exercise.h" */
     int header;           /* the header that the stub includes */
     int inside;           /* object with the driver and the remote calls */
     const char *compiler; /* compiler with flags, split at blanks */
@@ -45,7 +45,7 @@ struct sandbox {
     int test_ms;           /* processor time of the last test, ms */
 };
 
-/* How far a sandbox got. */
+/* The stage that a sandbox has reached. */
 enum sandbox_stage {
     SANDBOX_NOT_BUILT, /* the compiler or the linker refused */
     SANDBOX_TOO_LONG,  /* compiler or linker took too long */
@@ -80,7 +80,7 @@ bool sandbox_settle(struct sandbox *sandbox);
 /* Kills all processes in the sandbox and removes it. */
 void sandbox_close(struct sandbox *sandbox);
 
-/* How the drawing of a figure ended. */
+/* The end of the drawing of a figure. */
 enum sandbox_drawing {
     SANDBOX_DRAWN,      /* gnuplot has ended, perhaps without a figure */
     SANDBOX_NO_PROGRAM, /* the compiler or the linker refused */

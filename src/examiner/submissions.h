@@ -17,9 +17,9 @@ struct answer {
 
 /* The files of one student. */
 struct submission {
-    char *entry; /* its name at the top; "." for the folder */
-    char *name;  /* name of the student (see marks_text) */
-    char *notes; /* lines: files not graded, and why */
+    char *entry;                 /* name of file or folder; "." if none */
+    char *name;                  /* name of the student (see marks_text) */
+    char *notes;                 /* lines: files not graded, and why */
     size_t noted, count, others; /* numbers of notes, answers, others */
     long long attempt;           /* attempt of the file being read */
     bool canvas;                 /* Canvas has named that file */

@@ -123,7 +123,7 @@ bool text_utf16(const char *path)
     if (file)
         fclose(file);
     if (length >= 2 && s[0] + s[1] == 0xff + 0xfe && abs(s[0] - s[1]) == 1)
-        return true; /* it begins with a byte-order mark */
+        return true; /* a byte-order mark comes first */
     int zeros[2] = {0};
     for (size_t i = 0; i < sizeof s; ++i)
         zeros[i % 2] += s[i] == 0;

@@ -56,7 +56,7 @@ bool page_begin(void)
            wrong == beads.gaps;
 }
 
-/* Runs; an event is a collision. */
+/* Runs the beads; an event is a collision. */
 double page_run(double until, double events)
 {
     const uint64_t before = beads.collisions;

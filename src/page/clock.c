@@ -73,9 +73,9 @@ static void sample(void)
     ++records;
 }
 
-/* Runs; an event is a record. The article's loop makes a record also at
-   each event of the disks, and counts its next tick from there; the right
-   loop makes records at multiples of the tick. */
+/* Runs the disks; an event is a record. The article's loop makes a record
+   also at each event of the disks, and counts its next tick from there; the
+   right loop makes records at multiples of the tick. */
 double page_run(double until, double events)
 {
     const double before = records;

@@ -87,7 +87,8 @@ static void step_to(struct way *w, double until)
             break;
 }
 
-/* Runs; an event is a step of the second run. The others follow. */
+/* Runs all three; an event is a step of the second run. The others
+   follow. */
 double page_run(double until, double number)
 {
     const double before = (double)steps.motion.stepping.steps;

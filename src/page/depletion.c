@@ -103,8 +103,8 @@ static double sample_force(void)
     return sum / (2 * width);
 }
 
-/* Runs; an event is a try. The force is sampled once in as many tries as
-   there are disks. */
+/* Runs the chain; an event is a try. The force is sampled once in as many
+   tries as there are disks. */
 double page_run(double until, double events)
 {
     const double before = tries, all = (double)box.disks.count;

@@ -7,7 +7,7 @@
 #include <math.h>
 
 enum { MOST = 2000, BINS = 30 }; /* disks; bins of u = v sqrt(m/(2kT)) */
-#define WIDTH 0.1                /* of a bin, in u */
+#define WIDTH 0.1                /* width of a bin, in u */
 
 /* Parameters: the number of disks, the fraction of the box that they fill,
    the seed, 1 for a periodic box. The sides of the box are 7.5 m and 5
@@ -57,7 +57,7 @@ bool page_begin(void)
     return fast ? cells_create(&cells, &gas) : disks_plan(&gas);
 }
 
-/* Runs; an event is a collision. */
+/* Runs the gas; an event is a collision. */
 double page_run(double until, double events)
 {
     const uint64_t before = gas.collisions;

@@ -91,7 +91,7 @@ static void measure(void)
     measured = samples;
 }
 
-/* Runs; an event is a sample, of which there are at most MOST. */
+/* Runs the beads; an event is a sample, of which there are at most MOST. */
 double page_run(double until, double events)
 {
     const size_t before = samples, k = (size_t)page_number[BEAD];

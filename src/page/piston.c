@@ -67,7 +67,8 @@ bool page_begin(void)
     return true;
 }
 
-/* Runs; an event is a collision. The model follows in whole steps. */
+/* Runs the beads; an event is a collision. The model follows in whole
+   steps. */
 double page_run(double until, double events)
 {
     const uint64_t before = beads.collisions;

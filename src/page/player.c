@@ -15,7 +15,7 @@ enum word { SCENES, ABOUT, KEYS, HELP, METHODS, NAMES, MESSAGE, WRITTEN };
 /* The arrays that page_array returns. */
 enum array { PLACES, RADII, COLOURS, MASSES, FREE, SPRINGS, OBSERVED };
 
-/* What can be changed while the scene runs. */
+/* The values that can be changed while the scene runs. */
 enum change { METHOD, DT, GRAVITY, DAMPING = GRAVITY + 3, RESTITUTION, K2 };
 
 char *page_text(double size);
@@ -188,7 +188,7 @@ bool page_begin(void)
     return begin_anew();
 }
 
-/* Runs; an event is a step. */
+/* Runs the scene; an event is a step. */
 double page_run(double until, double events)
 {
     double steps = 0;

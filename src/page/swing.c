@@ -107,7 +107,8 @@ static double now(void)
     return a > b ? a : b;
 }
 
-/* Runs; an event is a step. An oscillator stops if its numbers overflow. */
+/* Runs both methods; an event is a step. An oscillator stops if its numbers
+   overflow. */
 double page_run(double until, double events)
 {
     double steps = 0;

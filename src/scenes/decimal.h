@@ -6,12 +6,12 @@
 
 enum { DECIMAL_LONGEST = 200 }; /* most characters of a number */
 
-/* How a number was read. */
+/* The ways to read a number. */
 enum decimal_way {
     DECIMAL_NONE,  /* not read: it is no number */
-    DECIMAL_SHORT, /* by one operation on two exact doubles */
-    DECIMAL_PAIR,  /* as the sum of two doubles */
-    DECIMAL_STRTOD /* by the C library */
+    DECIMAL_SHORT, /* read by one operation on exact doubles */
+    DECIMAL_PAIR,  /* read as a sum of two doubles */
+    DECIMAL_STRTOD /* read by the C library */
 };
 
 /* Reads a decimal number, which fills a text of this length: a sign or

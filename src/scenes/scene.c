@@ -173,7 +173,7 @@ struct reader {
     struct scene_error *error;
     const char *next, *end;                /* the rest of the line */
     size_t line;                           /* number of that line */
-    struct piece first, word[MOST_FIELDS]; /* its first word, the others */
+    struct piece first, word[MOST_FIELDS]; /* first word of it, others */
     size_t lines[LINES], read[LINES]; /* numbers of each sort: all, read */
     unsigned char *seen; /* [bodies + kinds] bit s: sort s was read */
 };
@@ -535,7 +535,7 @@ static bool store_dashpot(struct reader *r, const double value[],
     return r->scene->axial = true;
 }
 
-/* Stores contacts that act as springs; no line contact is needed. */
+/* Stores contacts that act as springs, also without a line "contact". */
 static bool store_linear(struct reader *r, const double value[],
                          size_t count)
 {

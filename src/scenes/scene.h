@@ -10,8 +10,8 @@
 
 enum { SCENE_AXES = 3 };
 enum scene_wall { SCENE_OPEN, SCENE_HARD, SCENE_PERIODIC };
-/* How bodies in contact act on each other: at once, as hard bodies, or as
-   springs, linear ones or Hertz's. */
+/* The laws of contacts: bodies act on each other at once, as hard bodies,
+   or as springs, linear ones or Hertz's. */
 enum scene_law { SCENE_SUDDEN, SCENE_LINEAR, SCENE_HERTZ };
 
 /* A kind of spring: a line "s". */
@@ -52,7 +52,7 @@ struct scene {
     bool axial;      /* dashpots act along their spring only */
     bool contact;    /* bodies collide; if not, radii are for drawing */
     double restitution;
-    enum scene_law law;        /* how bodies collide */
+    enum scene_law law;        /* law of contacts */
     double stiffness, dashpot; /* of soft contacts, N/m or N/m^1.5; kg/s */
     enum scene_wall wall[SCENE_AXES];
     double low[SCENE_AXES], high[SCENE_AXES]; /* ends of the box, m */

@@ -19,7 +19,7 @@ struct table {
     bool exists;      /* whether the file existed when opened; */
     struct stat file; /* if so, its status */
     size_t columns;
-    const struct table_key *keys; /* of a summary, or NULL */
+    const struct table_key *keys; /* keys of a summary; NULL: a table */
     uint64_t written;             /* bit k: keys[k] was written */
     int error;                    /* errno of the first failure, or 0 */
     /* While the head is kept in memory, `stream` writes to `head`, and
@@ -27,7 +27,7 @@ struct table {
     FILE *held;
     char *head;
     size_t head_size;
-    struct table *next; /* in the list of open tables */
+    struct table *next; /* next in the list of open tables */
 };
 
 /* Remembers errno if `good` is false and this is the first failure. */

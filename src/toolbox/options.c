@@ -15,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *program_begun; /* as given to options_begin */
+static const char *program_begun; /* name given to options_begin */
 
 const char *options_program(void)
 {

@@ -38,7 +38,7 @@ enum {
 /* Flags of an option, to be added to its letter. */
 enum {
     OPTIONS_SILENT = 1 << 10, /* changes no result: not in the command */
-    OPTIONS_WRITES = 1 << 11  /* its value names an output file */
+    OPTIONS_WRITES = 1 << 11  /* the value names an output file */
 };
 
 /* The two outputs that most programs have. */

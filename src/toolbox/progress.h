@@ -10,7 +10,7 @@ struct progress {
     const char *program, *what;
     uint64_t total, done;
     double start, last; /* times of the start and the last line, s */
-    int width;          /* of the line on the terminal; 0: none */
+    int width;          /* width of the line shown; 0: none */
     bool visible;
 };
 

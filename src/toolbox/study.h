@@ -12,8 +12,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* What a study works with. A study that knows its amount of work may call
-   progress_begin again with that total. */
+/* The data that a study works with. A study that knows its amount of work
+   may call progress_begin again with that total. */
 struct study {
     struct table *out, *summary; /* open; out has its first lines */
     uint64_t seed;
@@ -24,7 +24,7 @@ struct study {
 
 /* One study; a list of them ends with {0}. */
 struct study_entry {
-    const char *name; /* its name for --study */
+    const char *name; /* value of --study */
     void (*run)(struct study *s);
     /* A phrase for --help; with the name at most STUDY_WIDTH letters. */
     const char *about;

@@ -14,7 +14,7 @@ include build/recipes/rules.mk
 kept += $(FIGURES_DATA) $(LECTURE_DATA) $(RUNS)
 endif
 
-# Says what is missing, before anything is computed in vain.
+# Stops if a program is missing, before anything is computed.
 has-gnuplot:
 	$(call need,gnuplot,gnuplot-nox fonts-lmodern)
 has-gsl:

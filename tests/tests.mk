@@ -1,4 +1,4 @@
-# The tests; and what looks for mistakes in the tests and the programs: mutants,
+# The tests, and goals that look for mistakes in the tests and the programs: mutants,
 # memcheck, fuzz, hunt.
 
 .PHONY: test test-parts memcheck
@@ -86,15 +86,15 @@ build/made/tests/grader/%: tests/grader/%.c build/compiler/key
 		-o $(made).new $(filter %.c %.o,$^) $(LDFLAGS) -ljansson -lxml2
 	$(take_compiled)
 
-# How many small mistakes in the solutions the suites notice; EX=01a for one,
-# RECORD=1 keeps the table for the book.
+# Counts the small mistakes, planted in the solutions, that the suites notice. EX=01a does
+# so for one exercise; RECORD=1 keeps the table for the book.
 .PHONY: mutants mutants-exercises mutants-library
 mutants: $(if $(filter library,$(value OF)),mutants-library,mutants-exercises)
 mutants-exercises: build/check/examine $(CHECK_BUILT) build/tests/mutate \
 		build/tests/mutants/outlive
 	@export RECORD='$(if $(RECORD),1)'; $(split) tests/mutants/run $$EX
 
-# How many small mistakes in the library its tests notice: make mutants
+# Counts the small mistakes, planted in the library, that its tests notice: make mutants
 # OF=library COUNT=100. They are drawn with the hash of the commit as the seed; SEED=text
 # draws others.
 mutants-library: $(unit_tests) $(unit_tests:build/tests/%=build/memcheck/%) \
@@ -114,8 +114,8 @@ build/made/tests/mutants/outlive: tests/mutants/outlive.c \
 	$(take_compiled)
 
 # The library's tests under the sanitizers, which take up to ten times as long;
-# a test that asks for too much memory is to get NULL, as without them. The
-# gate has a part of them: tests/kit/memcheck.sh.
+# a test that asks for too much memory gets NULL, as it does without them. make test runs a
+# part of them: tests/kit/memcheck.sh.
 memcheck: $(patsubst build/tests/%,build/memcheck/%,$(unit_tests))
 	@mkdir -p build/tests
 	@ASAN_OPTIONS=allocator_may_return_null=1 tests/run -t 3600 -j 2 $^
@@ -199,7 +199,7 @@ build/made/tests/hunt/truth-fast: tests/hunt/truth.c build/obj/libbonkers.a \
 kept += build/tests/hunt/generate build/tests/hunt/truth \
 	build/tests/hunt/truth-fast
 
-# Runs the lists of make jobs on a cluster of two nodes, one of which is lost.
+# Runs the lists of make jobs on a cluster of two nodes, one of which fails.
 .PHONY: test-cluster
 test-cluster: has-gsl programs grade-parts build/check/examine $(CHECK_BUILT) \
 		$(FIGURES_DATA) build/tests/hunt/generate build/tests/hunt/truth \

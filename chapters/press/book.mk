@@ -9,13 +9,13 @@ check-tangle:
 	$(call need,notangle,noweb)
 	@chapters/press/tangle --check
 
-# Says what is missing, before anything is computed in vain.
+# Stops if a program is missing, before anything is computed.
 has-tex: has-gnuplot
 	$(call need,notangle,noweb)
 	$(call need,pdflatex,lmodern texlive-latex-extra texlive-fonts-recommended)
 
-# The programs for a debugger, without optimization, in build/debug/build/bin/: what a
-# compiler or a debugger says of a literate file names the chapter and its line.
+# Builds the programs for a debugger, without optimization, in build/debug/build/bin/. For a
+# literate file the compiler and the debugger name the chapter and its line.
 .PHONY: debug
 debug:
 	$(call need,notangle,noweb)
@@ -32,7 +32,7 @@ debug:
 	@$(MAKE) -C build/debug programs PORTABLE='-g -O0 -ffp-contract=off'
 	@echo 'The programs: build/debug/build/bin/'
 
-# Puts all figures and slides, small, on a few sheets.
+# Puts small copies of all figures and slides on a few sheets.
 contact: has-tex has-gsl $(FIGURES_PDF)
 	@chapters/press/contact
 	@echo 'The contact sheets: build/contact.pdf'
@@ -55,7 +55,7 @@ book: has-tex build/bonkers$(edition).pdf figures
 	@echo 'The book: build/bonkers$(edition).pdf'
 	@echo 'Next: open it, then try an exercise: make check'
 
-# Puts the lecture figures of a chapter, with titles, on one page each.
+# Makes the slides of a chapter: its lecture figures with their titles, one to a page.
 CHAPTER = 9
 .PHONY: slides
 ifneq ($(filter slides,$(MAKECMDGOALS)),)
@@ -68,8 +68,8 @@ slides: has-tex has-gsl $(patsubst plots/%.gp,slides-%,$(wildcard \
 	@echo 'The slides: build/slides-$(chapter_number).pdf'
 endif
 
-# What both editions are typeset from. It is made first, so that both can then be made at
-# the same time. QUOTED are the files of src/ that chapters quote.
+# Makes what both editions are typeset from, so that both can then be typeset at the same
+# time. QUOTED lists the files of src/ that chapters quote.
 .PHONY: book-parts
 book-parts: has-tex $(FIGURES_PDF) $(FIGURES_SVG) $(FIGURES_ALT) build/woven
 build/woven: $(RUNS) $(wildcard $(QUOTED) chapters/*.nw \
@@ -84,8 +84,7 @@ build/bonkers.pdf build/bonkers-instructor.pdf: build/woven $(FIGURES_PDF) $(FIG
 
 # ---- the course for students
 
-# Its book has no solutions.
-# WITH_CHAPTERS=1 adds the chapters.
+# The book of the course has no solutions. WITH_CHAPTERS=1 adds the chapters.
 ifneq ($(and $(EDITION),$(filter handout,$(MAKECMDGOALS))),)
 $(error handout: EDITION: students get the book without solutions; leave it out)
 endif

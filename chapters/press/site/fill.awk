@@ -1,5 +1,5 @@
-# What pandoc has made, with the pieces of read.awk in their places; formulas
-# without what only TeX reads. Files: pieces, then pandoc's HTML.
+# Puts the pieces of read.awk into the HTML that pandoc has made, and removes from its
+# formulas what only TeX reads. Files: pieces, then pandoc's HTML.
 FNR == 1 { ++which }
 which == 1 {
     if ($0 ~ /^\001/)
@@ -49,7 +49,7 @@ function upright(s,    out, at, end, part) {
     gsub(/<\/mstyle>/, "</mrow>", s)
     return s
 }
-# Brackets about nothing tall are as tall as letters.
+# Brackets stretch only around fractions, matrices, roots and the like.
 function low(s,    at, end, open, shut) {
     while ((end = index(s, "<mo stretchy=\"true\" form=\"postfix\">")) > 0) {
         open = 0
@@ -66,8 +66,8 @@ function low(s,    at, end, open, shut) {
     gsub(/ stretchy="tall"/, " stretchy=\"true\"", s)
     return s
 }
-# A long formula within a line may end the line before a relation, as TeX would
-# have it: there it is two.
+# Splits a long formula within a line before its relations, so that a browser may break the
+# line there, as TeX does.
 function breakable(s,    plain, out, depth, tag, at, body) {
     plain = s
     gsub(/<[^>]*>/, "", plain)

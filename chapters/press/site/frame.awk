@@ -1,5 +1,5 @@
-# A page around its text: head, bar, contents, the way on. Files: pages, heads,
-# the text.
+# Writes a page around its text: head, bar, contents, links to the previous and the next
+# page. Files: pages, heads, the text.
 FNR == 1 { ++which }
 which == 1 {
     split($0, part, "\t")

@@ -1,7 +1,7 @@
-# From a woven chapter to what pandoc reads: plain LaTeX in which what pandoc does
-# not know (code, references, figures, exercises) is a word, QZ12ZQ within a line
-# or QB12BQ for a paragraph of its own. What stands for it goes to the file
-# `pieces', as HTML, each under a line \001 12. See page, and fill.awk.
+# Makes plain LaTeX for pandoc from a woven chapter. What pandoc does not know (code,
+# references, figures, exercises) becomes a word: QZ12ZQ within a line, QB12BQ for a
+# paragraph of its own. The HTML for this word goes to the file `pieces', under a line
+# \001 12; fill.awk puts it in place of the word.
 #
 # Variables: page, pieces, uses, edition; files before the chapters: places,
 # results.tex, files.tex, terms.tex, D-glossary.nw.
@@ -96,8 +96,8 @@ function link(label, words) {
 }
 
 # ---- code
-# Code without comments and strings: what src/ defines leads to its page there, a
-# function where it is called, a struct behind that word.
+# Returns code, without comments and strings, as HTML in which names that src/ defines lead
+# to their page there: functions where they are called, structs behind that word.
 function names_linked(s, before,    out, name, label) {
     out = ""
     while (match(s, /[A-Za-z_][A-Za-z_0-9]*/)) {
@@ -113,9 +113,9 @@ function names_linked(s, before,    out, name, label) {
     }
     return out escaped(s)
 }
-# A line of code, as noweb has it for TeX, as HTML. Comments and strings that go
-# on are closed and opened again.
-function code_html(s,    out, c, words, label, n, close_with) {
+# Returns a line of code, as noweb writes it for TeX, as HTML. A comment or string that is
+# continued in the next line is closed, and opened again there.
+function code_html(s,    out, c, words, label, n) {
     out = ""
     n = 0
     while (match(s, /[\\{}]/)) {
@@ -127,9 +127,9 @@ function code_html(s,    out, c, words, label, n, close_with) {
             s = substr(s, 3)
         } else if (s ~ /^[{]\\nw(keyword|comment|string)[{][}]/) {
             c = substr(s, 5, 1)
-            out = out (c == "k" ? "<b>" : c == "c" ? "<i>" : "<s>")
-            close_with = c == "k" ? "</b>" : c == "c" ? "</i>" : "</s>"
-            closing[++n] = close_with
+            c = (c == "k" ? "b" : c == "c" ? "i" : "s") ">"
+            out = out "<" c
+            closing[++n] = "</" c
             s = substr(s, index(s, "{}") + 2)
         } else if (s ~ /^[}]/) {
             if (n > 0)
@@ -259,8 +259,8 @@ function mark_terms(s,    from, n, name, at, word, m) {
     }
     return s
 }
-# Where in s, before at, stands a phrase of the term, as near as may be; not in a
-# formula, and in braces only of \textbf and \emph. 0 if nowhere.
+# Returns the place in s before `at', and nearest to it, of a phrase of the term, outside
+# formulas and outside braces other than those of \textbf and \emph; 0 if there is none.
 function word_before(s, at, name,    low, n, part, i, p, best, k, from, w, before) {
     low = tolower(substr(s, 1, at - 1))
     gsub(/[\n~]/, " ", low)
@@ -305,7 +305,7 @@ function plain_at(before,    open, shut, dollars, tail) {
 }
 
 # ---- TeX
-# A formula: numbers of the runs as they are, references as text.
+# Returns a formula for pandoc, with the numbers of the runs, and with references as text.
 function math_tex(s,    out, name, opt, a, b, label) {
     out = ""
     while (match(s, /\\(result|datum|ref|eqref|mbox|termmark|phantom)[^A-Za-z]/)) {
@@ -339,8 +339,8 @@ function math_tex(s,    out, name, opt, a, b, label) {
     gsub(/\\end[{]smallmatrix[}]/, "\\end{matrix}", out)
     return out
 }
-# \result[options]{run}{key} or \datum[options]{table}{row}{column}, from behind
-# its name on.
+# Returns the number of \result[options]{run}{key} or \datum[options]{table}{row}{column};
+# s begins behind the name of the macro.
 function value(name, s,    option, at, key) {
     at = 1
     while (substr(s, at, 1) ~ /[ \n]/)
@@ -363,7 +363,6 @@ function value(name, s,    option, at, key) {
     }
     return result[key]
 }
-function upper(s) { return toupper(substr(s, 1, 1)) substr(s, 2) }
 function cites(option, keys,    n, part, i, out, key) {
     n = split(keys, part, / *, */)
     out = "["
@@ -374,7 +373,7 @@ function cites(option, keys,    n, part, i, out, key) {
     }
     return inline(out) (option == "" ? "" : ", " option) "]"
 }
-# What is quoted, with links where it names something.
+# Returns quoted code as HTML, with links from the names that it has.
 function quoted_code(s,    out, at, words, label) {
     out = ""
     gsub(/\n/, " ", s)
@@ -390,8 +389,8 @@ function quoted_code(s,    out, at, words, label) {
     gsub(/~/, " ", out)
     return out
 }
-# What a macro takes: m is an argument in braces, t one that is typeset, o one in brackets
-# that may be missing, * a star that may be there, _ a blank behind the name.
+# Sets the arguments of macros: m is one in braces; t one in braces that is typeset; o an
+# optional one in brackets; * an optional star; _ an optional blank behind the name.
 function takes(kinds, names,    n, name) {
     n = split(names, name, " ")
     while (n > 0)
@@ -412,7 +411,7 @@ BEGIN {
     takes("ot", "caption")
     takes("*om", "chapter section subsection")
     takes("mom", "newcommand")
-    # The environments that pandoc need not know, and what stands for them.
+    # The HTML for environments that pandoc does not know.
     opening["chapterbox"] = "<dl class=\"box\">"
     opening["terms"] = "<dl class=\"terms\">"
     closing_of["chapterbox"] = closing_of["terms"] = "</dl>"
@@ -551,7 +550,7 @@ function tex(s,    out, name, at, words, label, arg) {
             out = out block("<div class=\"question\">") "\\textbf{Question~" \
                 ++answers "} " words block("</div>")
         else if (name ~ /^(chapter|section|subsection)$/) {
-            # Labels that are the heading's own stand in `heads'.
+            # The labels of the heading are in `heads'.
             while (match(s, /^ *\\label[{][^}]*[}]/))
                 s = substr(s, RLENGTH + 1)
             out = out heading_piece(name == "chapter" ? 0 : name == "section" ? 1 : 2)
@@ -625,18 +624,18 @@ function tex(s,    out, name, at, words, label, arg) {
         else if (name ~ /^(emph|em|textbf|textit|textsf|item|multicolumn|hline)$/)
             out = out "\\" name
         else if (name ~ /^(quad|qquad|ldots|dots|LaTeX|i)$/) {
-            # What follows may be a word that stands for something.
+            # The next word may be one that stands for a piece.
             sub(/^[ \n]+|^[{][}]/, "", s)
             out = out "\\" name "{}"
         } else if (taken_by[name] == "") {
-            # pandoc would drop it and what is in its braces, and say nothing.
+            # pandoc would drop it and its arguments without a message.
             fail("what is \\" name "?")
             out = out name
         }
     }
     return out s
 }
-# All of a file that the page is made of besides.
+# Returns the text of a file, and notes that the page is made from it.
 function all_of(path,    text, line) {
     while ((getline line < path) > 0)
         text = text line "\n"
@@ -652,7 +651,7 @@ function bibitem_end() {
     in_item = 0
     return block("</li>")
 }
-# The end of an argument in brackets, in which braces may stand.
+# Returns where an argument in brackets ends, which may contain braces; 0 if nowhere.
 function close_of(s,    i, depth, c) {
     for (i = 2; i <= length(s); ++i) {
         c = substr(s, i, 1)
@@ -707,8 +706,7 @@ function equation(s, env,    label, number) {
     return block("<div class=\"formula\" id=\"" anchor(label) "\">") "\\[" math_tex(s) \
         "\\]" block("<a class=\"number\" href=\"#" anchor(label) "\">(" number ")</a></div>")
 }
-# The columns of a table as pandoc knows them, and no rules but the first, below
-# the head.
+# Returns a table with the kinds of columns that pandoc knows.
 function table(columns, body,    out, c, at, n, row, i, head, last) {
     out = ""
     while (columns != "") {
@@ -761,7 +759,7 @@ function glossary_entry(name, words,    where) {
     return block("<dt id=\"gloss." anchor(name) "\">" title_html(name) "</dt><dd>") words \
         inline(where) block("</dd>")
 }
-# The next heading of this page, from `heads'.
+# Returns the next heading of this page, which is read from `heads'.
 function heading_piece(level,    line, part, n, label, i, out, id, tag) {
     while ((n = (getline line < heads)) > 0) {
         split(line, part, "\t")
@@ -869,7 +867,7 @@ function line_of(s,    at) {
         return
     }
     if (s ~ /^[ \t]*$/) {
-        # A blank line within a list or a table of several paragraphs ends nothing.
+        # A blank line within a list or a table does not end the paragraph.
         depth = gsub(/\\begin[{](itemize|enumerate|description|reading|quote|question|tabular|longtable|table|equation)[}]/, "&", text) - \
             gsub(/\\end[{](itemize|enumerate|description|reading|quote|question|tabular|longtable|table|equation)[}]/, "&", text)
         if (depth > 0)

@@ -1,5 +1,5 @@
-# What the search looks through: of every section its page, place, title and
-# words, as a plain script. Code, formulas and tables of numbers stay out.
+# Writes what the search looks through, as a script: the page, place, title and words of
+# every section. Code and long formulas are left out.
 function put(s) {
     gsub(/<pre.*<\/pre>|<math.*<\/math>/, " ", s)
     gsub(/<[^>]*>/, "", s)

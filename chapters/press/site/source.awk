@@ -1,6 +1,6 @@
-# A page for each file of src/, its lines numbered and its names leading to where they
-# are defined; index.html, which lists the files; and names.txt, where each name stands that
-# other files know: see places.
+# Writes a page for each file of src/, with numbered lines and links from names to their
+# definitions; index.html, which lists the files; and names.txt, the place of each name that
+# other files can use (see places).
 #
 # Variables: out, the folder of the pages. Input: the items of all files, as
 # chapters/press/quote --items writes them, then the README of each room and the files.
@@ -30,7 +30,7 @@ file ~ /README\.md$/ {
 }
 FNR == 1 { list[++files] = file }
 { line[file, FNR] = $0; lines[file] = FNR }
-# The line of an item on which its name stands, comments passed over; 0 if none does.
+# Returns the line of an item that has its name, outside comments; 0 if none has.
 function line_of(k, name,    i, s, comment) {
     for (i = from[k]; i <= to[k]; ++i) {
         s = line[item_file[k], i]
@@ -65,7 +65,7 @@ function find_definitions(    k, n, i, part, at, own, is_tag) {
             defined[own] = at
             name_at[item_file[k], at] = name_at[item_file[k], at] " " part[i]
             sort_of[own] = is_tag ? "struct" : kind[k]
-            # A name without linkage to other files stands for itself in its own alone.
+            # A name without external linkage is linked in its own file only.
             if (item_file[k] ~ /\.c$/ && (kind[k] !~ /^(function|object)$/ ||
                 line[item_file[k], at] ~ /^static / ||
                 line[item_file[k], at - 1] ~ /^static [a-z_ *]*$/))
@@ -90,7 +90,8 @@ function page_of(file) {
     gsub(/\//, "-", file)
     return file
 }
-# An identifier with what stands before and behind it in its line.
+# Returns an identifier as HTML, with a link if it is defined; before and behind are the
+# rest of its line.
 function named(name, before, behind,    where, own, s) {
     if (name in keyword)
         return "<b>" name "</b>"
@@ -204,7 +205,7 @@ END {
         file = list[k]
         write_file()
     }
-    # Where the book finds a name of src/: see places.
+    # The pages of the chapters link names to these places.
     for (name in home)
         if (home[name] != "" && sort_of[home[name], name] ~ /^(function|object|struct)$/)
             print name "\tsrc/" page_of(home[name]) "\tsource\t" sort_of[home[name], name] "\t" \

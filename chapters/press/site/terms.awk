@@ -1,4 +1,4 @@
-# The index of terms: where each is introduced (in bold) and spoken of.
+# The index of terms: where each is introduced (in bold) and used.
 FNR == 1 { ++which }
 which == 1 {
     split($0, part, "\t")

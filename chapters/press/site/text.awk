@@ -1,11 +1,11 @@
-# What several of the page's filters need: arguments of macros, and short texts of
-# TeX (titles, names of chunks and files) as HTML.
+# Functions for several filters: the arguments of macros, and short texts of TeX (titles,
+# names of chunks and files) as HTML.
 
-# A heading's number and title.
+# Returns a heading's number and title.
 function numbered(number, title) {
     return (number == "" ? "" : "<span class=\"number\">" number "</span> ") title
 }
-# The head of a page that stands in the folder `up' of the site, with these lines in it.
+# Returns the head of a page, without its end; up is the path to the folder of page.css.
 function head_of(title, up, lines) {
     return "<!DOCTYPE html>\n<html lang=\"en-GB\">\n<head>\n<meta charset=\"utf-8\">\n" \
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" title \
@@ -13,8 +13,8 @@ function head_of(title, up, lines) {
         "<script>try{var t=localStorage.getItem(\"bonkers-theme\");if(t)document." \
         "documentElement.dataset.theme=t}catch(e){}</script>\n"
 }
-# The argument in braces that begins at s[at], blanks before it skipped; after is
-# where it ends. "" and after = 0 if there is none.
+# Returns the argument in braces that begins at s[at], behind blanks, and sets after to the
+# place behind it. Without an argument the program ends.
 function argument(s, at,    depth, c, start, n) {
     while (substr(s, at, 1) ~ /^[ \n]$/)
         ++at
@@ -48,7 +48,7 @@ function attribute(s) {
     gsub(/"/, "\\&quot;", s)
     return s
 }
-# Characters that TeX wants behind a backslash or in braces.
+# Returns a text without the backslashes and braces that TeX needs around characters.
 function unescaped(s) {
     gsub(/[{]\\textbackslash[{][}][}]|\\textbackslash[{][}]/, "\001", s)
     while (match(s, /[{]\\[_#$%&{}][}]/))
@@ -73,7 +73,7 @@ function simple_math(s) {
     gsub(/[{}]/, "", s)
     return "<i>" escaped(s) "</i>"
 }
-# A title: quoted code, \prog, \emph, formulas of a letter or two, quotes.
+# Returns a title as HTML: quoted code, \prog, \emph, formulas of a letter or two, quotes.
 function title_html(s,    out, name, words, word, before) {
     gsub(/\n/, " ", s)
     gsub(/~/, " ", s)
@@ -128,7 +128,7 @@ function title_html_again(s,    words, end) {
     after = end
     return words
 }
-# A name as an anchor of the page.
+# Returns a name as an anchor of the page.
 function anchor(s) {
     gsub(/@@/, ".", s)
     gsub(/[^A-Za-z0-9:._-]/, "-", s)

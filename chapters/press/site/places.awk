@@ -93,12 +93,10 @@ function head(level, s,    star, title, labels, number, n, part_of_label) {
     s = substr(s, after)
     labels = ""
     while (match(s, /^ *\\label[{][^}]*[}]/)) {
-        label = substr(s, RSTART, RLENGTH)
-        sub(/.*[{]/, "", label)
-        sub(/[}]/, "", label)
+        label = argument(s, index(s, "{"))
         if (index(" " labels " ", " " label " ") == 0)
             labels = labels (labels == "" ? "" : " ") label
-        s = substr(s, RSTART + RLENGTH)
+        s = substr(s, after)
     }
     if (level == 0) {
         page = file

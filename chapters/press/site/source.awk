@@ -70,7 +70,10 @@ function find_definitions(    k, n, i, part, at, own, is_tag) {
                 line[item_file[k], at] ~ /^static / ||
                 line[item_file[k], at - 1] ~ /^static [a-z_ *]*$/))
                 continue
-            home[part[i]] = part[i] in home ? "" : item_file[k]
+            if (part[i] in home)
+                home[part[i]] = ""
+            else
+                home[part[i]] = item_file[k]
         }
     }
 }

@@ -39,21 +39,46 @@ steps() {
     $step "$here/$1.plist" --until "$2" --method "$3" --dt "$dt" \
         --every "$every" $more -o "$w/reference"
 }
+# held SCENE UNTIL METHOD NUMBER E...: both, for each of the tolerances.
+held() {
+    steps "$1" "$2" "$3" "$4"
+    scene=$1 until=$2
+    shift 4
+    for e; do check "$scene" "$until" "$e" "$w/reference"; done
+}
+# within NAME E: what was picked, against the other run.
+within() {
+    error=$(apart "$w/picked" "$w/reference" "$(key "$w/summary" scale)")
+    holds "$1: error $error" awk -v error="$error" -v e="$2" \
+        'BEGIN { exit !(error ~ /[0-9]/ && error <= e + 0) }'
+    rm -f "$w/picked"
+}
+# rows SCENE UNTIL EVERY E [BONK'S OPTIONS]: the pick with rows of its own.
+rows() {
+    scene=$1 until=$2 every=$3 e=$4
+    shift 4
+    holds "$scene $*" $bonk "$here/$scene.plist" --until "$until" \
+        --every "$every" --tolerance "$e" -o "$w/picked" \
+        --summary "$w/summary" "$@"
+    within "$scene $*" "$e"
+}
+# by SCENE UNTIL EVERY METHOD DT [OPTIONS]: the other run with rows of its own.
+by() {
+    scene=$1 until=$2 every=$3 method=$4 dt=$5
+    shift 5
+    $step "$here/$scene.plist" --until "$until" --every "$every" \
+        --method "$method" --dt "$dt" "$@" -o "$w/reference"
+}
 
 # A comet after nine tenths of the run, at a fifteenth of the distance.
-steps late-comet 30 kahan-li8 1500
-check late-comet 30 1e-3 "$w/reference"
-check late-comet 30 1e-6 "$w/reference"
+held late-comet 30 kahan-li8 1500 1e-3 1e-6
 
 # Eccentricity .99 from its slow end.
-steps apocentre 6.2 kahan-li8 3000
-check apocentre 6.2 1e-3 "$w/reference"
-check apocentre 6.2 1e-6 "$w/reference"
+held apocentre 6.2 kahan-li8 3000 1e-3 1e-6
 
 # A small mass in resonance must not be left out at 1e-3, though for the
 # first two turns it could be.
-steps resonant 200 kahan-li8 400
-check resonant 200 1e-3 "$w/reference"
+held resonant 200 kahan-li8 400 1e-3
 never resonant no-light
 holds 'resonant: nobody notices it in two turns' $bonk \
     "$here/resonant.plist" --until 12.5 --tolerance 1e-3 \
@@ -73,9 +98,7 @@ check never-stretched 10 1e-6 "$w/reference"
 cheap
 
 # Far and heavy is not nothing.
-steps far-and-heavy 3 kahan-li8 100
-check far-and-heavy 3 1e-3 "$w/reference"
-check far-and-heavy 3 1e-6 "$w/reference"
+held far-and-heavy 3 kahan-li8 100 1e-3 1e-6
 never far-and-heavy no-
 
 # Equal masses but for one part in a million: 2e-6 m/s at each collision.
@@ -117,28 +140,17 @@ refuses 1 'off by' $bonk "$here/far-meeting.plist" \
 holds 'far-meeting: nothing is left in its place' test ! -e "$w/far"
 
 # What a grain does is nothing, until the star multiplies it.
-steps weak-first 6 kahan-li8 100000
-check weak-first 6 1e-3 "$w/reference"
+held weak-first 6 kahan-li8 100000 1e-3
 never weak-first no-light
 
 # A grain that the finer of two runs leapt over as well as the coarser: 8.5e-6
 # was found, wrong by 3.9e-4. And a mass that both leapt over, out of rest on a
 # stiff spring: 5.2e-4 was found, wrong by 9.1e-3.
-exact() {
-    # shellcheck disable=SC2086
-    $step "$here/$1.plist" --until "$2" --every "$3" --dt "$3" \
-        --method radau15 --tolerance 1e-13 ${4:-} -o "$w/reference"
-}
-exact both-leap 7.7 0.48125
+by both-leap 7.7 0.48125 radau15 0.48125 --tolerance 1e-13
 check both-leap 7.7 8.2e-5 "$w/reference"
 located() { # NAME UNTIL EVERY E
-    exact "$1" "$2" "$3" '--contact located'
-    holds "$1" $bonk "$here/$1.plist" --until "$2" --every "$3" \
-        --tolerance "$4" -o "$w/picked" --summary "$w/summary"
-    error=$(apart "$w/picked" "$w/reference" "$(key "$w/summary" scale)")
-    holds "$1: error $error" awk -v error="$error" -v e="$4" \
-        'BEGIN { exit !(error ~ /[0-9]/ && error <= e + 0) }'
-    rm -f "$w/picked"
+    by "$1" "$2" "$3" radau15 "$3" --tolerance 1e-13 --contact located
+    rows "$@"
 }
 located leapt-over 0.0287032833 2.87032833e-05 6.7e-3
 # Two that stepped alike agreed: 4.6e-5 was found, wrong by 1.4e-3.
@@ -150,21 +162,11 @@ refuses 1 'rounding' $bonk "$here/by-a-hair.plist" \
     --until 2.319346000313404 --tolerance 5.3e-6 -o "$w/t13"
 
 # Rows at which the body is at rest: the ball is met in between.
-$step "$here/small-ball.plist" --until 6.2831853071795862 \
-    --dt 6.2831853071795862e-6 --method leapfrog \
-    --every 6.2831853071795862 -o "$w/once"
-one_row() {
-    holds "small-ball $*" $bonk "$here/small-ball.plist" --until \
-        6.2831853071795862 --every 6.2831853071795862 --tolerance 1e-2 \
-        -o "$w/picked" --summary "$w/summary" "$@"
-}
+turn=6.2831853071795862
+by small-ball $turn $turn leapfrog ${turn}e-6
 for plan in '' '--model leapfrog:15'; do
     # shellcheck disable=SC2086
-    one_row $plan
-    error=$(apart "$w/picked" "$w/once" "$(key "$w/summary" scale)")
-    holds "small-ball $plan: error $error" awk -v error="$error" \
-        'BEGIN { exit !(error ~ /[0-9]/ && error <= 1e-2) }'
-    rm -f "$w/picked"
+    rows small-ball $turn $turn 1e-2 $plan
 done
 # The same with points on a line, which no step is sure to see.
 sed '/^pos/s/ 0.001$/ 0/' "$here/small-ball.plist" >"$w/points"
@@ -197,8 +199,7 @@ done
 # bounces once does so in the second half of a step, or in the first.
 steps grazing 3.3 leapfrog 250 located
 check grazing 3.3 1e-3 "$w/reference"
-$step "$here/bent-way.plist" --until 3.2 --every 0.2 --dt 0.01 \
-    --method dopri5 --tolerance 1e-12 -o "$w/reference"
+by bent-way 3.2 0.2 dopri5 0.01 --tolerance 1e-12
 check bent-way 3.2 1e-3 "$w/reference"
 # What no step can follow two modes can, with squares (3 +- sqrt 5)/2 of D/m.
 holds 'stiff-stretched' $bonk "$here/stiff-stretched.plist" --until 160 \
@@ -234,8 +235,7 @@ check row-end 1.0000625 1e-5 "$w/reference" 5
 # A swing that dies in RK4, whatever the step, and loses its phase in the
 # implicit methods: two runs agree, and both are wrong. The true error of the
 # pick before: 3.7e-4, where 5e-7 had been found.
-steps dies-out 8 kahan-li8 1000
-for e in 3e-4 1e-5; do check dies-out 8 $e "$w/reference"; done
+held dies-out 8 kahan-li8 1000 3e-4 1e-5
 for plan in rk4:160 gauss4:64 implicit-midpoint:64; do
     refuses 1 'off by' $bonk "$here/dies-out.plist" --until 8 \
         --tolerance 1e-4 --model $plan -o "$w/t8"
@@ -243,33 +243,20 @@ done
 
 # An error that is the sum of two orders: half the step differs by a fourth of
 # it. True before: 2.0e-7 for a tolerance of 1e-7, with 4.8e-8 found.
-steps two-orders 19.6782 rk4 2000
-check two-orders 19.6782 1e-7 "$w/reference"
-check two-orders 19.6782 1e-8 "$w/reference"
-
-# The same with rows of its own: NAME UNTIL EVERY TOLERANCE METHOD DT
-check_rows() {
-    holds "$1" $bonk "$here/$1.plist" --until "$2" --every "$3" \
-        --tolerance "$4" -o "$w/picked" --summary "$w/summary"
-    $step "$here/$1.plist" --until "$2" --every "$3" --method "$5" \
-        --dt "$6" -o "$w/reference"
-    error=$(apart "$w/picked" "$w/reference" "$(key "$w/summary" scale)")
-    holds "$1: error $error" awk -v error="$error" -v e="$4" \
-        'BEGIN { exit !(error ~ /[0-9]/ && error <= e) }'
-    rm -f "$w/picked"
-}
+held two-orders 19.6782 rk4 2000 1e-7 1e-8
 
 # A swing that is small, fast, and pushes what is slow. True before: 1.2e-3,
 # with 1.3e-4 found. And a pull that decides how deep a graze is: true before,
 # without the pull: 5.3e-5, with 7.6e-6 found.
-check_rows slow-push 7.6041 0.1901025 3e-4 rk4 9.5051249999999999e-05
-check_rows pulled-graze 2.8164808211694012 0.40235440302420017 1e-5 \
-    leapfrog 1.3411813434140006e-06
+by slow-push 7.6041 0.1901025 rk4 9.5051249999999999e-05
+rows slow-push 7.6041 0.1901025 3e-4
+by pulled-graze 2.8164808211694012 0.40235440302420017 leapfrog \
+    1.3411813434140006e-06
+rows pulled-graze 2.8164808211694012 0.40235440302420017 1e-5
 
 # A dashpot that turns round with its spring. True before: 2.9e-5 at 9.7e-6,
 # with 8.6e-6 found.
-steps axial-turn 0.4083612484591192 rk4 4000
-check axial-turn 0.4083612484591192 9.7e-6 "$w/reference"
+held axial-turn 0.4083612484591192 rk4 4000 9.7e-6
 
 # Starts that every step makes another scene of, chosen or by hand.
 for scene in overlap outside; do
@@ -281,9 +268,7 @@ done
 
 # Passages in which RK4 loses energy, in half the step as well. True before:
 # 7.8e-2 with 3.6e-3 found at 1e-2, of x alone.
-steps plunge 8 kahan-li8 50000
-check plunge 8 0.5 "$w/reference"
-check plunge 8 1e-2 "$w/reference"
+held plunge 8 kahan-li8 50000 0.5 1e-2
 never plunge rk4
 
 # A clock that is the same number in all units of mass: 1e6 s at 1e-12 were
@@ -313,12 +298,10 @@ holds 'wound-clock: its place' awk -v found="$(key "$w/summary" error_found)" \
 
 # Forces that might jump, and do not, or by next to nothing. And
 # modes of a turn that nothing holds, which are known to rounding.
-steps never-meet 1.9 rk4 4000
-check never-meet 1.9 2e-6 "$w/reference"
+held never-meet 1.9 rk4 4000 2e-6
 steps weak-kink 5.9 rk4 8191
 check weak-kink 5.9 3e-5 "$w/reference" 5
-steps neutral-turn 288 kahan-li8 200
-check neutral-turn 288 1.6e-3 "$w/reference"
+held neutral-turn 288 kahan-li8 200 1.6e-3
 model neutral-turn modes
 
 # A heavy body remembers for longer than blocks can see: 0.6556 was given,
@@ -328,20 +311,14 @@ refuses 1 'does not settle' $bonk "$here/remembers.plist" --until 829.5 \
 
 # One row only: whoever is late by whole turns agrees with himself.
 t=117.45341159552609
-holds 'whole-turns' $bonk "$here/whole-turns.plist" --until $t --every $t \
-    --tolerance 1e-2 -o "$w/picked" --summary "$w/summary"
-$step "$here/whole-turns.plist" --until $t --every $t --method kahan-li8 \
-    --dt 0.0058726705797763045 -o "$w/reference"
-error=$(apart "$w/picked" "$w/reference" "$(key "$w/summary" scale)")
-holds "whole-turns: error $error" awk -v error="$error" \
-    'BEGIN { exit !(error ~ /[0-9]/ && error <= 1e-2) }'
+by whole-turns $t $t kahan-li8 0.0058726705797763045
+rows whole-turns $t $t 1e-2
 
 # A ball that bounces under friction, every time lower; and two points that
 # pass each other so near that a disk would have been hit.
 steps bounces 2.374372754265058 kahan-li8 1000 located
 check bounces 2.374372754265058 1e-3 "$w/reference"
-steps passing-points 0.8 leapfrog 8
-check passing-points 0.8 1e-3 "$w/reference"
+held passing-points 0.8 leapfrog 8 1e-3
 
 # Whether it grazes, places so far away are too coarse to say: 1.6e-11 was
 # found, wrong by 2.9e-6. The other run has the held ball at the origin, which
@@ -401,12 +378,10 @@ costs() { # SCENE PRICE: no more than a hundredth above this, s
     holds "$1 costs $2 s" awk -v c="$(key "$w/summary" cost)" -v most="$2" \
         'BEGIN { exit !(c > 0 && c <= 1.01 * most) }'
 }
-steps lost-pair 3 kahan-li8 1000
-check lost-pair 3 1e-2 "$w/reference"
+held lost-pair 3 kahan-li8 1000 1e-2
 model lost-pair leapfrog:192
 costs lost-pair 1.435e-4
-steps uneven-fall 120 kahan-li8 400
-check uneven-fall 120 1e-2 "$w/reference"
+held uneven-fall 120 kahan-li8 400 1e-2
 model uneven-fall yoshida6:22
 costs uneven-fall 1.708e-4
 

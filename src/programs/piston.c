@@ -492,23 +492,6 @@ static struct fit fit_decay(const struct run_rows *r)
     return f;
 }
 
-static const struct table_key measure_keys[] = {
-    {"movers", "1", "bodies between the walls"},
-    {"share_start", "1", "of the energy, the piston's"},
-    {"reach", "m", "farthest place from the middle"},
-    {"crossings", "1", "of the middle, 8 at most"},
-    {"windows", "1", "of the fit"},
-    {"tau", "s", "of the decay; nan: under 3 windows"},
-    {"tau_error", "s", "its standard error"},
-    {"", "", "if there are 4 crossings:"},
-    {"first_half", "s", "first crossing to second"},
-    {"second_half", "s", "second to third"},
-    {"period", "s", "mean"},
-    {"period_spread", "s", "standard deviation"},
-    {"", "", "if --at:"},
-    {"share_<i>", "1", "the piston's in window i; nan: none"},
-    {0}};
-
 static void study_measure(struct study *s)
 {
     struct run_rows r = {0};
@@ -552,7 +535,20 @@ static void study_measure(struct study *s)
 static const struct study_entry studies[] = {
     {"run", study_run, "the swing of the model", run_keys},
     {"cost", study_cost, "ways to find its period", run_keys + SWING},
-    {"measure", study_measure, "period and decay in a table", measure_keys},
+    {"measure", study_measure, "period and decay in a table",
+     STUDY_KEYS(
+         {"movers", "1", "bodies between the walls"},
+         {"share_start", "1", "of the energy, the piston's"},
+         {"reach", "m", "farthest place from the middle"},
+         {"crossings", "1", "of the middle, 8 at most"},
+         {"windows", "1", "of the fit"},
+         {"tau", "s", "of the decay; nan: under 3 windows"},
+         {"tau_error", "s", "its standard error"},
+         {"", "", "if there are 4 crossings:"},
+         {"first_half", "s", "first crossing to second"},
+         {"second_half", "s", "second to third"}, {"period", "s", "mean"},
+         {"period_spread", "s", "standard deviation"}, {"", "", "if --at:"},
+         {"share_<i>", "1", "the piston's in window i; nan: none"})},
     {"gases", study_gases, "the gases in a table", NULL},
     {0}};
 

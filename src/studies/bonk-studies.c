@@ -1029,14 +1029,6 @@ static int judge(struct map *m, const struct pick *p, double tolerance)
     return best && p->point.cost > 1.13 * best->cost ? 2 : 0;
 }
 
-static const struct table_key atlas_keys[] = {
-    {"unsure", "1", "error of the truth, largest"},
-    {"good", "1", "choices"},
-    {"beyond", "1", "choices beyond the tolerance"},
-    {"dear", "1", "more than 1.13 times the cheapest"},
-    {"refused", "1", "wrongly"},
-    {0}};
-
 /* Maps all scenes, or the one of --scene, so that the maps can be made on
    many machines. `make atlas` joins their tables byte for byte to what one
    run would have written: counts of the last lines are added, and of the
@@ -1123,7 +1115,12 @@ static void take_option(struct options *o, int letter)
 }
 
 static const struct study_entry studies[] = {
-    {"atlas", study_atlas, "error and cost of all models", atlas_keys},
+    {"atlas", study_atlas, "error and cost of all models",
+     STUDY_KEYS({"unsure", "1", "error of the truth, largest"},
+                {"good", "1", "choices"},
+                {"beyond", "1", "choices beyond the tolerance"},
+                {"dear", "1", "more than 1.13 times the cheapest"},
+                {"refused", "1", "wrongly"})},
     {"scenes", study_scenes, "the scenes of the atlas", NULL},
     {"prices", study_prices, "what the units of cost cost here", NULL},
     {0}};

@@ -221,15 +221,6 @@ static void note_large(struct table *summary,
         {"slab-spread", most / least}, {"redone-percent", million[0]});
 }
 
-static const struct table_key speed_keys[] = {
-    {"<engine>/<engine>-<N>", "1", "ratio of their speeds at N particles"},
-    {"", "", "if --particles reaches 1000000:"},
-    {"slab/naive", "1", "their speeds at a million particles"},
-    {"heap-slowdown", "1", "heap: speed at 1000 / at a million"},
-    {"slab-spread", "1", "slab: greatest / least speed from 1000 on"},
-    {"redone-percent", "%", "slab: collisions done twice at a million"},
-    {0}};
-
 static void study_speed(struct study *s)
 {
     double speed[SIZES][BONKERS_ENGINES];
@@ -298,14 +289,6 @@ static uint64_t next_stop(uint64_t n)
            : n < 5 * decade ? 5 * decade
                             : 10 * decade;
 }
-
-static const struct table_key drift_keys[] = {
-    {"energy_error", "1", "relative, masses of preset mixed"},
-    {"energy_error_whole", "1", "the same, masses 1, 2 and 1.5"},
-    {"energy_error_float", "1", "mixed, single precision"},
-    {"ties_<masses>", "%", "of throws: exact halves to be rounded"},
-    {"up_<masses>", "%", "of ties: rounded up"},
-    {0}};
 
 /* Measures the energy of three runs: START_MIXED in double precision, three
    other bodies, whose energy drifts from the beginning, and START_MIXED in
@@ -404,11 +387,6 @@ static double line_miss(enum line_kind kind, uint64_t n)
     bonkers_free(&b);
     return worst;
 }
-
-static const struct table_key reverse_keys[] = {
-    {"", "", "if --collisions reaches n (1000, 5000, 1e4, 1e5, 1e6):"},
-    {"<line>_<n>", "m", "largest miss after n and back; nan: not run"},
-    {0}};
 
 /* Measures how far a reversed run ends from its start. The slow lines,
    which round every operation, stop at fewer collisions. */
@@ -517,12 +495,6 @@ static void name_steps(struct table *out)
                   {"error", "m", "root mean square error of positions"});
 }
 
-static const struct table_key steps_keys[] = {
-    {"collisions", "1", "in the run"},
-    {"error_events", "m", "by events, rms error of positions"},
-    {"smallest_step", "s", "of the walks"},
-    {0}};
-
 /* Writes the row of events first, as the step zero; then the step is halved
    until it is less than a millionth of a second. */
 static void study_steps(struct study *s)
@@ -567,11 +539,6 @@ static uint64_t count_until_still(double restitution)
     bonkers_free(&b);
     return n;
 }
-
-static const struct table_key collapse_keys[] = {
-    {"border", "1", "greatest restitution that collapses"},
-    {"next", "1", "collisions at the one after it"},
-    {0}};
 
 /* Counts the collisions before a collapse for many restitutions. In theory
    half a turn takes pi/phi rounds of two collisions (2.7, eq:collapse). */
@@ -714,14 +681,6 @@ static void time_beads(struct table *out, double until, double dt)
                 error_of_beads(body, until));
 }
 
-static const struct table_key bounce_keys[] = {
-    {"bounces", "1", "in 900 s"},
-    {"events", "m", "error of the place, by events"},
-    {"events_energy", "1", "relative error of the energy"},
-    {"steps_<n>", "m", "error of the place, in n steps"},
-    {"steps_<n>_energy", "1", "relative error of the energy"},
-    {0}};
-
 static void note_ball(struct table *summary, const char *key,
                       const struct bonkers_body *a)
 {
@@ -770,12 +729,6 @@ static uint64_t strike(size_t n, uint64_t seed, double gap, bool right)
     bonkers_free(&b);
     return count;
 }
-
-static const struct table_key row_keys[] = {
-    {"left", "1", "collisions of 160, struck from the left"},
-    {"right", "1", "the same from the right"},
-    {"apart", "1", "from the right, bodies 1 nm apart"},
-    {0}};
 
 static void study_row(struct study *s)
 {
@@ -870,11 +823,6 @@ static size_t write_islands(struct table *out, size_t gaps)
     return island;
 }
 
-static const struct table_key islands_keys[] = {
-    {"islands", "1", "groups of gaps with collisions"},
-    {"collisions", "1", "of all"},
-    {0}};
-
 static void study_islands(struct study *s)
 {
     const struct start_request request = {
@@ -896,14 +844,48 @@ static void study_islands(struct study *s)
 }
 
 static const struct study_entry studies[] = {
-    {"speed", study_speed, "collisions in a second, by engine", speed_keys},
-    {"drift", study_drift, "of the energy", drift_keys},
-    {"reverse", study_reverse, "how the way back is missed", reverse_keys},
-    {"steps", study_steps, "walking instead of events", steps_keys},
-    {"collapse", study_collapse, "two balls and a wall", collapse_keys},
-    {"bounce", study_bounce, "a ball by events and in steps", bounce_keys},
-    {"islands", study_islands, "the collisions of a slab", islands_keys},
-    {"row", study_row, "of bodies that touch", row_keys},
+    {"speed", study_speed, "collisions in a second, by engine",
+     STUDY_KEYS(
+         {"<engine>/<engine>-<N>", "1",
+          "ratio of their speeds at N particles"},
+         {"", "", "if --particles reaches 1000000:"},
+         {"slab/naive", "1", "their speeds at a million particles"},
+         {"heap-slowdown", "1", "heap: speed at 1000 / at a million"},
+         {"slab-spread", "1", "slab: greatest / least speed from 1000 on"},
+         {"redone-percent", "%",
+          "slab: collisions done twice at a million"})},
+    {"drift", study_drift, "of the energy",
+     STUDY_KEYS(
+         {"energy_error", "1", "relative, masses of preset mixed"},
+         {"energy_error_whole", "1", "the same, masses 1, 2 and 1.5"},
+         {"energy_error_float", "1", "mixed, single precision"},
+         {"ties_<masses>", "%", "of throws: exact halves to be rounded"},
+         {"up_<masses>", "%", "of ties: rounded up"})},
+    {"reverse", study_reverse, "how the way back is missed",
+     STUDY_KEYS(
+         {"", "", "if --collisions reaches n (1000, 5000, 1e4, 1e5, 1e6):"},
+         {"<line>_<n>", "m",
+          "largest miss after n and back; nan: not run"})},
+    {"steps", study_steps, "walking instead of events",
+     STUDY_KEYS({"collisions", "1", "in the run"},
+                {"error_events", "m", "by events, rms error of positions"},
+                {"smallest_step", "s", "of the walks"})},
+    {"collapse", study_collapse, "two balls and a wall",
+     STUDY_KEYS({"border", "1", "greatest restitution that collapses"},
+                {"next", "1", "collisions at the one after it"})},
+    {"bounce", study_bounce, "a ball by events and in steps",
+     STUDY_KEYS({"bounces", "1", "in 900 s"},
+                {"events", "m", "error of the place, by events"},
+                {"events_energy", "1", "relative error of the energy"},
+                {"steps_<n>", "m", "error of the place, in n steps"},
+                {"steps_<n>_energy", "1", "relative error of the energy"})},
+    {"islands", study_islands, "the collisions of a slab",
+     STUDY_KEYS({"islands", "1", "groups of gaps with collisions"},
+                {"collisions", "1", "of all"})},
+    {"row", study_row, "of bodies that touch",
+     STUDY_KEYS({"left", "1", "collisions of 160, struck from the left"},
+                {"right", "1", "the same from the right"},
+                {"apart", "1", "from the right, bodies 1 nm apart"})},
     {0}};
 
 static const struct options_entry entries[] = {

@@ -66,13 +66,6 @@ static void measure_rounding(struct rounding *all, int form, double u1,
                                     fmax(fabs(u1), fabs(u2)) / DBL_EPSILON);
 }
 
-static const struct table_key rounding_keys[] = {
-    {"energy_max_<form>", "2^-52", "worst relative error of energy"},
-    {"energy_rms_<form>", "2^-52", "root mean square of the same"},
-    {"momentum_max_<form>", "2^-52", "worst error of momentum / sum m|u|"},
-    {"velocity_max_<form>", "2^-52", "worst error of v / larger |u|"},
-    {0}};
-
 static void study_rounding(struct study *s)
 {
     struct random r;
@@ -158,14 +151,6 @@ static double row_bias(uint64_t i, const double v[BODIES])
     const double d = v[i] - v[i + 1];
     return 2 * delta * d * d / sum;
 }
-
-static const struct table_key drift_keys[] = {
-    {"energy_error_tenth_<form>", "1", "after a tenth of the collisions"},
-    {"energy_error_<form>", "1", "relative error of the energy"},
-    {"predicted_difference", "1", "the same of difference, summed up"},
-    {"slope", "1", "difference: error / error after a tenth"},
-    {"improvement", "1", "error of difference / error of smaller"},
-    {0}};
 
 /* Measures how the energy drifts in each form. Between two rows the forms
    take turns of a million collisions each, so that an interrupted run ends
@@ -258,12 +243,6 @@ static uint64_t count_galperin_float(float im_heavy, uint64_t limit)
     return n;
 }
 
-static const struct table_key galperin_keys[] = {
-    {"exact", "1", "collisions at the last mass ratio"},
-    {"count_float", "1", "counted by smaller, single precision"},
-    {"count_<form>", "1", "counted in this form"},
-    {0}};
-
 static void study_galperin(struct study *s)
 {
     double ratio = 1, row[COLLIDE_FORMS + 3];
@@ -338,9 +317,6 @@ static double time_form(const struct bench *b, int form, uint64_t passes)
     return (bench_seconds() - start) * 1e9 / ((double)passes * PAIRS);
 }
 
-static const struct table_key cost_keys[] = {
-    {"ns_<form>", "ns", "processor time a collision, median"}, {0}};
-
 /* Measures the time of a collision in each form. The forms take turns, so
    that a machine that slows down for a second slows down all of them. Round
    -1 is the warm-up: round 0 overwrites its time. */
@@ -377,11 +353,30 @@ static void study_cost(struct study *s)
 }
 
 static const struct study_entry studies[] = {
-    {"rounding", study_rounding, "errors of one collision", rounding_keys},
-    {"drift", study_drift, "of the energy in many", drift_keys},
-    {"galperin", study_galperin, "the digits of pi", galperin_keys},
+    {"rounding", study_rounding, "errors of one collision",
+     STUDY_KEYS(
+         {"energy_max_<form>", "2^-52", "worst relative error of energy"},
+         {"energy_rms_<form>", "2^-52", "root mean square of the same"},
+         {"momentum_max_<form>", "2^-52",
+          "worst error of momentum / sum m|u|"},
+         {"velocity_max_<form>", "2^-52",
+          "worst error of v / larger |u|"})},
+    {"drift", study_drift, "of the energy in many",
+     STUDY_KEYS(
+         {"energy_error_tenth_<form>", "1",
+          "after a tenth of the collisions"},
+         {"energy_error_<form>", "1", "relative error of the energy"},
+         {"predicted_difference", "1", "the same of difference, summed up"},
+         {"slope", "1", "difference: error / error after a tenth"},
+         {"improvement", "1", "error of difference / error of smaller"})},
+    {"galperin", study_galperin, "the digits of pi",
+     STUDY_KEYS(
+         {"exact", "1", "collisions at the last mass ratio"},
+         {"count_float", "1", "counted by smaller, single precision"},
+         {"count_<form>", "1", "counted in this form"})},
     {"map", study_map, "in the plane of velocities", NULL},
-    {"cost", study_cost, "time of one collision", cost_keys},
+    {"cost", study_cost, "time of one collision",
+     STUDY_KEYS({"ns_<form>", "ns", "processor time a collision, median"})},
     {0}};
 
 static const struct options_entry entries[] = {

@@ -84,13 +84,6 @@ static double sample_by(int way, const struct study *s, struct loop *l,
     return energy;
 }
 
-static const struct table_key clock_keys[] = {
-    {"Z_<program>", "1", "P V/(N kT) at the walls across x"},
-    {"overlap_<program>", "m", "deepest seen"},
-    {"energy_<program>", "1", "relative change"},
-    {"edge_<program>", "%", "density at the edge, off direct sampling"},
-    {0}};
-
 /* Writes the densities of a coordinate, from counts, by all three
    programs. */
 static void study_clock(struct study *s)
@@ -206,14 +199,6 @@ static double median_miss(const struct study *s, double e, double t,
     return bench_median(worst, starts);
 }
 
-static const struct table_key reverse_keys[] = {
-    {"miss_5", "m", "1 J: median miss, 5 s and back"},
-    {"miss_8", "m", "1 J: the same, 8 s"},
-    {"collisions", "1", "1 J: mean of 8 s, one way"},
-    {"rate_1", "1/s", "growth of the miss, 1 J"},
-    {"rate_4", "1/s", "the same, 4 J"},
-    {0}};
-
 /* Writes the misses of two energies side by side: at twice the speed
    everything takes half the time. */
 static void study_reverse(struct study *s)
@@ -304,15 +289,6 @@ static void worst_of(int kind, double size, struct random *r,
     }
 }
 
-static const struct table_key contact_keys[] = {
-    {"time", "1", "grazing by 2^-40: error of the time"},
-    {"place", "1", "the same: error of the distance then"},
-    {"book", "1", "gap 2^-26: relative error, textbook's root"},
-    {"ours", "1", "the same, stable root"},
-    {"book_exact", "1", "textbook's root, exact places"},
-    {"ours_exact", "1", "stable root, exact places"},
-    {0}};
-
 /* Writes the errors for sizes that are powers of two. The summary has those
    of the grazing 2^-40 and of the gap 2^-26. */
 static void study_contact(struct study *s)
@@ -364,12 +340,6 @@ static double fraction_of_collapses(struct study *s, size_t n, double e)
     }
     return collapsed / (double)starts;
 }
-
-static const struct table_key collapse_keys[] = {
-    {"bound", "1", "of 100 disks: collide for ever"},
-    {"time", "s", "of the collapse"},
-    {"collisions", "1", "until then"},
-    {0}};
 
 /* Writes the fractions, then the end of one of the runs. The disks that
    take part in its collapse are those whose last collision is now. */
@@ -507,9 +477,6 @@ static double find_errors(uint64_t seed, double row[5])
     return different;
 }
 
-static const struct table_key pressure_keys[] = {
-    {"different", "1", "runs in which the engines differ"}, {0}};
-
 static void study_pressure(struct study *s)
 {
     double different = 0;
@@ -529,16 +496,33 @@ static void study_pressure(struct study *s)
 }
 
 static const struct study_entry studies[] = {
-    {"clock", study_clock, "three programs, right and wrong", clock_keys},
+    {"clock", study_clock, "three programs, right and wrong",
+     STUDY_KEYS({"Z_<program>", "1", "P V/(N kT) at the walls across x"},
+                {"overlap_<program>", "m", "deepest seen"},
+                {"energy_<program>", "1", "relative change"},
+                {"edge_<program>", "%",
+                 "density at the edge, off direct sampling"})},
     {"timeline", study_timeline, "what they write down", NULL},
     {"reverse", study_reverse, "how soon the way back is lost",
-     reverse_keys},
+     STUDY_KEYS({"miss_5", "m", "1 J: median miss, 5 s and back"},
+                {"miss_8", "m", "1 J: the same, 8 s"},
+                {"collisions", "1", "1 J: mean of 8 s, one way"},
+                {"rate_1", "1/s", "growth of the miss, 1 J"},
+                {"rate_4", "1/s", "the same, 4 J"})},
     {"contact", study_contact, "errors of the time of contact",
-     contact_keys},
+     STUDY_KEYS({"time", "1", "grazing by 2^-40: error of the time"},
+                {"place", "1", "the same: error of the distance then"},
+                {"book", "1", "gap 2^-26: relative error, textbook's root"},
+                {"ours", "1", "the same, stable root"},
+                {"book_exact", "1", "textbook's root, exact places"},
+                {"ours_exact", "1", "stable root, exact places"})},
     {"collapse", study_collapse, "disks that collide for ever",
-     collapse_keys},
+     STUDY_KEYS({"bound", "1", "of 100 disks: collide for ever"},
+                {"time", "s", "of the collapse"},
+                {"collisions", "1", "until then"})},
     {"speed", study_speed, "collisions in a second", NULL},
-    {"pressure", study_pressure, "its error against time", pressure_keys},
+    {"pressure", study_pressure, "its error against time",
+     STUDY_KEYS({"different", "1", "runs in which the engines differ"})},
     {0}};
 
 static const struct options_entry entries[] = {

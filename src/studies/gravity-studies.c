@@ -117,18 +117,6 @@ static void measure_year(struct study *s)
     end_sky(&k);
 }
 
-static const struct table_key sun_earth_keys[] = {
-    {"axis", "AU", "of the first ellipse"},
-    {"eccentricity", "1", "the same"},
-    {"period", "d", "of leapfrog"},
-    {"closed_period", "d", "Kepler's"},
-    {"drift", "AU/d", "speed of the centre of mass"},
-    {"euler_radius", "AU", "after five years by euler"},
-    {"euler_law", "AU", "the same by the law"},
-    {"leapfrog_error", "AU", "of place after five years"},
-    {"leapfrog_law", "AU", "the same by the law"},
-    {0}};
-
 /* Runs five years in steps of two days, by the closed form and by two
    methods, whose errors it compares with their laws. */
 static void study_sun_earth(struct study *s)
@@ -231,12 +219,6 @@ static void write_long_path(struct table *out)
     end_sky(&k);
 }
 
-static const struct table_key eccentric_keys[] = {
-    {"kahan-li8_<e>", "AU", "error after an orbit of eccentricity e"},
-    {"leapfrog", "AU", "the same at 0.99"},
-    {"more", "AU", "the same, 100 times the steps"},
-    {0}};
-
 /* Writes the error after an orbit against the eccentricity, by three
    methods with 1e4 evaluations each, and a path. */
 static void study_eccentric(struct study *s)
@@ -302,13 +284,6 @@ enum { FALLS = 3 };
 static const char *const fall_columns[2 * FALLS] = {"dE_l", "dE_k", "dE_s",
                                                     "dx_l", "dx_k", "dx_s"};
 
-static const struct table_key encounter_keys[] = {
-    {"dE_s", "1", "largest error of energy, softened"},
-    {"dx_s", "AU", "largest error of place, softened"},
-    {"dE_<fall>_<q>", "1", "energy: l leapfrog, k kahan-li8, s softened"},
-    {"dx_<fall>_<q>", "AU", "place: the same"},
-    {0}};
-
 /* Writes the errors of falls past the Sun. The closest approach shrinks by
    10^(1/4) from row to row; kahan-li8 takes steps 17 times as long, since
    it has 17 stages. */
@@ -364,11 +339,6 @@ static double century_with_jupiter(double jupiter)
     return error;
 }
 
-static const struct table_key planets_keys[] = {
-    {"energy_300", "1", "relative error, Jupiter x 300"},
-    {"eight", "1", "the same by leapfrog in a century"},
-    {0}};
-
 /* Writes the eccentricities of the Earth and of Mars every five years, with
    the mass of Jupiter times 1, 30, 100 and 300. */
 static void study_planets(struct study *s)
@@ -420,13 +390,6 @@ static void write_paths(struct study *s, double distance, double days)
     end_sky(&k);
 }
 
-static const struct table_key circumbinary_keys[] = {
-    {"v_A", "AU/d", "first star, at the start"},
-    {"v_B", "AU/d", "second star"},
-    {"v_P", "AU/d", "planet"},
-    {"error", "AU", "of the planet's place after 400 d"},
-    {0}};
-
 /* Writes two paths of a planet of Kepler-16, the speeds at the start, and
    the error of its position after 400 days against one computed in
    quadruple precision. */
@@ -475,13 +438,6 @@ static int survivors(double distance, double periods)
     return alive;
 }
 
-static const struct table_key survival_keys[] = {
-    {"safe", "1", "least safe distance, the stars' being 1"},
-    {"safe_AU", "AU", "the same"},
-    {"law", "1", "by the fitted law"},
-    {"law_AU", "AU", "the same"},
-    {0}};
-
 /* Writes the survivors at distances that grow by 0.04 of the stars', and
    finds the distance from which on all phases survive. */
 static void study_survival(struct study *s)
@@ -527,11 +483,6 @@ static void precision(const char *method, double evaluations,
     }
     end_sky(&k);
 }
-
-static const struct table_key work_keys[] = {
-    {"dE_<method>_<n>", "1", "error of energy, n evaluations a period"},
-    {"dx_<method>_<n>", "AU", "error of place after 400 d"},
-    {0}};
 
 /* Writes the errors of all methods for equal budgets. A run whose error
    exceeds the energy itself is left out. */
@@ -611,11 +562,6 @@ static double century(const char *method, double days, double factor)
 static const char *const along[] = {"leapfrog", "kahan-li8",
                                     "wisdom-holman", "sbab4"};
 enum { ALONG = sizeof along / sizeof *along };
-
-static const struct table_key ellipses_keys[] = {
-    {"<method>", "1", "error of energy, 4 d from kick to kick"},
-    {"<method>_slope", "1", "2 d, masses times 1 to 10: power of them"},
-    {0}};
 
 /* Writes the error against the days from kick to kick, then against the
    masses. Errors of 1 and more, where a method lost the orbits, are left
@@ -727,15 +673,6 @@ static struct broken run_until_broken(struct study *s, size_t count)
     return b;
 }
 
-static const struct table_key choreography_keys[] = {
-    {"S_<N>", "1", "the sum of N bodies"},
-    {"v_<N>", "1", "speed on the circle"},
-    {"rate_<N>", "1", "growth over angular velocity, theory"},
-    {"measured_<N>", "1", "the same, measured"},
-    {"theory_<N>", "1", "orbits until it breaks, theory"},
-    {"orbits_<N>", "1", "the same, measured; 0 for N = 2"},
-    {0}};
-
 /* Runs circles of 3 to 10 bodies until they break, then compares rates of
    growth and times with theory, for a first deviation of 1e-16. */
 static void study_choreography(struct study *s)
@@ -778,9 +715,6 @@ static double closure(const char *method, double steps, bool compensated)
     return worst;
 }
 
-static const struct table_key figure_eight_keys[] = {
-    {"closure", "1", "miss after a period, kahan-li8"}, {0}};
-
 /* Writes the path, then the errors of methods with 100 to 1e5
    evaluations. */
 static void study_eight(struct study *s)
@@ -809,11 +743,6 @@ static void study_eight(struct study *s)
     }
     table_real(s->summary, "closure", closure("kahan-li8", 2000, true));
 }
-
-static const struct table_key ring_speeds_keys[] = {
-    {"edge_<k>", "1/AU^2", "pull of the ring 10^-k AU outside"},
-    {"per_decade", "1/AU^2", "its growth, by the law"},
-    {0}};
 
 /* Writes the speeds in a ring of 0.02 planets, by equations (22) to (24) of
    the paper. */
@@ -886,12 +815,6 @@ static double stirring(const struct scene *s, size_t particles)
 }
 
 enum { PARTICLES = 3072 };
-
-static const struct table_key ring_keys[] = {
-    {"energy", "1", "relative change"},
-    {"dispersion", "1", "variance / mean of the cells' counts"},
-    {"stirring", "1", "rms radial velocity / circle's"},
-    {0}};
 
 /* Runs a ring, and writes all its bodies and three numbers that tell how
    good the run is. Three thousand bodies are worth the fastest kernel,
@@ -1111,15 +1034,6 @@ static double energy_singly(bool single)
     end_sky(&k);
     return fabs(change);
 }
-
-static const struct table_key single_keys[] = {
-    {"first_<N>", "1", "error of the pull of N on each other"},
-    {"model_<N>", "1", "the same, by the model"},
-    {"last_<N>", "1", "the planet last"},
-    {"carried_<N>", "1", "compensated"},
-    {"energy", "1", "its error, 3072, a tenth of an orbit"},
-    {"double", "1", "the same in double precision"},
-    {0}};
 
 /* Writes the error of a ring's own acceleration against the number of its
    particles, at a constant mass of the ring. */
@@ -1503,28 +1417,72 @@ static void study_tree(struct study *s)
 
 static const struct study_entry studies[] = {
     {"sun-earth", study_sun_earth, "five years by two methods",
-     sun_earth_keys},
+     STUDY_KEYS({"axis", "AU", "of the first ellipse"},
+                {"eccentricity", "1", "the same"},
+                {"period", "d", "of leapfrog"},
+                {"closed_period", "d", "Kepler's"},
+                {"drift", "AU/d", "speed of the centre of mass"},
+                {"euler_radius", "AU", "after five years by euler"},
+                {"euler_law", "AU", "the same by the law"},
+                {"leapfrog_error", "AU", "of place after five years"},
+                {"leapfrog_law", "AU", "the same by the law"})},
     {"anomaly", study_anomaly, "Kepler's equation", NULL},
     {"eccentric", study_eccentric, "errors on long ellipses",
-     eccentric_keys},
-    {"encounter", study_encounter, "falls past the Sun", encounter_keys},
-    {"planets", study_planets, "a heavier Jupiter", planets_keys},
+     STUDY_KEYS(
+         {"kahan-li8_<e>", "AU", "error after an orbit of eccentricity e"},
+         {"leapfrog", "AU", "the same at 0.99"},
+         {"more", "AU", "the same, 100 times the steps"})},
+    {"encounter", study_encounter, "falls past the Sun",
+     STUDY_KEYS({"dE_s", "1", "largest error of energy, softened"},
+                {"dx_s", "AU", "largest error of place, softened"},
+                {"dE_<fall>_<q>", "1",
+                 "energy: l leapfrog, k kahan-li8, s softened"},
+                {"dx_<fall>_<q>", "AU", "place: the same"})},
+    {"planets", study_planets, "a heavier Jupiter",
+     STUDY_KEYS({"energy_300", "1", "relative error, Jupiter x 300"},
+                {"eight", "1", "the same by leapfrog in a century"})},
     {"circumbinary", study_circumbinary, "the planet of two stars",
-     circumbinary_keys},
-    {"survival", study_survival, "how close it may come", survival_keys},
-    {"work", study_work, "seven methods on its orbit", work_keys},
-    {"ellipses", study_ellipses, "planets that are kicked", ellipses_keys},
+     STUDY_KEYS({"v_A", "AU/d", "first star, at the start"},
+                {"v_B", "AU/d", "second star"}, {"v_P", "AU/d", "planet"},
+                {"error", "AU", "of the planet's place after 400 d"})},
+    {"survival", study_survival, "how close it may come",
+     STUDY_KEYS({"safe", "1", "least safe distance, the stars' being 1"},
+                {"safe_AU", "AU", "the same"},
+                {"law", "1", "by the fitted law"},
+                {"law_AU", "AU", "the same"})},
+    {"work", study_work, "seven methods on its orbit",
+     STUDY_KEYS({"dE_<method>_<n>", "1",
+                 "error of energy, n evaluations a period"},
+                {"dx_<method>_<n>", "AU", "error of place after 400 d"})},
+    {"ellipses", study_ellipses, "planets that are kicked",
+     STUDY_KEYS({"<method>", "1", "error of energy, 4 d from kick to kick"},
+                {"<method>_slope", "1",
+                 "2 d, masses times 1 to 10: power of them"})},
     {"two-suns", study_two_suns, "their cost beside others'", NULL},
     {"choreography", study_choreography, "circles that break",
-     choreography_keys},
+     STUDY_KEYS({"S_<N>", "1", "the sum of N bodies"},
+                {"v_<N>", "1", "speed on the circle"},
+                {"rate_<N>", "1", "growth over angular velocity, theory"},
+                {"measured_<N>", "1", "the same, measured"},
+                {"theory_<N>", "1", "orbits until it breaks, theory"},
+                {"orbits_<N>", "1", "the same, measured; 0 for N = 2"})},
     {"figure-eight", study_eight, "three bodies on an eight",
-     figure_eight_keys},
+     STUDY_KEYS({"closure", "1", "miss after a period, kahan-li8"})},
     {"ring-speeds", study_ring_speeds, "circles in a ring",
-     ring_speeds_keys},
-    {"ring", study_ring, "3072 particles and their weight", ring_keys},
+     STUDY_KEYS({"edge_<k>", "1/AU^2", "pull of the ring 10^-k AU outside"},
+                {"per_decade", "1/AU^2", "its growth, by the law"})},
+    {"ring", study_ring, "3072 particles and their weight",
+     STUDY_KEYS({"energy", "1", "relative change"},
+                {"dispersion", "1", "variance / mean of the cells' counts"},
+                {"stirring", "1", "rms radial velocity / circle's"})},
     {"softening", study_softening, "how it turns an orbit", NULL},
     {"single", study_single, "a ring's pull in single precision",
-     single_keys},
+     STUDY_KEYS({"first_<N>", "1", "error of the pull of N on each other"},
+                {"model_<N>", "1", "the same, by the model"},
+                {"last_<N>", "1", "the planet last"},
+                {"carried_<N>", "1", "compensated"},
+                {"energy", "1", "its error, 3072, a tenth of an orbit"},
+                {"double", "1", "the same in double precision"})},
     {"speed", study_speed, "pairs a second of the kernels", NULL},
     {"threads", study_threads, "the same on several threads", NULL},
     {"tree", study_tree, "when it would pay", NULL},

@@ -179,17 +179,6 @@ static void write_mistakes(struct study *s, const struct means means[])
     write_bias(s, "moved_middle", &means[MOVED], &means[CHAIN], HALF - 1);
 }
 
-static const struct table_key mistakes_keys[] = {
-    {"kept_edge", "%", "density in the end bins, off thrown"},
-    {"kept_middle", "%", "the same in the middle"},
-    {"moved_edge", "%", "density in the end bins, off chain"},
-    {"moved_middle", "%", "the same in the middle"},
-    {"<way>_walls", "1", "left side of (6.5)"},
-    {"<way>_walls_error", "1", "its standard error"},
-    {"<way>_pairs", "1", "right side of (6.5)"},
-    {"<way>_pairs_error", "1", "its standard error"},
-    {0}};
-
 /* Compares wrong samplers with right ones. Each has a run of its own, which
    begins with a chain so long that nothing is left of the one before. */
 static void study_mistakes(struct study *s)
@@ -266,12 +255,6 @@ static void study_chain(struct study *s, size_t k, double x[],
                      {"g_x", g_x}, {"g_edge", g_edge});
     sampling_free(&p);
 }
-
-static const struct table_key memory_keys[] = {
-    {"acceptance_<k>", "1", "chain k: fraction of moves accepted"},
-    {"g_x_<k>", "sweeps", "inefficiency of x of disk 1"},
-    {"g_edge_<k>", "sweeps", "the same of the fraction in the end bins"},
-    {0}};
 
 static void study_memory(struct study *s)
 {
@@ -592,12 +575,6 @@ static void study_pressure(struct study *s)
     }
 }
 
-static const struct table_key one_way_keys[] = {
-    {"Z_both", "1", "P V/(N kT) by chains along both axes"},
-    {"Z_x", "1", "the same along x alone"},
-    {"Z_x_error", "1", "its standard error"},
-    {0}};
-
 /* Measures the pressure with event chains along x alone, beginning on a
    lattice: every disk stays in its row, so that not all configurations are
    reached. */
@@ -624,12 +601,27 @@ static void study_one_way(struct study *s)
 
 static const struct study_entry studies[] = {
     {"mistakes", study_mistakes, "two of them, and the right ways",
-     mistakes_keys},
-    {"memory", study_memory, "how long a chain's is", memory_keys},
+     STUDY_KEYS({"kept_edge", "%", "density in the end bins, off thrown"},
+                {"kept_middle", "%", "the same in the middle"},
+                {"moved_edge", "%", "density in the end bins, off chain"},
+                {"moved_middle", "%", "the same in the middle"},
+                {"<way>_walls", "1", "left side of (6.5)"},
+                {"<way>_walls_error", "1", "its standard error"},
+                {"<way>_pairs", "1", "right side of (6.5)"},
+                {"<way>_pairs_error", "1", "its standard error"})},
+    {"memory", study_memory, "how long a chain's is",
+     STUDY_KEYS(
+         {"acceptance_<k>", "1", "chain k: fraction of moves accepted"},
+         {"g_x_<k>", "sweeps", "inefficiency of x of disk 1"},
+         {"g_edge_<k>", "sweeps",
+          "the same of the fraction in the end bins"})},
     {"acceptance", study_acceptance, "how many throws fit", NULL},
     {"cost", study_cost, "error against processor time", NULL},
     {"pressure", study_pressure, "the same of a gas and a crowd", NULL},
-    {"one-way", study_one_way, "event chains along one axis", one_way_keys},
+    {"one-way", study_one_way, "event chains along one axis",
+     STUDY_KEYS({"Z_both", "1", "P V/(N kT) by chains along both axes"},
+                {"Z_x", "1", "the same along x alone"},
+                {"Z_x_error", "1", "its standard error"})},
     {0}};
 
 /* Reads a list of lengths; returns how many there are. */

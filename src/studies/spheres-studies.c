@@ -359,17 +359,6 @@ static double contact_slope(const double shell[], double *error)
     return p.b;
 }
 
-static const struct table_key law_keys[] = {
-    {"slope", "1", "d ln g/d ln r at contact"},
-    {"error", "1", "its standard error"},
-    {"density", "1", "d ln g/d ln eta"},
-    {"hit", "1", "what a collision yields less"},
-    {"rate", "1", "how many fewer collisions"},
-    {"share", "1", "(Z - 1)/Z"},
-    {"law", "1", "loss of Z, relative, in units of v dt/2r"},
-    {"virial_slope", "1/s", "of Z in dt, by the law"},
-    {0}};
-
 /* Writes the parts of the law of first order (11.5, eq:step-law), for which
    the slope is measured. */
 static void study_law(struct study *s)
@@ -604,9 +593,6 @@ static void do_checks(struct study *s, int way, double dt,
     }
 }
 
-static const struct table_key checks_keys[] = {
-    {"<check>_<way>_<dt>", "1", "what it finds; dt in 1/100 s"}, {0}};
-
 /* Checks the paper's way and that which goes back, with two steps each. */
 static void study_checks(struct study *s)
 {
@@ -774,15 +760,6 @@ static void compare_row(struct study *s, int row, double line[2 + KINDS])
     write_velocities(s, "once", row, v);
 }
 
-static const struct table_key rows_keys[] = {
-    {"wide", "m/s", "worst difference from events"},
-    {"narrow", "m/s", "the same"},
-    {"up", "m/s", "the same"},
-    {"down", "m/s", "the same"},
-    {"n_<row>", "1", "collisions, by events"},
-    {"<way>_<row>_<i>", "m/s", "velocity of ball i at the end"},
-    {0}};
-
 /* Writes the collisions of nine starts of the row, with wide gaps, with
    gaps that a ball crosses ten times in a step, and without gaps. The worst
    difference of each kind leaves out the last start, which is a special
@@ -828,11 +805,6 @@ static void study_late(struct study *s)
         table_row(s->out, 1 + 2 * WAYS, line);
     }
 }
-
-static const struct table_key rest_keys[] = {
-    {"difference", "1", "of the energies, relative"},
-    {"left", "1", "share of the energy, by steps"},
-    {0}};
 
 /* Runs a row with e = 0.9 between two walls, by events and by steps side by
    side. */
@@ -949,14 +921,6 @@ static double nearest(const double x[], double outcome[][2 * RACK])
 }
 
 enum { BREAKS = 4 };
-
-static const struct table_key break_keys[] = {
-    {"orders", "m", "ascending from descending"},
-    {"halved", "m", "step from half of it"},
-    {"ascending", "m", "from the nearest outcome by events"},
-    {"deepest", "m", "the same"},
-    {"outcomes", "1", "by events, more than 1 mm apart"},
-    {0}};
 
 /* Breaks the rack four times by steps and a hundred times by events. */
 static void study_break(struct study *s)
@@ -1106,15 +1070,6 @@ static double moment_order(int way, const double exact[9])
     const double fine = moment_error(way, n * (uint64_t)times, exact);
     return log2(coarse / fine) / log2(times);
 }
-
-static const struct table_key moment_keys[] = {
-    {"order_<way>", "1", "of the error, over a range of steps"},
-    {"collisions", "1", "of three balls in 1 s"},
-    {"located", "m", "largest error of them without attraction"},
-    {"stepwise", "m", "the same"},
-    {"bounce", "m", "largest error of a ball, 1000 bounces"},
-    {"bounces", "1", "until one rests"},
-    {0}};
 
 /* Writes the errors of three balls after 1 s against the step, for each
    way, then the orders of all ways, and the errors of three balls without
@@ -1277,19 +1232,6 @@ static void write_worst_speeds(struct study *s, double linear, double hertz,
                     "hertz_in_%d", n);
     }
 }
-
-static const struct table_key touch_keys[] = {
-    {"formula", "1", "restitution at zeta = 0.2"},
-    {"restitution", "1", "by steps"},
-    {"hertz_formula", "s", "contact of two"},
-    {"hertz_time", "s", "by steps"},
-    {"<way>", "m/s", "worst difference from what events say"},
-    {"<way>_<i>", "m/s", "velocity of ball i at the end"},
-    {"energy_01", "1", "worst error of a blow, omega dt = 0.1"},
-    {"least_2", "1", "energy that comes back, omega dt = 2"},
-    {"most_2", "1", "the same"},
-    {"<way>_in_<n>", "m/s", "worst error of a blow in n steps"},
-    {0}};
 
 /* Writes the velocities of rows whose contacts are stiff springs, and the
    errors of such contacts against the steps that they take. */
@@ -1455,15 +1397,55 @@ static void study_cost(struct study *s)
 
 static const struct study_entry studies[] = {
     {"pressure", study_pressure, "of the gas, by steps and events", NULL},
-    {"law", study_law, "what the pressure loses", law_keys},
-    {"checks", study_checks, "and what they see", checks_keys},
-    {"rows", study_rows, "what leaves a row of balls", rows_keys},
+    {"law", study_law, "what the pressure loses",
+     STUDY_KEYS({"slope", "1", "d ln g/d ln r at contact"},
+                {"error", "1", "its standard error"},
+                {"density", "1", "d ln g/d ln eta"},
+                {"hit", "1", "what a collision yields less"},
+                {"rate", "1", "how many fewer collisions"},
+                {"share", "1", "(Z - 1)/Z"},
+                {"law", "1", "loss of Z, relative, in units of v dt/2r"},
+                {"virial_slope", "1/s", "of Z in dt, by the law"})},
+    {"checks", study_checks, "and what they see",
+     STUDY_KEYS(
+         {"<check>_<way>_<dt>", "1", "what it finds; dt in 1/100 s"})},
+    {"rows", study_rows, "what leaves a row of balls",
+     STUDY_KEYS(
+         {"wide", "m/s", "worst difference from events"},
+         {"narrow", "m/s", "the same"}, {"up", "m/s", "the same"},
+         {"down", "m/s", "the same"},
+         {"n_<row>", "1", "collisions, by events"},
+         {"<way>_<row>_<i>", "m/s", "velocity of ball i at the end"})},
     {"late", study_late, "and when", NULL},
-    {"rest", study_rest, "a cradle's energy", rest_keys},
-    {"break", study_break, "the first shot of a game", break_keys},
+    {"rest", study_rest, "a cradle's energy",
+     STUDY_KEYS({"difference", "1", "of the energies, relative"},
+                {"left", "1", "share of the energy, by steps"})},
+    {"break", study_break, "the first shot of a game",
+     STUDY_KEYS({"orders", "m", "ascending from descending"},
+                {"halved", "m", "step from half of it"},
+                {"ascending", "m", "from the nearest outcome by events"},
+                {"deepest", "m", "the same"},
+                {"outcomes", "1", "by events, more than 1 mm apart"})},
     {"moment", study_moment, "of contact, found inside a step",
-     moment_keys},
-    {"touch", study_touch, "of stiff springs", touch_keys},
+     STUDY_KEYS(
+         {"order_<way>", "1", "of the error, over a range of steps"},
+         {"collisions", "1", "of three balls in 1 s"},
+         {"located", "m", "largest error of them without attraction"},
+         {"stepwise", "m", "the same"},
+         {"bounce", "m", "largest error of a ball, 1000 bounces"},
+         {"bounces", "1", "until one rests"})},
+    {"touch", study_touch, "of stiff springs",
+     STUDY_KEYS(
+         {"formula", "1", "restitution at zeta = 0.2"},
+         {"restitution", "1", "by steps"},
+         {"hertz_formula", "s", "contact of two"},
+         {"hertz_time", "s", "by steps"},
+         {"<way>", "m/s", "worst difference from what events say"},
+         {"<way>_<i>", "m/s", "velocity of ball i at the end"},
+         {"energy_01", "1", "worst error of a blow, omega dt = 0.1"},
+         {"least_2", "1", "energy that comes back, omega dt = 2"},
+         {"most_2", "1", "the same"},
+         {"<way>_in_<n>", "m/s", "worst error of a blow in n steps"})},
     {"cost", study_cost, "error against processor time", NULL},
     {0}};
 

@@ -112,9 +112,6 @@ static double by_series(double g, double t)
     return exp(-g * t) * sum;
 }
 
-static const struct table_key critical_keys[] = {
-    {"book_error", "1", "two exponentials, relative, e = 1e-10"}, {0}};
-
 /* Writes the place of an oscillator near critical damping, on both sides of
    it, by quarters of a power of ten. */
 static void study_critical(struct study *s)
@@ -139,9 +136,6 @@ static void study_critical(struct study *s)
 enum { DAMPINGS = 4 };
 
 static const double dampings[DAMPINGS] = {0.2, 1, 2, 4}; /* kg/s */
-
-static const struct table_key regimes_keys[] = {
-    {"worst", "m", "distance from the exact motion"}, {0}};
 
 /* Writes the places of oscillators at four dampings, by leapfrog, and how
    far they are from the exact motion. */
@@ -200,13 +194,6 @@ static double spin(const struct scene *s)
     return sum;
 }
 
-static const struct table_key spin_keys[] = {
-    {"left", "1", "share of the spin, dashpot as printed"},
-    {"off_law", "1", "largest relative error of the law"},
-    {"axial_change", "1", "of the spin, dashpot along the axis"},
-    {"axial_energy", "J", "then"},
-    {0}};
-
 /* Compares the spins of both dumbbells with (10.2, eq:spin-decay), in which
    c/mu is 1/s here. */
 static void study_spin(struct study *s)
@@ -239,9 +226,6 @@ static void study_spin(struct study *s)
     tidy_up(&r[0]);
     tidy_up(&r[1]);
 }
-
-static const struct table_key path_keys[] = {
-    {"energy", "J", "at the start"}, {0}};
 
 /* Writes the path, by a method and a step that are precise enough for any
    picture. */
@@ -361,9 +345,6 @@ static const char *const damping_ways[WAYS] = {"rk4", "leapfrog",
                                                "yoshida4"};
 static const double damping_step = 0.025; /* s */
 
-static const struct table_key silent_keys[] = {
-    {"<method>", "m", "range of the stretch in the last 0.2 s"}, {0}};
-
 /* Writes how much the stiff spring is stretched, by RK4 and leapfrog with a
    step near the limit of RK4, and by a method with a small step. The rest
    of its oscillation is taken from the last rows. */
@@ -480,12 +461,6 @@ static void spring_swing(double stiffness, double place[4])
     memcpy(place, (double[]){x[1], z[1], x[2], z[2]}, 4 * sizeof *place);
     tidy_up(&r);
 }
-
-static const struct table_key rod_keys[] = {
-    {"spring_to_rod", "m", "distance of places after 10 s"},
-    {"rod_0.1", "m", "error of the rod, dt 0.1 s"},
-    {"rod_0.5", "m", "the same, 0.5 s"},
-    {0}};
 
 /* Writes two blocks: the error against the step, and how far the motion
    with a spring is from that with a rod. */
@@ -623,11 +598,6 @@ static void find_limits(const struct stepping_method *m, double limit[2])
         limit[1] = find_limit(m, false, 2000, 0.95 * limit[0]);
 }
 
-static const struct table_key limits_keys[] = {
-    {"pendulum_<method>", "s", "largest stable step"},
-    {"membrane_<method>", "s", "the same"},
-    {0}};
-
 static void study_limits(struct study *s)
 {
     TABLE_COLUMNS(s->out, {"limit", "", "omega dt, from the theory"},
@@ -688,11 +658,6 @@ static double period(double a)
     return t[2] - t[0];
 }
 
-static const struct table_key quartic_keys[] = {
-    {"T_0.1", "s", "period, amplitude 0.1 m"},
-    {"AT", "m s", "amplitude x period, 2 mm"},
-    {0}};
-
 static void study_quartic(struct study *s)
 {
     TABLE_COLUMNS(s->out, {"A", "m", "amplitude"}, {"T", "s", "period"},
@@ -739,14 +704,6 @@ enum { MEMBRANES = 3 };
 /* Amplitudes at the start, m: of a membrane at rest length that moves along
    z alone, of one that is free to move, and of a taut one. */
 static const double lifted[MEMBRANES] = {0.1, 0.1, 0.01};
-
-static const struct table_key membranes_keys[] = {
-    {"", "", "if --until reaches t (1, 5, 10, 40, 400):"},
-    {"a_<t>", "1", "first mode / start, at rest length"},
-    {"rest_<t>", "1", "other modes / start, at rest length"},
-    {"free_rest_<t>", "1", "the same, free to move along"},
-    {"taut_rest_<t>", "1", "the same, taut"},
-    {0}};
 
 static void study_membranes(struct study *s)
 {
@@ -841,11 +798,6 @@ static double measured(size_t n, size_t r, size_t half, size_t axis)
     return 10 * acos(-1) / time;
 }
 
-static const struct table_key dispersion_keys[] = {
-    {"first", "rad/s", "of the lowest mode"},
-    {"worst", "1", "largest relative error of the law"},
-    {0}};
-
 static void study_dispersion(struct study *s)
 {
     const size_t n = 8;
@@ -885,12 +837,6 @@ static double sag(struct scene *s, double g)
     tidy_up(&r);
     return depth;
 }
-
-static const struct table_key sag_keys[] = {
-    {"depth", "m", "of the middle, at rest"},
-    {"rest", "m", "modes but the first, most"},
-    {"ratio", "1", "of depths, gravity 8 times"},
-    {0}};
 
 static void study_sag(struct study *s)
 {
@@ -1048,18 +994,6 @@ static struct beam beams[BEAMS] = {
     {.name = "heavy", .choice = {{"gravity", 10}}},
     {.name = "no_diagonals", .choice = {{"diagonals", 0}}}};
 
-static const struct table_key beams_keys[] = {
-    {"second", "rad/s", "the usual beam"},
-    {"third", "rad/s", "the same"},
-    {"fastest", "rad/s", "the same"},
-    {"linear_<beam>", "m", "deflection of the end, linear"},
-    {"still_<beam>", "m", "at rest"},
-    {"lowest_<beam>", "m", "at the turning point"},
-    {"loose_<beam>", "1", "modes without stiffness"},
-    {"w_<beam>", "rad/s", "lowest frequency above 0"},
-    {"t_<beam>", "s", "when it is at the turning point"},
-    {0}};
-
 static void study_beams(struct study *s)
 {
     TABLE_COLUMNS(s->out, {"w", "rad/s", "lowest frequency above 0"},
@@ -1152,11 +1086,6 @@ static double speed_of(struct run *r, double (*seconds)(void))
     return (double)(steps * r->scene.bodies) / (seconds() - start);
 }
 
-static const struct table_key speed_keys[] = {
-    {"most", "1/s", "steps of a body, gather"},
-    {"least_ratio_from_64", "1", "gather / scatter, from 64 on a side on"},
-    {0}};
-
 /* Measures the speed of each way to step membranes. The ways take turns, so
    that disturbances of the machine affect all of them. The first round is
    discarded; of the others the median is taken. */
@@ -1227,25 +1156,61 @@ static void study_threads(struct study *s)
 
 static const struct study_entry studies[] = {
     {"critical", study_critical, "digits lost at the border",
-     critical_keys},
+     STUDY_KEYS(
+         {"book_error", "1", "two exponentials, relative, e = 1e-10"})},
     {"regimes", study_regimes, "the oscillator at four dampings",
-     regimes_keys},
-    {"spin", study_spin, "what dashpots do to a spin", spin_keys},
-    {"path", study_path, "of the double pendulum", path_keys},
+     STUDY_KEYS({"worst", "m", "distance from the exact motion"})},
+    {"spin", study_spin, "what dashpots do to a spin",
+     STUDY_KEYS(
+         {"left", "1", "share of the spin, dashpot as printed"},
+         {"off_law", "1", "largest relative error of the law"},
+         {"axial_change", "1", "of the spin, dashpot along the axis"},
+         {"axial_energy", "J", "then"})},
+    {"path", study_path, "of the double pendulum",
+     STUDY_KEYS({"energy", "J", "at the start"})},
     {"errors", study_errors, "methods on it, by step", pendulum_keys},
     {"work", study_work, "the same by processor time", pendulum_keys},
-    {"rod", study_rod, "in place of the stiff spring", rod_keys},
-    {"limits", study_limits, "the largest stable steps", limits_keys},
-    {"silent", study_silent, "a method that damps", silent_keys},
-    {"quartic", study_quartic, "a mode without stiffness", quartic_keys},
+    {"rod", study_rod, "in place of the stiff spring",
+     STUDY_KEYS({"spring_to_rod", "m", "distance of places after 10 s"},
+                {"rod_0.1", "m", "error of the rod, dt 0.1 s"},
+                {"rod_0.5", "m", "the same, 0.5 s"})},
+    {"limits", study_limits, "the largest stable steps",
+     STUDY_KEYS({"pendulum_<method>", "s", "largest stable step"},
+                {"membrane_<method>", "s", "the same"})},
+    {"silent", study_silent, "a method that damps",
+     STUDY_KEYS(
+         {"<method>", "m", "range of the stretch in the last 0.2 s"})},
+    {"quartic", study_quartic, "a mode without stiffness",
+     STUDY_KEYS({"T_0.1", "s", "period, amplitude 0.1 m"},
+                {"AT", "m s", "amplitude x period, 2 mm"})},
     {"membranes", study_membranes, "at rest length and taut",
-     membranes_keys},
+     STUDY_KEYS({"", "", "if --until reaches t (1, 5, 10, 40, 400):"},
+                {"a_<t>", "1", "first mode / start, at rest length"},
+                {"rest_<t>", "1", "other modes / start, at rest length"},
+                {"free_rest_<t>", "1", "the same, free to move along"},
+                {"taut_rest_<t>", "1", "the same, taut"})},
     {"dispersion", study_dispersion, "a membrane's frequencies",
-     dispersion_keys},
-    {"sag", study_sag, "a membrane that hangs", sag_keys},
+     STUDY_KEYS({"first", "rad/s", "of the lowest mode"},
+                {"worst", "1", "largest relative error of the law"})},
+    {"sag", study_sag, "a membrane that hangs",
+     STUDY_KEYS({"depth", "m", "of the middle, at rest"},
+                {"rest", "m", "modes but the first, most"},
+                {"ratio", "1", "of depths, gravity 8 times"})},
     {"shapes", study_shapes, "a beam, bent", NULL},
-    {"beams", study_beams, "nine of them in numbers", beams_keys},
-    {"speed", study_speed, "steps of a body in a second", speed_keys},
+    {"beams", study_beams, "nine of them in numbers",
+     STUDY_KEYS({"second", "rad/s", "the usual beam"},
+                {"third", "rad/s", "the same"},
+                {"fastest", "rad/s", "the same"},
+                {"linear_<beam>", "m", "deflection of the end, linear"},
+                {"still_<beam>", "m", "at rest"},
+                {"lowest_<beam>", "m", "at the turning point"},
+                {"loose_<beam>", "1", "modes without stiffness"},
+                {"w_<beam>", "rad/s", "lowest frequency above 0"},
+                {"t_<beam>", "s", "when it is at the turning point"})},
+    {"speed", study_speed, "steps of a body in a second",
+     STUDY_KEYS({"most", "1/s", "steps of a body, gather"},
+                {"least_ratio_from_64", "1",
+                 "gather / scatter, from 64 on a side on"})},
     {"threads", study_threads, "the same on several threads", NULL},
     {0}};
 

@@ -222,9 +222,6 @@ static void study_portrait(struct study *s)
         }
 }
 
-static const struct table_key laws_keys[] = {
-    {"<method>", "1", "energy after 60 steps / at the start"}, {0}};
-
 /* Writes the energies of four oscillators, one for each method. */
 static void study_laws(struct study *s)
 {
@@ -279,9 +276,6 @@ static void step_rim(double p[RIM][2], const char *method, uint64_t steps)
     stepping_free(&c.s);
 }
 
-static const struct table_key area_keys[] = {
-    {"<method>", "1", "area after 9 steps / at the start"}, {0}};
-
 /* Writes the rim of a disk in phase space at the start and after three, six
    and nine steps. */
 static void study_area(struct study *s)
@@ -332,9 +326,6 @@ static void record_energy(struct study *s, const struct stepping_method *m)
     table_print(s->out, "\n\n");
     stepping_free(&c.s);
 }
-
-static const struct table_key energy_keys[] = {
-    {"<method>", "1", "largest relative error"}, {0}};
 
 static void study_energy(struct study *s)
 {
@@ -432,13 +423,6 @@ static double half_trace(const struct stepping_method *m, double step)
     return (matrix[0][0] + matrix[1][1]) / 2;
 }
 
-static const struct table_key trace_keys[] = {
-    {"leaves_<method>", "1", "where the curve leaves the strip"},
-    {"returns_<method>", "1", "where it comes back"},
-    {"leaves_again_<method>", "1", "where it leaves once more"},
-    {"beyond_<method>", "1", "how far outside between the first two"},
-    {0}};
-
 /* Writes where the curve of half the trace leaves the strip from -1 to 1,
    where it comes back, and where it leaves again, up to omega dt = 6; and
    how far it is outside between the first two of these places. */
@@ -526,9 +510,6 @@ static void reference(double friction, double *x, double *v)
     *v = c.v[0];
     stepping_free(&c.s);
 }
-
-static const struct table_key order_keys[] = {
-    {"<method>", "1", "error after 3 s in 50 steps"}, {0}};
 
 /* Writes each method's order without and with friction, and its error with
    50 steps. */
@@ -695,11 +676,6 @@ static void record_rounding(struct study *s, double steps_of_orbit,
     for (int k = 0; k < STARTS; ++k)
         stepping_free(&c[k].s);
 }
-
-static const struct table_key rounding_keys[] = {
-    {"plain_<steps>", "1", "rms error of the energy, steps an orbit"},
-    {"carried_<steps>", "1", "the same, rounding carried along"},
-    {0}};
 
 static void study_rounding(struct study *s)
 {
@@ -1098,17 +1074,6 @@ static void record_trouble(struct study *s)
     }
 }
 
-static const struct table_key lengths_keys[] = {
-    {"near", "m", "closest approach of the three bodies"},
-    {"when", "s", "its time"},
-    {"steps_<what>", "1", "steps taken"},
-    {"asked_<what>", "1", "evaluations of the forces"},
-    {"ratio_<method>", "1", "longest to shortest step"},
-    {"energy_<what>", "1", "relative error of the energy"},
-    {"drift_<orbits>", "1", "of dopri5, to 1e-6"},
-    {"refused_jump", "1", "steps taken in vain"},
-    {0}};
-
 static void study_lengths(struct study *s)
 {
     record_tracks(s);
@@ -1123,19 +1088,40 @@ static void study_lengths(struct study *s)
 static const struct study_entry studies[] = {
     {"methods", study_methods, "what their rows promise", NULL},
     {"portrait", study_portrait, "four methods in the phase plane", NULL},
-    {"laws", study_laws, "of their energies", laws_keys},
-    {"area", study_area, "of a disk of starts", area_keys},
-    {"energy", study_energy, "of a planet, in the long run", energy_keys},
+    {"laws", study_laws, "of their energies",
+     STUDY_KEYS({"<method>", "1", "energy after 60 steps / at the start"})},
+    {"area", study_area, "of a disk of starts",
+     STUDY_KEYS({"<method>", "1", "area after 9 steps / at the start"})},
+    {"energy", study_energy, "of a planet, in the long run",
+     STUDY_KEYS({"<method>", "1", "largest relative error"})},
     {"stability", study_stability, "friction and a spring together", NULL},
-    {"trace", study_trace, "a spring without friction", trace_keys},
-    {"order", study_order, "the slope of the error", order_keys},
+    {"trace", study_trace, "a spring without friction",
+     STUDY_KEYS(
+         {"leaves_<method>", "1", "where the curve leaves the strip"},
+         {"returns_<method>", "1", "where it comes back"},
+         {"leaves_again_<method>", "1", "where it leaves once more"},
+         {"beyond_<method>", "1",
+          "how far outside between the first two"})},
+    {"order", study_order, "the slope of the error",
+     STUDY_KEYS({"<method>", "1", "error after 3 s in 50 steps"})},
     {"damping", study_damping, "the limits under friction alone", NULL},
     {"friction", study_friction, "what it makes of a velocity", NULL},
     {"fails", study_fails, "three ways to fail", NULL},
-    {"rounding", study_rounding, "carried along or not", rounding_keys},
+    {"rounding", study_rounding, "carried along or not",
+     STUDY_KEYS(
+         {"plain_<steps>", "1", "rms error of the energy, steps an orbit"},
+         {"carried_<steps>", "1", "the same, rounding carried along"})},
     {"work", study_work, "error against evaluations", NULL},
     {"cost", study_cost, "error against processor time", NULL},
-    {"lengths", study_lengths, "steps that choose their own", lengths_keys},
+    {"lengths", study_lengths, "steps that choose their own",
+     STUDY_KEYS({"near", "m", "closest approach of the three bodies"},
+                {"when", "s", "its time"},
+                {"steps_<what>", "1", "steps taken"},
+                {"asked_<what>", "1", "evaluations of the forces"},
+                {"ratio_<method>", "1", "longest to shortest step"},
+                {"energy_<what>", "1", "relative error of the energy"},
+                {"drift_<orbits>", "1", "of dopri5, to 1e-6"},
+                {"refused_jump", "1", "steps taken in vain"})},
     {0}};
 
 static const struct options_entry entries[] = {

@@ -31,6 +31,16 @@ struct study_entry {
     const struct table_key *keys; /* keys of its summary; NULL: none */
 };
 
+/* The keys of a study, as a list that ends with {0}. */
+#define STUDY_KEYS(...)                                                    \
+    (const struct table_key[])                                             \
+    {                                                                      \
+        __VA_ARGS__,                                                       \
+        {                                                                  \
+            0                                                              \
+        }                                                                  \
+    }
+
 /* A program of fewer than STUDY_MOST studies. Its options are --study,
    --output, --summary, --seed if it draws numbers, and its own. --help
    lists the keys of only one study's summary, the study named before it,

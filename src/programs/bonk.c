@@ -91,23 +91,6 @@ static void set_rows(struct run *r)
     r->request.every = every / (double)r->judged;
 }
 
-/* Reads --model: a plan with its steps is used unchanged; a method's name
-   alone leaves the number of steps to be found. A model that does not suit
-   the scene is refused here, before any work. */
-static void read_model(struct run *r)
-{
-    char message[MODELS_MESSAGE];
-    if (!given.model)
-        return;
-    if (!models_read(&r->plan, given.model, message))
-        program_refuse("--model: %s", message);
-    const char *why = models_refuse(&r->plan, &r->scene);
-    if (why)
-        program_refuse("--model: %s does not suit this scene: %s",
-                       given.model, why);
-    r->request.only = &r->plan;
-}
-
 /* Reads the averages of --observe, mean:NAME,mean:NAME... Averages cannot
    be mixed with values: a path ends at the horizon of prediction, and
    averages may lie beyond it. */
@@ -162,7 +145,9 @@ static void show_progress(void *with, double spent)
 
 /* Checks the command against the scene, and exits with status 2 before any
    work is done: most settings can be wrong only there, such as a body that
-   does not exist, a time that is over, or a model that does not suit. */
+   does not exist, a time that is over, or a model that does not suit. A
+   --model with its steps is used unchanged; a method's name alone leaves
+   the number of steps to be found. */
 static void begin_run(struct run *r)
 {
     read_scene(r);
@@ -185,7 +170,16 @@ static void begin_run(struct run *r)
             program_refuse("--observe: %s", message);
         r->request.asked = &r->asked;
     }
-    read_model(r);
+    if (given.model) {
+        char wrong[MODELS_MESSAGE];
+        if (!models_read(&r->plan, given.model, wrong))
+            program_refuse("--model: %s", wrong);
+        const char *why = models_refuse(&r->plan, &r->scene);
+        if (why)
+            program_refuse("--model: %s does not suit this scene: %s",
+                           given.model, why);
+        r->request.only = &r->plan;
+    }
 }
 
 /* Prints a piece of the explanation, if --explain asks for it. */

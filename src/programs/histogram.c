@@ -573,32 +573,10 @@ static void compare(const struct columns *c, size_t i,
                      {"against_probability", probability});
 }
 
-/* Fits a law to a column. If that fails the histogram is still good. */
-static bool fit_column(const struct column *column,
-                       const struct statistics_histogram *h,
-                       const struct statistics_description *d,
-                       struct statistics_gaussian *fit)
-{
-    if (!statistics_fit_gaussian(h, d->inefficiency, fit)) {
-        program_say("note: %s: no Gaussian fits its bins", column->name);
-        return false;
-    }
-    table_print(given.out,
-                "#   fit: mean %.4g +- %.2g, sd %.4g +- %.2g; chi2 %.4g of "
-                "%zu\n",
-                fit->mean, fit->mean_error, fit->sd, fit->sd_error,
-                fit->chi2, fit->degrees);
-    TABLE_RESULTS_OF(given.summary, column->name, {"fit_mean", fit->mean},
-                     {"fit_mean_error", fit->mean_error},
-                     {"fit_sd", fit->sd}, {"fit_sd_error", fit->sd_error},
-                     {"fit_chi2", fit->chi2},
-                     {"fit_degrees", (double)fit->degrees});
-    return true;
-}
-
-/* Writes a row for each bin. The densities of law and fit are probabilities
-   of the bin divided by its width, not values at its centre: the two differ
-   in a wide bin, and the arcsine law is infinite at its ends. */
+/* Writes a row for each bin, also if no Gaussian fits. The densities of law
+   and fit are probabilities of the bin divided by its width, not values at
+   its centre: the two differ in a wide bin, and the arcsine law is infinite
+   at its ends. */
 static void write_histogram(const struct columns *c, size_t i,
                             const struct statistics_description *d)
 {
@@ -614,7 +592,23 @@ static void write_histogram(const struct columns *c, size_t i,
                      {"outside", (double)(h->below + h->above)});
     struct statistics_gaussian fit = {0};
     struct law law = given.law[given.laws > 1 ? i : 0];
-    bool fitted = given.fit && fit_column(&c->column[i], h, d, &fit);
+    const bool fitted =
+        given.fit && statistics_fit_gaussian(h, d->inefficiency, &fit);
+    if (given.fit && !fitted)
+        program_say("note: %s: no Gaussian fits its bins",
+                    c->column[i].name);
+    if (fitted) {
+        table_print(given.out,
+                    "#   fit: mean %.4g +- %.2g, sd %.4g +- %.2g; chi2 "
+                    "%.4g of %zu\n",
+                    fit.mean, fit.mean_error, fit.sd, fit.sd_error,
+                    fit.chi2, fit.degrees);
+        TABLE_RESULTS_OF(
+            given.summary, c->column[i].name, {"fit_mean", fit.mean},
+            {"fit_mean_error", fit.mean_error}, {"fit_sd", fit.sd},
+            {"fit_sd_error", fit.sd_error}, {"fit_chi2", fit.chi2},
+            {"fit_degrees", (double)fit.degrees});
+    }
     const double width = (h->high - h->low) / (double)h->bins;
     if (given.laws > 0)
         laws_complete(&law, d->mean, d->sd);

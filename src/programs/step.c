@@ -678,25 +678,18 @@ static enum ending run_on(struct run *r)
     return end;
 }
 
-/* Prints that contacts within a step are too many, or end in a rest that
-   only walls can give. */
-static void explain_crowd(const struct run *r)
+/* Prints why a run failed: up to which time there are rows, and what to try
+   first. Of a run that ended whole it prints the fault, if any. */
+static void explain(const struct run *r, enum ending end)
 {
     const size_t *body = r->motion.impact.between;
     char other[32] = "a wall";
     if (body[0] != body[1])
         snprintf(other, sizeof other, "body %zu", body[1]);
-    program_say("after t = %.10g contacts of body %zu and %s crowd: only "
-                "walls hold what rests; try --contact stepwise",
-                r->time, body[0], other);
-}
-
-/* Prints why a run failed: up to which time there are rows, and what to try
-   first. Of a run that ended whole it prints the fault, if any. */
-static void explain(const struct run *r, enum ending end)
-{
     if (end == STUCK && r->motion.impact.crowded)
-        explain_crowd(r);
+        program_say("after t = %.10g contacts of body %zu and %s crowd: "
+                    "only walls hold what rests; try --contact stepwise",
+                    r->time, body[0], other);
     else if (end == STUCK)
         program_say("%s found no solution after t = %.10g: %s",
                     given.method, r->time,

@@ -801,22 +801,9 @@ struct pick {
     double horizon;     /* of prediction, s; INFINITY: none was met */
 };
 
-/* Runs the plan that was taken. The error that the chooser found for itself
-   is not used: the map has the truth. */
-static void take_pick(struct pick *p, struct map *m, const struct record *r)
-{
-    if (!r->value ||
-        !run_plan(&m->path, &r->plan, &m->scene, m->every, 100))
-        return;
-    p->point = (struct point){
-        r->plan, m->path.cost,
-        fmax(distance(&m->path, &m->truth.path, ROWS) / m->truth.scale,
-             1e-17),
-        false};
-}
-
-/* Lets the chooser choose, with the functions and the limit that bonk
-   uses. */
+/* Lets the chooser choose, with the functions and the limit that bonk uses,
+   and runs its plan. The error that the chooser found for itself is not
+   used, since the map has the truth. */
 static void ask_chooser(struct pick *p, struct map *m, double tolerance)
 {
     const struct choose_request q = {.scene = &m->scene,
@@ -830,7 +817,13 @@ static void ask_chooser(struct pick *p, struct map *m, double tolerance)
     program_memory(choose(&c, &q), "to choose");
     p->deciding = c.spent - c.run.cost;
     p->horizon = c.horizon;
-    take_pick(p, m, &c.run);
+    if (c.run.value &&
+        run_plan(&m->path, &c.run.plan, &m->scene, m->every, 100))
+        p->point = (struct point){
+            c.run.plan, m->path.cost,
+            fmax(distance(&m->path, &m->truth.path, ROWS) / m->truth.scale,
+                 1e-17),
+            false};
     choose_free(&c);
 }
 

@@ -223,16 +223,6 @@ static const struct table_key keys[] = {
     {"cells/pairs_<N>", "1", "ratio of speeds; nan: too many for pairs"},
     {0}};
 
-static void read_particles(struct options *o)
-{
-    own.sizes = options_list(o, own.particles, SIZES);
-    for (size_t k = 0; k < own.sizes; ++k)
-        if (!(own.particles[k] >= 3 && own.particles[k] <= DISKS_MOST) ||
-            own.particles[k] != floor(own.particles[k]))
-            options_fail(o, "%g is not a whole number from 3 to %d",
-                         own.particles[k], DISKS_MOST);
-}
-
 static void read_settings(int argc, char *argv[])
 {
     struct options o;
@@ -242,7 +232,16 @@ static void read_settings(int argc, char *argv[])
     options_keys(&o, keys);
     while ((option = options_next(&o)) != -1)
         switch (option) {
-        case 'N': read_particles(&o); break;
+        case 'N':
+            own.sizes = options_list(&o, own.particles, SIZES);
+            for (size_t k = 0; k < own.sizes; ++k)
+                if (!(own.particles[k] >= 3 &&
+                      own.particles[k] <= DISKS_MOST) ||
+                    own.particles[k] != floor(own.particles[k]))
+                    options_fail(&o,
+                                 "%g is not a whole number from 3 to %d",
+                                 own.particles[k], DISKS_MOST);
+            break;
         case 'p': own.packing = options_real(&o, 1e-9, 1); break;
         case 'd': own.dimensions = options_count(&o, 2, 3); break;
         case 'c':

@@ -328,35 +328,29 @@ static bool collapses(struct disks *d, size_t n, double restitution,
     return disks_run(d, INFINITY, 100 * n) == DISKS_COLLAPSE;
 }
 
-/* Returns the fraction of the starts that collapse. */
-static double fraction_of_collapses(struct study *s, size_t n, double e)
-{
-    const uint64_t starts = own.starts ? own.starts : 10;
-    double collapsed = 0;
-    for (uint64_t i = 0; i < starts; ++i) {
-        struct disks d;
-        collapsed += collapses(&d, n, e, s->seed + i);
-        disks_free(&d);
-    }
-    return collapsed / (double)starts;
-}
-
 /* Writes the fractions, then the end of one of the runs. The disks that
    take part in its collapse are those whose last collision is now. */
 static void study_collapse(struct study *s)
 {
     static const size_t sizes[] = {10, 30, 100};
+    const uint64_t starts = own.starts ? own.starts : 10;
+    struct disks d;
     TABLE_COLUMNS(s->out, {"e", "", "restitution"},
                   {"p_10", "", "fraction of starts that collapse, N = 10"},
                   {"p_30", "", "the same, N = 30"},
                   {"p_100", "", "the same, N = 100"});
     for (double e = 0.05; e < 0.99 && !progress_signal(); e += 0.05) {
         double row[4] = {e};
-        for (int k = 0; k < 3; ++k)
-            row[k + 1] = fraction_of_collapses(s, sizes[k], e);
+        for (int k = 0; k < 3; ++k) {
+            double collapsed = 0;
+            for (uint64_t i = 0; i < starts; ++i) {
+                collapsed += collapses(&d, sizes[k], e, s->seed + i);
+                disks_free(&d);
+            }
+            row[k + 1] = collapsed / (double)starts;
+        }
         table_row(s->out, 4, row);
     }
-    struct disks d;
     double last = 0;
     table_print(s->out, "\n\n# the end: x y, 1 if it collides for ever\n");
     collapses(&d, 100, 0.4, s->seed);

@@ -199,26 +199,6 @@ static double orbit_error(double e, const char *method, double evaluations)
     return error;
 }
 
-/* Writes a path from the aphelion, with the speed sqrt(1 - e) of the
-   circular one. */
-static void write_long_path(struct table *out)
-{
-    struct sky k;
-    const double axis = 1 / 1.95;
-    const double period = 2 * KEPLER_PI / CELESTIAL_K * axis * sqrt(axis);
-    begin_sky(&k, "sun-earth",
-              GALLERY_CHOICES({"mass", 0}, {"speed", sqrt(0.05)}),
-              "leapfrog", period / 1000);
-    table_print(out,
-                "\n\n# e = 0.95, leapfrog, 1000 steps an orbit: x y\n");
-    for (int n = 0; n <= 6000; ++n) {
-        table_print(out, "%.5f %.5f\n", k.scene.position[1],
-                    k.scene.position[3]);
-        stepping_run(&k.stepping, 1);
-    }
-    end_sky(&k);
-}
-
 /* Writes the error after an orbit against the eccentricity, by three
    methods with 1e4 evaluations each, and a path. */
 static void study_eccentric(struct study *s)
@@ -240,7 +220,22 @@ static void study_eccentric(struct study *s)
     TABLE_RESULTS(s->summary,
                   {"leapfrog", orbit_error(.99, methods[0], 1e4)},
                   {"more", orbit_error(.99, methods[0], 1e6)});
-    write_long_path(s->out);
+    /* A path from the aphelion, with the speed sqrt(1 - e) of the circular
+       one. */
+    struct sky k;
+    const double axis = 1 / 1.95;
+    const double period = 2 * KEPLER_PI / CELESTIAL_K * axis * sqrt(axis);
+    begin_sky(&k, "sun-earth",
+              GALLERY_CHOICES({"mass", 0}, {"speed", sqrt(0.05)}),
+              "leapfrog", period / 1000);
+    table_print(s->out,
+                "\n\n# e = 0.95, leapfrog, 1000 steps an orbit: x y\n");
+    for (int n = 0; n <= 6000; ++n) {
+        table_print(s->out, "%.5f %.5f\n", k.scene.position[1],
+                    k.scene.position[3]);
+        stepping_run(&k.stepping, 1);
+    }
+    end_sky(&k);
 }
 
 /* Runs a fall past the Sun, of a planet without mass, from 1 AU to 1 AU, on
@@ -512,18 +507,6 @@ static void study_work(struct study *s)
     }
 }
 
-/* Adds Kepler's ellipses to a sky, if its method needs them. */
-static void begin_ellipses(struct sky *k, struct jacobi *j)
-{
-    const struct scene *s = &k->scene;
-    struct stepping *const p = &k->stepping;
-    if (!p->method->orbits)
-        return;
-    program_memory(jacobi_create(j, s->bodies, s->mass, s->k2), NULL);
-    p->forces = jacobi_forces(j);
-    p->flow = jacobi_flow;
-}
-
 /* Returns the largest relative error of the energy up to the time t, from a
    thousand samples, and in *cost the processor time, s; ends the sky. */
 static double largest_energy_error(struct sky *k, double t, double *cost)
@@ -533,7 +516,12 @@ static double largest_energy_error(struct sky *k, double t, double *cost)
     const uint64_t bite = steps / 1000 + 1;
     const double before = energy_of(k);
     double worst = 0;
-    begin_ellipses(k, &j);
+    if (k->stepping.method->orbits) { /* it moves on Kepler's ellipses */
+        const struct scene *s = &k->scene;
+        program_memory(jacobi_create(&j, s->bodies, s->mass, s->k2), NULL);
+        k->stepping.forces = jacobi_forces(&j);
+        k->stepping.flow = jacobi_flow;
+    }
     *cost = -bench_seconds();
     for (uint64_t n = 0; n < steps; n += bite) {
         stepping_run(&k->stepping, bite);

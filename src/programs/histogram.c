@@ -482,7 +482,6 @@ static void describe(struct columns *c, size_t i)
                       column->name, column->d.sd);
     }
     if (given.kind == HISTOGRAM && own) {
-        const struct column *column = &c->column[i];
         const struct bins b = choose_bins(i, &column->d);
         const double width = (b.high - b.low) / (double)b.count;
         if (!isfinite(1 / width))
@@ -580,9 +579,9 @@ static void compare(const struct columns *c, size_t i,
 static void write_histogram(const struct columns *c, size_t i,
                             const struct statistics_description *d)
 {
-    const struct bins b = choose_bins(i, d);
+    const struct bins bins = choose_bins(i, d);
     struct statistics_histogram *h =
-        statistics_histogram_create(b.low, b.high, b.count);
+        statistics_histogram_create(bins.low, bins.high, bins.count);
     if (!h)
         no_memory(c);
     for (size_t k = 0; k < c->rows; ++k)

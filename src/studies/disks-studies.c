@@ -68,9 +68,9 @@ static double sample_by(int way, const struct study *s, struct loop *l,
     begin_four(&l->d, 1, s->seed);
     const double energy = disks_energy(&l->d);
     l->next = disks_next(&l->d);
-    for (uint64_t k = 1; k <= own.samples; ++k) {
+    for (uint64_t n = 1; n <= own.samples; ++n) {
         if (way == OURS)
-            loop_go_to(l, (double)k * own.every);
+            loop_go_to(l, (double)n * own.every);
         else
             loop_turn(l, own.every);
         for (size_t i = 0; i < l->d.count; ++i) {

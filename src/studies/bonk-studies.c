@@ -364,9 +364,9 @@ struct truth {
         unsure; /* difference of the two ways to find it over the scale */
 };
 
-/* Runs a plan with sums that carry their rounding errors: step does this
-   with a scene that has `carry` lines, so the scene gets carries of
-   zero. */
+/* Runs a plan with sums that carry their rounding errors. A scene with
+   `carry` lines is stepped in this way, so the copy of the scene gets
+   carries of zero. */
 static bool run_with_carries(struct path *p, struct models_plan plan,
                              const struct scene *s, double every)
 {

@@ -183,19 +183,15 @@ static void compare_engines(struct study *s, size_t movers,
 {
     const struct start_request request = {
         .kind = START_RANDOM, .movers = movers, .seed = s->seed};
-    double rounds[BONKERS_ENGINES][BENCH_ROUNDS];
     struct bonkers b[BONKERS_ENGINES];
     for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e)
         begin_or_exit(&b[e], &request, (enum bonkers_engine)e);
-    for (int k = -1; k < BENCH_ROUNDS; ++k)
-        for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e)
-            rounds[e][k < 0 ? 0 : k] = speed_of(&b[e]);
+    BENCH_TURNS(e, BONKERS_ENGINES - BONKERS_NAIVE, speed + BONKERS_NAIVE,
+                speed_of(&b[BONKERS_NAIVE + e]));
     const struct bonkers *slab = &b[BONKERS_SLAB];
     speed[0] = 100 * (double)slab->redone / (double)slab->collisions;
-    for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e) {
-        speed[e] = bench_median(rounds[e], BENCH_ROUNDS);
+    for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e)
         bonkers_free(&b[e]);
-    }
 }
 
 /* Numbers of particles; the small ones are close together, to find where

@@ -127,21 +127,15 @@ static double speed_of(struct engines *e, bool fast)
     return (double)(d->collisions - before) / seconds;
 }
 
-/* Times both engines: one round of each is discarded, then they alternate,
-   and the medians are taken. *pairs is NaN if there are too many disks for
+/* Times both engines. *pairs is NaN if there are too many disks for
    pairs. */
 static void compare(struct engines *e, double *pairs, double *cells)
 {
     const bool both = e->disks.count <= PAIRS_MOST;
-    double rounds[2][BENCH_ROUNDS] = {{0}};
-    for (int k = -1; k < BENCH_ROUNDS; ++k) {
-        const int at = k < 0 ? 0 : k;
-        rounds[1][at] = speed_of(e, true);
-        if (both)
-            rounds[0][at] = speed_of(e, false);
-    }
-    *cells = bench_median(rounds[1], BENCH_ROUNDS);
-    *pairs = both ? bench_median(rounds[0], BENCH_ROUNDS) : NAN;
+    double speed[] = {0, NAN};
+    BENCH_TURNS(k, both ? 2 : 1, speed, speed_of(e, k == 0));
+    *cells = speed[0];
+    *pairs = speed[1];
 }
 
 /* Returns the bytes of memory for a disk. Call it at the end, when the

@@ -393,9 +393,8 @@ static double speed_of(struct disks *d, bool plan)
     return (double)(d->collisions + d->wall_collisions - before) / seconds;
 }
 
-/* Measures both engines. They take turns, and the median of five rounds
-   counts after one that is overwritten. Each engine goes on with a gas of
-   its own, so that the rounds are stretches of one run. */
+/* Measures both engines. Each goes on with a gas of its own, so that its
+   rounds are stretches of one run. */
 static void study_speed(struct study *s)
 {
     bench_machine(s->out);
@@ -404,21 +403,16 @@ static void study_speed(struct study *s)
                   {"plan", "1/s", "collisions, a plan remembered"});
     for (size_t n = 4; n <= 1024 && !progress_signal(); n *= 2) {
         const double length = sqrt((double)n * 0.785398163397448 / 0.3);
-        double rounds[2][BENCH_ROUNDS], row[] = {(double)n, 0, 0};
+        double row[] = {(double)n, 0, 0};
         struct random r;
         struct disks d[2];
         for (int way = 0; way < 2; ++way) {
             random_seed(&r, s->seed);
             begin_or_exit(&d[way], n, 0.5, length, 1, &r);
         }
-        for (int round = -1; round < BENCH_ROUNDS; ++round)
-            for (int way = 0; way < 2; ++way)
-                rounds[way][round < 0 ? 0 : round] =
-                    speed_of(&d[way], way == 1);
-        for (int way = 0; way < 2; ++way) {
-            row[1 + way] = bench_median(rounds[way], BENCH_ROUNDS);
-            disks_free(&d[way]);
-        }
+        BENCH_TURNS(way, 2, row + 1, speed_of(&d[way], way == 1));
+        disks_free(&d[0]);
+        disks_free(&d[1]);
         table_row(s->out, 3, row);
     }
 }

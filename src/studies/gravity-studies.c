@@ -1224,27 +1224,21 @@ static void measure_two(double *general, double *by_hand)
     end_sky(&k);
 }
 
-/* Writes the row of a kernel. Peak and kernel alternate, so that both are
-   measured on the machine in the same condition, and the medians are
-   compared. */
+/* Writes the row of a kernel, compared with the peak of the machine. */
 static void measure_kernel(struct study *s, struct sky *k, double a[],
                            enum gravity_kernel kernel)
 {
     const struct yardstick y = yardstick(kernel);
-    double pairs[BENCH_ROUNDS], peak[BENCH_ROUNDS];
+    double v[2]; /* peak, kernel */
     k->gravity.kernel = kernel;
     const double error = kernel_error(&k->gravity, k->scene.position, a);
-    for (int round = -1; round < BENCH_ROUNDS; ++round) {
-        const int at = round < 0 ? 0 : round; /* the first: a warm-up */
-        peak[at] = measure_peak(&y);
-        pairs[at] =
-            measure_pairs(&k->gravity, bench_seconds, k->scene.position, a);
-    }
-    const double p = bench_median(pairs, BENCH_ROUNDS);
-    const double most = bench_median(peak, BENCH_ROUNDS);
+    BENCH_TURNS(way, 2, v,
+                way == 0 ? measure_peak(&y)
+                         : measure_pairs(&k->gravity, bench_seconds,
+                                         k->scene.position, a));
     table_print(s->out, "%-9s %.4g %.3g %.4g %.3g %.2g\n",
-                gravity_kernels[kernel], p, y.operations, most,
-                100 * p * y.operations / most, error);
+                gravity_kernels[kernel], v[1], y.operations, v[0],
+                100 * v[1] * y.operations / v[0], error);
 }
 
 /* Measures on a ring all kernels that this machine has and that sum pairs,
@@ -1370,18 +1364,13 @@ static double tree_error(const struct sky *k, const double a[],
 static void compare_tree(struct study *s, size_t particles)
 {
     struct sky k;
-    double ms[WAYS][BENCH_ROUNDS];
     begin_sky(&k, "ring", GALLERY_CHOICES({"particles", (double)particles}),
               "leapfrog", 4);
     double *a = malloc(WAYS * 3 * k.scene.bodies * sizeof *a);
     program_memory(a, NULL);
     const size_t n = 3 * k.scene.bodies;
-    for (int i = -1; i < BENCH_ROUNDS; ++i)
-        for (int w = 0; w < WAYS; ++w)
-            ms[w][i < 0 ? 0 : i] = time_forces(&k, w, a + (size_t)w * n);
     double t[WAYS];
-    for (int w = 0; w < WAYS; ++w)
-        t[w] = bench_median(ms[w], BENCH_ROUNDS);
+    BENCH_TURNS(w, WAYS, t, time_forces(&k, w, a + (size_t)w * n));
     table_print(s->out, "%zu %.4g %.4g", particles, t[DIRECT], t[LANES]);
     for (int w = NARROW; w < WAYS; ++w)
         table_print(s->out, " %.4g %.2g %.2g", t[w],

@@ -1086,9 +1086,7 @@ static double speed_of(struct run *r, double (*seconds)(void))
     return (double)(steps * r->scene.bodies) / (seconds() - start);
 }
 
-/* Measures the speed of each way to step membranes. The ways take turns, so
-   that disturbances of the machine affect all of them. The first round is
-   discarded; of the others the median is taken. */
+/* Measures the speed of each way to step membranes. */
 static void study_speed(struct study *s)
 {
     double most = 0, least = INFINITY;
@@ -1100,18 +1098,12 @@ static void study_speed(struct study *s)
                   {"twice", "1/s", "each body looks at all its springs"});
     for (size_t n = 8; n <= 512 && !progress_signal(); n *= 2) {
         double row[1 + SPEEDS] = {(double)n};
-        double rounds[SPEEDS][BENCH_ROUNDS];
         struct run r[SPEEDS];
         for (int way = 0; way < SPEEDS; ++way)
             make_fast(&r[way], n, way);
-        for (int round = -1; round < BENCH_ROUNDS; ++round)
-            for (int way = 0; way < SPEEDS; ++way)
-                rounds[way][round < 0 ? 0 : round] =
-                    speed_of(&r[way], bench_seconds);
-        for (int way = 0; way < SPEEDS; ++way) {
-            row[1 + way] = bench_median(rounds[way], BENCH_ROUNDS);
+        BENCH_TURNS(way, SPEEDS, row + 1, speed_of(&r[way], bench_seconds));
+        for (int way = 0; way < SPEEDS; ++way)
             tidy_up(&r[way]);
-        }
         table_row(s->out, 1 + SPEEDS, row);
         most = fmax(most, row[1 + GATHER]);
         if (n >= 64)

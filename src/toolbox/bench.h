@@ -10,7 +10,10 @@
 
 #include <stddef.h>
 
-enum { BENCH_ROUNDS = 5 }; /* runs for a median */
+enum {
+    BENCH_ROUNDS = 5, /* runs of which the median is taken */
+    BENCH_MOST = 8    /* values that take turns, at most */
+};
 
 /* Returns the processor time that this process has used, s. */
 double bench_seconds(void);
@@ -22,6 +25,21 @@ double bench_clock(void);
 
 /* Sorts n values, n > 0, and returns the middle one, the upper of two. */
 double bench_median(double values[], size_t n);
+
+/* Sets median[i], for i from 0 to n - 1, to the median of `value`, an
+   expression in i. The values take turns, round by round, after a first
+   round that warms up and is overwritten. n is BENCH_MOST at most. */
+#define BENCH_TURNS(i, n, median, value)                                   \
+    do {                                                                   \
+        double bench_value[BENCH_MOST][BENCH_ROUNDS];                      \
+        for (int bench_round = -1; bench_round < BENCH_ROUNDS;             \
+             ++bench_round)                                                \
+            for (int i = 0; i < (n); ++i)                                  \
+                bench_value[i][bench_round < 0 ? 0 : bench_round] =        \
+                    (value);                                               \
+        for (int i = 0; i < (n); ++i)                                      \
+            (median)[i] = bench_median(bench_value[i], BENCH_ROUNDS);      \
+    } while (0)
 
 /* Writes the processor's name, where Linux tells it, and the compiler into
    the head of a table. */

@@ -22,6 +22,19 @@ TEST(test_sorted, "the values are sorted, the least first")
         UNIT_TRUE(values[i - 1] < values[i]);
 }
 
+/* The calls are numbered from 0. With two values the first round has the
+   calls 0 and 1, which do not count; the median of 2, 4, ..., 10 is 6. */
+TEST(test_turns, "values take turns, and their first round is discarded")
+{
+    int calls = 0;
+    double median[] = {-1, -1, -1};
+    BENCH_TURNS(i, 2, median, calls++ + 100 * i);
+    UNIT_EQUAL(calls, 2 * (BENCH_ROUNDS + 1));
+    UNIT_EQUAL(median[0], 6);
+    UNIT_EQUAL(median[1], 107);
+    UNIT_EQUAL(median[2], -1);
+}
+
 /* clock() has steps of a microsecond; the loop ends by the clock itself. */
 TEST(test_seconds, "the processor's clock runs")
 {

@@ -356,12 +356,21 @@ TEST(test_refusals, "scenes without an average are refused")
     s.gravity[1] = -1;
     UNIT_TRUE(says(&s, "pressure", "no force"));
     s.gravity[1] = 0;
+    s.k2 = 1;
+    UNIT_TRUE(says(&s, "pressure", "no force"));
+    s.k2 = 0;
+    s.damping = 1;
+    UNIT_TRUE(says(&s, "pressure", "no force"));
+    s.damping = 0;
     s.wall[1] = SCENE_OPEN;
     UNIT_TRUE(says(&s, "pressure", "not closed"));
     s.wall[0] = s.wall[1] = SCENE_PERIODIC;
     UNIT_TRUE(says(&s, "x:0", "periodic"));
     s.wall[0] = s.wall[1] = SCENE_HARD;
     UNIT_TRUE(says(&s, "x:0", "does not settle"));
+    UNIT_MUST(scene_add_kind(&s, 1, 0) && scene_add_spring(&s, 0, 1, 0, 1));
+    UNIT_TRUE(says(&s, "pressure", "no force"));
+    s.springs = 0;
     for (size_t i = 0; i < 8; ++i)
         s.velocity[i] = 0;
     UNIT_TRUE(says(&s, "pressure", "othing moves") ||

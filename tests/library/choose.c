@@ -165,8 +165,10 @@ TEST(test_exact, "what has a closed form is carried so")
          ++j) {
         const struct trial *t = &exact_trials[j];
         FREED(scene) s = made(t->name, NULL, 0);
+        s.time = 3;
         const struct choose_request q = asked(&s, t->until, 1e-6);
         CHOICE c = chosen(&q, true);
+        UNIT_EQUAL(c.rows, 16);
         UNIT_TRUE(takes(&c, t->truth));
         UNIT_EQUAL(c.candidate[c.taken].error, c.rounding);
         UNIT_TRUE(c.rounding > 0 && c.rounding < 1e-7);

@@ -209,9 +209,11 @@ TEST(test_starts, "starts are found, or not")
     UNIT_TRUE(disks_fit(&s.disks, &a, &b));
     UNIT_EQUAL(s.disks.disk[3].radius, 0.24);
     sampling_free(&s);
-    box(&s, 2, DISKS_WALLS, unit, 4, 0.251);
-    UNIT_TRUE(!sampling_start(&s, &r));
-    sampling_free(&s);
+    for (int periodic = 0; periodic < 2; ++periodic) {
+        box(&s, 2, periodic ? DISKS_PERIODIC : DISKS_WALLS, unit, 4, 0.251);
+        UNIT_TRUE(!sampling_start(&s, &r));
+        sampling_free(&s);
+    }
     UNIT_TRUE(sampling_create(&s, 2, DISKS_WALLS, unit, 1, 0.3, 500, 0.1));
     UNIT_TRUE(sampling_start(&s, &r));
 }

@@ -488,6 +488,11 @@ TEST(test_next, "the next rung")
     choice.run.value = NULL;
     UNIT_EQUAL(next_steps(&l), 144);
     choice.spent = 0;
+    l.best.error = 2e-6; /* one octave: 2^(1/2.4) ms are 1.335 */
+    choice.run.value = &value;
+    choice.run.cost = 0.00138 / 0.98; /* an eighth less: 20.3 steps */
+    UNIT_EQUAL(next_steps(&l), 22);
+    choice.run.value = NULL;
     /* An error beyond the scale bounds nothing: at twice the cost, if that
        can be paid, whatever the order promises. */
     l.best.error = 1.5;

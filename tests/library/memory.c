@@ -58,6 +58,7 @@ static bool builds(UNUSED void *unused)
 static bool parses(void *unused)
 {
     static const char text[] = "pos 0 0 0 0 1 0 .1\npos 1 1 0 0 1 0 .1\n"
+                               "carry 0 1 2 3 4 5 6\n"
                                "s 0 5 0\ns 1 7 0\nsl 0 1 0\nsl 1 0 1\n";
     struct scene s;
     struct scene_error e;

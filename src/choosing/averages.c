@@ -11,7 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Quantities by kind; a place has no plain name, but an axis and a body. */
+/* Names and symbols of the quantities, by kind. A place has no fixed name;
+   it is named by its axis and body. */
 static const struct {
     const char *name, *symbol;
 } plain[] = {[AVERAGES_PRESSURE] = {"pressure", "Z"},
@@ -28,7 +29,7 @@ bool averages_read(struct averages_quantity *q, const char *name,
             return true;
         }
     char *end;
-    /* A digit follows at once: strtoull would take blanks and signs. */
+    /* The digit is checked, as strtoull accepts blanks and signs. */
     if ((name[0] == 'x' || name[0] == 'y') && name[1] == ':' &&
         name[2] >= '0' && name[2] <= '9') {
         const unsigned long long body = strtoull(name + 2, &end, 10);
@@ -55,18 +56,18 @@ const char *averages_name(const struct averages_quantity *q,
     return q->kind == AVERAGES_PRESSURE ? "" : "mass length^2/time^2";
 }
 
-/* What is asked, and what is known of the scene. */
+/* The request, the result, and the properties of the scene. */
 struct search {
     const struct averages_request *q;
     struct averages_found *f;
     const struct scene *s;
-    size_t n, axis, dimensions; /* bodies; the first axis of 1 or 2 */
+    size_t n, axis, dimensions; /* number of bodies; first of 1 or 2 axes */
     bool periodic;
-    double box[2]; /* from wall to wall, m */
-    double energy; /* kinetic, J; without walls: about the centre */
-    double mass;   /* of all, kg */
+    double box[2]; /* distances between walls, m */
+    double energy; /* kinetic, J; in a periodic box relative to the drift */
+    double mass;   /* total, kg */
     double radii;  /* sum, m */
-    bool equal;    /* all masses are */
+    bool equal;    /* whether all masses are equal */
 };
 
 static double coordinate(const struct search *h, size_t i)
@@ -74,9 +75,9 @@ static double coordinate(const struct search *h, size_t i)
     return h->s->position[h->axis * h->n + i];
 }
 
-/* Returns twice the kinetic energy along an axis, J. In a periodic box that
-   of the centre of mass is taken out: it flies for ever, and its part of
-   the energy makes no pressure. */
+/* Returns twice the kinetic energy along an axis, J. In a periodic box the
+   energy of the centre of mass is subtracted: its motion is constant and
+   contributes nothing to the pressure. */
 static double energy_along(const struct search *h, size_t axis,
                            const double velocity[])
 {
@@ -106,11 +107,10 @@ static void add_up(struct search *h)
     }
 }
 
-/* Returns the mean place of a body in the end, m, if the scene mixes. In a
-   box between four walls it is the middle for each disk, as left and right
-   are alike. On a line the k-th of n bodies has k/(n + 1) of the free
-   length to its left, if all states are equally likely, and the other
-   bodies besides. */
+/* Returns the mean place of a body at equilibrium, m. For a disk in a box
+   between four walls it is the centre, by symmetry. On a line, with all
+   states equally likely, the k-th of n bodies has to its left k/(n + 1) of
+   the free length, plus the lengths of the other bodies. */
 static double settled_place(const struct search *h, size_t body)
 {
     const size_t axis = h->q->quantity.axis;
@@ -127,8 +127,7 @@ static double settled_place(const struct search *h, size_t body)
            (h->box[0] - 2 * h->radii) * (double)rank / (double)(h->n + 1);
 }
 
-/* Returns what errors of the quantity are divided by, if it has this
-   value. */
+/* Returns the divisor of errors of the quantity, which has this value. */
 static double scale_of(const struct search *h, double value)
 {
     const struct averages_quantity *q = &h->q->quantity;
@@ -137,11 +136,11 @@ static double scale_of(const struct search *h, double value)
     return q->kind == AVERAGES_PLACE ? h->box[q->axis - h->axis] : value;
 }
 
-/* Returns NULL with *h filled in, or why there is nothing to average. All
-   these refusals need no run: forces, losses and held bodies have
-   equilibria of their own, which are not known here; and bodies that meet
-   walls only, two on a line, and equal masses on a line, which exchange
-   their speeds, have places that depend on the start for ever. */
+/* Fills in *h and returns NULL, or returns why there is no average. No run
+   is needed for these refusals: forces, losses and fixed bodies lead to
+   other equilibria, which are not known here; and bodies that meet only
+   walls, two bodies on a line, and equal masses on a line, which exchange
+   their speeds, have mean places that always depend on the start. */
 static const char *survey(struct search *h)
 {
     const struct scene *s = h->s;
@@ -189,16 +188,16 @@ static const char *survey(struct search *h)
     return NULL;
 }
 
-/* Rounds x up to two digits: the value that a refusal suggests, as it is
-   printed, is then large enough. */
+/* Rounds x up to two digits, so that the value suggested by a refusal is
+   large enough as printed. */
 static double round_up(double x)
 {
     const double unit = pow(10, floor(log10(x)) - 1);
     return ceil(x / unit) * unit;
 }
 
-/* Answers with what elastic contacts conserve: the kinetic energy of the
-   scene as it is, drift and all three axes included. */
+/* Computes the answer from what elastic contacts conserve: the kinetic
+   energy of the whole scene, including the drift and all three axes. */
 static void answer_conserved(const struct search *h)
 {
     struct averages_found *f = h->f;
@@ -208,7 +207,7 @@ static void answer_conserved(const struct search *h)
         energy += h->s->mass[i % h->n] * v * v / 2;
         free += h->s->freedom[i];
     }
-    /* A drift is no heat; what the sum rounds by is no drift. */
+    /* A drift is no heat; a rounding error of the sum is no drift. */
     const bool drifts =
         h->periodic &&
         energy - h->energy > DBL_EPSILON * (double)h->n * energy;
@@ -219,10 +218,11 @@ static void answer_conserved(const struct search *h)
     snprintf(f->text, AVERAGES_TEXT, "elastic contacts change neither");
 }
 
-/* Answers with Tonks's law and the proven bound of a run's difference from
-   it (12.16, eq:averages-bound). Z is the virial's, with the room of the
-   centres for V: the box less the radii of the two outer bodies. As NkT is
-   2K on a line, Z is the ratio of that room to the free length. */
+/* Computes the answer from Tonks's law, with a proven bound of a run's
+   difference from it (12.16, eq:averages-bound). Z is that of the virial,
+   with V the length available to the centres: the box less the radii of the
+   two outer bodies. As NkT is 2K on a line, Z is the ratio of V to the free
+   length. */
 static void answer_tonks(const struct search *h)
 {
     struct averages_found *f = h->f;
@@ -245,22 +245,22 @@ static void answer_tonks(const struct search *h)
                  round_up(f->error * h->q->until / h->q->tolerance));
 }
 
-/* Bodies whose mean places are compared with what they are in the end: the
-   one that is asked for, and up to seven witnesses. */
+/* Most bodies whose mean places are compared with those at equilibrium: the
+   requested body, and up to seven others. */
 enum { WITNESSES = 8 };
 
-/* A run by events, and what the last look at it has shown. */
+/* A run by events, and the results of its last evaluation. */
 struct measurement {
     const struct search *h;
     struct models_run run;
     struct blocks blocks;
     size_t columns, places, body[WITNESSES];
-    double most, interval; /* samples in T; s from one to the next */
-    double virial;         /* J s, so far */
-    bool over;             /* it cannot go on */
-    const char *why;       /* it has not settled; NULL: it has */
+    double most, interval; /* samples in T; time between them, s */
+    double virial;         /* up to the last sample, J s */
+    bool over;             /* the run cannot continue */
+    const char *why;       /* why it is not at equilibrium, or NULL */
     double first;          /* mean of the first quarter */
-    double mean, se;       /* of the rest, and one standard error of it */
+    double mean, se;       /* of the other three; its standard error */
 };
 
 static double cost(const struct measurement *w)
@@ -268,11 +268,11 @@ static double cost(const struct measurement *w)
     return models_cost(w->run.work);
 }
 
-/* Returns how many samples there are in T. That of a pressure is the virial
-   of all the time since the last, so nothing is lost between them: a
-   quarter of the way from one body to the next is often enough. That of a
-   place is a place: a sixteenth of the way through the box. At least 256,
-   so that there are blocks. */
+/* Returns the number of samples in T. A pressure sample is the virial of
+   all the time since the last sample, so none is lost: a quarter of the
+   flight from one body to the next is often enough. A sample of a place is
+   momentary: a sixteenth of the flight through the box. The minimum of 256
+   ensures that there are blocks. */
 static double samples_of(const struct search *h)
 {
     const struct averages_quantity *q = &h->q->quantity;
@@ -285,9 +285,9 @@ static double samples_of(const struct search *h)
     return fmax(256, ceil(T / way * sqrt(kT / mass)));
 }
 
-/* Takes bodies whose place in the end is known as well as that of the one
-   that is asked for: on a line any, in the plane disks that are just alike
-   and as quick to get there. */
+/* Selects bodies whose mean places at equilibrium are known as well: on a
+   line any bodies, in the plane disks equal to the requested one, which
+   relax equally fast. */
 static void choose_witnesses(struct measurement *w)
 {
     const struct scene *s = w->h->s;
@@ -302,9 +302,9 @@ static void choose_witnesses(struct measurement *w)
             w->body[w->places++] = i;
 }
 
-/* Begins the run, of beads on a line or of disks in the plane. Returns
-   NULL, or why there is none. A sample has a column for each place, or one
-   for the pressure, and a last one for `relaxation`. */
+/* Begins the run, of bodies on a line or of disks in the plane. Returns
+   NULL, or why it cannot. A sample has a column for each place, or one for
+   the pressure, and a last one for `relaxation`. */
 static const char *begin_measurement(struct measurement *w,
                                      const struct search *h)
 {
@@ -324,12 +324,12 @@ static const char *begin_measurement(struct measurement *w,
     return why;
 }
 
-/* Returns a function of the velocities whose mean is 1 once the start is
-   forgotten, if all states of the energy are equally likely. In the plane
-   half of the energy then belongs to the motion along each axis. On a line
-   the square roots of the bodies' fractions e_i of the energy are the
-   coordinates of a random point on a sphere in n dimensions, and the mean
-   of the sum of e_i^2 is 3/(n + 2). */
+/* Returns a function of the velocities whose mean is 1 at equilibrium, if
+   all states of the energy are equally likely. In the plane half of the
+   energy then belongs to the motion along each axis. On a line the square
+   roots of the bodies' fractions e_i of the energy are the coordinates of a
+   random point on a sphere in n dimensions, and the mean of the sum of
+   e_i^2 is 3/(n + 2). */
 static double relaxation(const struct search *h, const double velocity[])
 {
     double sum = 0;
@@ -345,9 +345,10 @@ static double relaxation(const struct search *h, const double velocity[])
     return sum * (double)(h->n + 2) / 3;
 }
 
-/* Takes the next sample. A row moves every body to its time, which is on
-   the bill. In a periodic box the centre of mass has one body's part of the
-   energy, so (7.5, eq:virial) has (N - 1)/N before its sum. */
+/* Takes the next sample; returns false if the run ends. Each row moves
+   every body to its time, which counts as cost. In a periodic box the
+   centre of mass has one body's share of the energy, so the sum in (7.5,
+   eq:virial) has the factor (N - 1)/N. */
 static bool sample(struct measurement *w, double value[])
 {
     const struct search *h = w->h;
@@ -366,7 +367,8 @@ static bool sample(struct measurement *w, double value[])
     return true;
 }
 
-/* Returns the average of some blocks of a column, with their means in x. */
+/* Returns the average of blocks from to to-1 of a column; fills x with
+   their means. */
 static struct blocks_average part(const struct measurement *w,
                                   size_t column, size_t from, size_t to,
                                   double x[])
@@ -377,9 +379,9 @@ static struct blocks_average part(const struct measurement *w,
     return blocks_average_of(to - from, x);
 }
 
-/* Returns how far places are from where they are in the end, m: the one
-   that is asked for, or the root mean square of all if that is larger, lest
-   the one be right by chance. */
+/* Returns the distance of mean places from those at equilibrium, m: of the
+   requested body, or the root mean square of all if larger, in case the
+   former is right by chance. */
 static double distance_from_law(const struct measurement *w, size_t from)
 {
     double x[BLOCKS_MOST] = {0}, squares = 0, own = 0;
@@ -392,10 +394,9 @@ static double distance_from_law(const struct measurement *w, size_t from)
     return fmax(own, sqrt(squares));
 }
 
-/* Returns whether the velocities have forgotten the start: whether their
-   relaxation has come to its mean, 1. On a line, where a heavy body
-   remembers for very long, its errors must have a plateau, too. Returns
-   false if memory runs out. */
+/* Returns whether the velocities have forgotten the start: whether the mean
+   of relaxation is 1. On a line, where a heavy body relaxes very slowly,
+   its error must also have a plateau. Returns false if memory runs out. */
 static bool has_relaxed(const struct measurement *w, size_t from)
 {
     struct statistics_blocking b;
@@ -407,12 +408,12 @@ static bool has_relaxed(const struct measurement *w, size_t from)
            fabs(off) <= 5 * b.error + 1e-9;
 }
 
-/* Judges the last three quarters of the run (the first still knows how it
-   began). The error can be believed when blocks have a plateau, the mean
-   has stopped drifting, bodies are where they are in the end, and
-   velocities have forgotten the start. It is taken as large as it may be: a
-   run that stops when its error is small enough stops when it is too small
-   by chance. Returns false if memory runs out. */
+/* Evaluates the last three quarters of the run (the first still depends on
+   the start). The error is reliable when blocks have a plateau, the mean no
+   longer drifts, and places and velocities are at equilibrium. The largest
+   estimate is used: a run that stops when its error is small enough tends
+   to stop when the estimate is too small by chance. Returns false if memory
+   runs out. */
 static bool judge(struct measurement *w)
 {
     const size_t n = w->blocks.count, from = (n + 3) / 4;
@@ -436,14 +437,13 @@ static bool judge(struct measurement *w)
     return true;
 }
 
-/* Returns the fraction of T that events have gone through. */
+/* Returns the fraction of T that has been simulated. */
 static double fraction_run(const struct measurement *w)
 {
     return (double)(w->blocks.count * w->blocks.per) / w->most;
 }
 
-/* Puts together the mean over T, and its error (12.14,
-   eq:averages-over). */
+/* Computes the mean over T, and its error (12.14, eq:averages-over). */
 static void conclude(struct averages_found *f, const struct measurement *w)
 {
     const double s = fraction_run(w), q = s / 4;
@@ -452,9 +452,9 @@ static void conclude(struct averages_found *f, const struct measurement *w)
     f->error = 2 * w->se * sqrt(square) / scale_of(w->h, f->value);
 }
 
-/* Returns by what factor the run has to become longer for an error of e: of
-   what the tolerance allows, the scatter of a run of the length T takes a
-   part. INFINITY: T is too short. At least that if it has not settled. */
+/* Returns by what factor the run must become longer for an error of e. The
+   scatter of a run of length T uses up part of e; INFINITY means that T is
+   too short. At least 2 if the run is not at equilibrium. */
 static double longer_by(const struct measurement *w, double e)
 {
     const double two = 2 * w->se / scale_of(w->h, w->mean);
@@ -466,8 +466,8 @@ static double longer_by(const struct measurement *w, double e)
                                : fmax(1.25, square / (e * e - scatter));
 }
 
-/* Goes on to so many samples, to the end of T or of what may be spent, and
-   judges the run. Returns false if memory runs out. */
+/* Continues the run up to this number of samples, the end of T or of the
+   budget, and evaluates it. Returns false if memory runs out. */
 static bool advance(struct measurement *w, double to)
 {
     double value[WITNESSES + 1];
@@ -480,12 +480,12 @@ static bool advance(struct measurement *w, double to)
     return judge(w);
 }
 
-/* Goes on until the error is small enough, or will not be for what may be
-   spent: for twice as long while nothing has settled, then for as long as
-   it takes. So there are few looks. A refusal waits for a hundredth of what
-   may be spent, lest it rest on a short look; and since the prices of runs
-   that have settled are rough, and errors taken large, half as much again
-   is not yet too much. Returns false if memory runs out. */
+/* Continues until the error is small enough, or cannot become so within the
+   budget: doubling the run while it is not at equilibrium, then for the
+   predicted time, so that evaluations are few. A refusal comes only after a
+   hundredth of the budget, so that it does not rest on a short run; as
+   predicted costs are rough, and errors overestimated, 1.5 times the budget
+   is not yet refused. Returns false if memory runs out. */
 static bool go_on_until_sure(struct averages_found *f,
                              struct measurement *w)
 {
@@ -509,9 +509,9 @@ static bool go_on_until_sure(struct averages_found *f,
     return true;
 }
 
-/* Says why events that have settled do not answer; brief: T is too short.
-   It offers the least error that T allows, or one that can be paid for; as
-   prices are rough, three times its price has to be in reason. */
+/* Writes why a run at equilibrium gives no answer; brief: T is too short.
+   Suggests the smallest error that T allows, or one within the budget; as
+   predicted costs are rough, three times that cost must be within it. */
 static void refuse_settled(char *to, const struct measurement *w,
                            double price, bool brief)
 {
@@ -533,8 +533,9 @@ static void refuse_settled(char *to, const struct measurement *w,
              fits < 0.25 ? "; %.2g fits" : "; no tolerance fits", fits);
 }
 
-/* Says why events do not answer. What has not settled may never do so, and
-   a mean that depends on the start is not given: the rows of a run are. */
+/* Writes why events give no answer. A run that is not at equilibrium may
+   never reach it; a mean that depends on the start is not given, but the
+   rows of a run would be. */
 static void refuse(char *to, const struct measurement *w)
 {
     const struct averages_request *q = w->h->q;
@@ -555,7 +556,7 @@ static void refuse(char *to, const struct measurement *w)
              (double)w->run.rows * w->interval, w->why, more);
 }
 
-/* Answers by a run of events. Returns false if memory runs out. */
+/* Computes the answer by a run of events. Returns false without memory. */
 static bool measure(const struct search *h)
 {
     struct averages_found *f = h->f;
@@ -577,9 +578,8 @@ static bool measure(const struct search *h)
     return well;
 }
 
-/* Answers in the way that suits the quantity and the scene; a model that
-   was asked for by name has to be that. Returns false if memory runs
-   out. */
+/* Computes the answer by the way that suits the quantity and the scene; a
+   way requested by name must be that one. Returns false without memory. */
 static bool answer(const struct search *h)
 {
     const enum averages_kind kind = h->q->quantity.kind;

@@ -1,4 +1,4 @@
-/* Finds the mean of a quantity over a time, or says why it cannot. */
+/* Computes the mean of a quantity over time, or says why it cannot. */
 #ifndef AVERAGES_H
 #define AVERAGES_H
 
@@ -9,50 +9,50 @@
 #include <stdint.h>
 
 enum averages_kind {
-    AVERAGES_PRESSURE,   /* Z = PV/NkT, V the room of the centres */
+    AVERAGES_PRESSURE,   /* Z = PV/NkT, V available to the centres */
     AVERAGES_PLACE,      /* of a body along an axis, m */
     AVERAGES_KINETIC,    /* energy, J */
-    AVERAGES_TEMPERATURE /* 2 K / free coordinates, J, with K relative to
-                            the drift in a box without walls */
+    AVERAGES_TEMPERATURE /* 2 K / (free coordinates), J; without walls K
+                            relative to the drift */
 };
 
-/* What the average is taken of. */
+/* The quantity whose mean is requested. */
 struct averages_quantity {
     enum averages_kind kind;
-    size_t body, axis; /* of a place */
+    size_t body, axis; /* for AVERAGES_PLACE */
 };
 
 struct averages_request {
     const struct scene *scene;
     struct averages_quantity quantity;
-    double until;      /* s: over which the mean is taken */
-    double tolerance;  /* of the error, fraction of the scale */
-    double budget;     /* what all may cost, s by the price list */
-    const char *model; /* NULL, or the way that has to be the one */
+    double until;      /* time over which the mean is taken, s */
+    double tolerance;  /* largest error, as a fraction of the scale */
+    double budget;     /* largest cost, s by the price list */
+    const char *model; /* NULL, or the only way that is allowed */
 };
 
-/* How an error is known. */
+/* The kinds of error of a mean. */
 enum averages_sure {
-    AVERAGES_EXACT,    /* rounding apart there is none */
-    AVERAGES_BOUND,    /* proved */
+    AVERAGES_EXACT,    /* only rounding */
+    AVERAGES_BOUND,    /* a proven bound */
     AVERAGES_ESTIMATE, /* measured: two standard errors */
-    AVERAGES_OUT       /* refused */
+    AVERAGES_OUT       /* no answer */
 };
 enum { AVERAGES_TEXT = 200, AVERAGES_REFUSAL = 400 };
-enum { AVERAGES_BUDGET = 60 }; /* s by the price list: a usual .budget */
+enum { AVERAGES_BUDGET = 60 }; /* default budget, s by the price list */
 
 struct averages_found {
     const char *way; /* conserved, tonks or events; NULL: none */
     enum averages_sure sure;
-    double value, error;      /* in its unit; fraction of the scale */
-    double scale;             /* 1 or Z, the larger; the box; the value */
-    double time, cost;        /* s simulated for it; s by the price list */
-    char text[AVERAGES_TEXT]; /* what was seen */
+    double value, error;      /* in its unit; as a fraction of the scale */
+    double scale;             /* max(1, Z); the box; or the value */
+    double time, cost;        /* simulated time, s; s by the price list */
+    char text[AVERAGES_TEXT]; /* how the answer was found */
     char refusal[AVERAGES_REFUSAL]; /* empty unless refused */
 };
 
-/* Reads pressure, kinetic, temperature, x:3 or y:0. If there is no such
-   average of this scene returns false and says why in message. */
+/* Reads pressure, kinetic, temperature, x:3 or y:0. Returns false, with an
+   error in message, if the scene has no such average. */
 bool averages_read(struct averages_quantity *q, const char *name,
                    const struct scene *s, char message[AVERAGES_TEXT]);
 
@@ -60,8 +60,8 @@ bool averages_read(struct averages_quantity *q, const char *name,
 const char *averages_name(const struct averages_quantity *q,
                           char symbol[32]);
 
-/* Finds an average within the tolerance. A refusal is a result. Returns
-   false if memory runs out. */
+/* Computes an average within the tolerance; a refusal counts as a result.
+   Returns false if memory runs out. */
 bool averages_find(struct averages_found *f,
                    const struct averages_request *q);
 

@@ -8,13 +8,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double first_limit = 0.1; /* s: of a run that may fail */
+static const double first_limit = 0.1; /* cost of a run that may fail, s */
 
-/* Returns what one of two twins would cost, s, that have been stopped at
-   the limit, the second in r, which is never ahead: from the rows that it
-   has reached, in proportion. If there is none, twins are run through a
-   sixteenth of a row, and through a sixteenth of that, and so on. INFINITY:
-   they part in the first row. */
+/* Returns the cost of one of two twins that were stopped at the limit, s.
+   It is extrapolated from the rows reached by r, the slower one. If there
+   are none, twins are run through a sixteenth of a row, then a sixteenth of
+   that, and so on. INFINITY if they differ in the first row. */
 static double price_of_twin(const struct task *t, const struct record *r)
 {
     double cost = r->cost, part = 1;
@@ -34,8 +33,8 @@ static double price_of_twin(const struct task *t, const struct record *r)
                        : INFINITY;
 }
 
-/* Writes down what twins have shown of an exact run a: its error, or that
-   they parted, or how one of them ended. */
+/* Stores the result of twins of an exact run a in its candidate: its error,
+   or that they differ, or how one of them ended. */
 static void judge_twins(const struct task *t, struct choose_candidate *k,
                         struct record *a, struct record *b, bool parted)
 {
@@ -50,10 +49,10 @@ static void judge_twins(const struct task *t, struct choose_candidate *k,
         task_explain(k, task_ending(a->end != MODELS_DONE ? a : b));
 }
 
-/* Tries a model without steps, whose only error is what rounding does to
-   it: with a small limit first, and again if that was too little and more
-   is worth it. Events that fork show the horizon of the scene; a formula
-   that loses its digits shows only what the formula loses. */
+/* Tries a model without steps, whose only error is due to rounding: with a
+   small cost limit first, and again if that was too little and more is
+   worthwhile. Twins of events that differ show the horizon of the scene;
+   those of a formula only show the accuracy of the formula. */
 static void try_exact(const struct task *t, const struct models_model *m)
 {
     struct record a = {0}, b = {0};
@@ -84,11 +83,11 @@ static int by_price(const void *a, const void *b)
     return one->price < other->price ? -1 : one->price > other->price;
 }
 
-/* Adds a ladder, with its first run, which gives a price at which it may
-   hold. If the reference is of the same method, its coarser run is the
-   first rung and costs nothing more, and the two show how the cost rises:
-   slowly for steps of their own length, as with an order of about seven ten
-   times better is a third more of them. */
+/* Adds a ladder, and makes its first run, which predicts the cost of a run
+   within the tolerance. If the reference uses this method, its coarser run
+   serves as the first rung at no cost, and the two runs show how the cost
+   rises: slowly for adaptive methods, as with an order of about seven a
+   tenfold accuracy takes a third more steps. */
 static void add_ladder(const struct task *t, struct ladder ladder[],
                        size_t *count, const struct models_model *m,
                        unsigned cuts)
@@ -116,9 +115,9 @@ static void add_ladder(const struct task *t, struct ladder ladder[],
             log2(f->run.cost / f->coarser.cost) /
             (rung_fineness(&f->run.plan) - rung_fineness(&f->coarser.plan));
     } else {
-        /* Steps of their own length at the tolerance that is asked for are
-           off by ten times as much or more, and will have to be finer: at
-           a quarter of the best price they may still win. */
+        /* An adaptive method with the requested tolerance has ten times
+           that error or more, so it needs finer steps: at a quarter of the
+           best cost it may still win. */
         const double may =
             l->rise < 1 ? task_best_cost(t) / 4 : task_best_cost(t);
         climb_note(t, l, rung_try(t, l, l->foot, may, k));
@@ -126,14 +125,14 @@ static void add_ladder(const struct task *t, struct ladder ladder[],
     l->price = climb_price(t, l);
 }
 
-/* What leapfrog leaves out on ladders of its own. It suffices for the rest:
-   what is left out is an error that no order makes smaller, and no other
-   method knows rods. */
+/* The simplifications for which leapfrog has ladders of its own. Other
+   methods need none: the error of a simplification does not depend on the
+   order, and no other method supports rods. */
 static const unsigned left_out[] = {0, MODELS_NO_LIGHT, MODELS_RODS};
 enum { LEFT_OUT = sizeof left_out / sizeof *left_out };
 
-/* Adds the ladders of a model whose method is one of those to be compared.
- */
+/* Adds the ladders of a model if its method takes part in the
+   comparison. */
 static void add_model(const struct task *t, struct ladder ladder[],
                       size_t *count, const struct models_model *m,
                       bool adaptive)
@@ -179,8 +178,8 @@ static void try_approximate(const struct task *t)
     }
 }
 
-/* Tries the plan that was asked for, as it is: if it does not hold, its
-   error is the answer. */
+/* Tries the requested plan without changes: if its error exceeds the
+   tolerance, that error is the answer. */
 static void try_only(const struct task *t)
 {
     const struct models_plan *only = t->q->only;
@@ -197,8 +196,8 @@ static void try_only(const struct task *t)
         task_refuse_plan(t, only, isinf(seen.cost) ? NULL : k->text, "");
 }
 
-/* Tries all that has to be compared with a reference: what leaves something
-   out, the coarser of its two runs, and the methods. */
+/* Tries all candidates that need a reference: simplified models, the
+   coarser run of the reference, and the methods. */
 static void compare(const struct task *t)
 {
     struct reference *f = t->f;
@@ -220,19 +219,19 @@ static void compare(const struct task *t)
     race(t, true);
 }
 
-/* Two references may agree by chance, and the tolerance be near the floor
-   of rounding though they do. If their errors were as large as the
-   tolerance, they would differ by less than this part of it by chance, once
-   in pi/2 seldom = 630 times (the book's P_1 of one twin): what
-   is_near_floor leaves is no less, so it is not asked. */
+/* Divisor of the tolerance. Two references may agree by chance although
+   rounding errors are almost as large as the tolerance. If their errors
+   were that large, they would differ by less than this part of the
+   tolerance once in pi/2 seldom = 630 cases (the book's P_1 of one twin).
+   is_near_floor leaves no smaller differences, so this is not tested. */
 static const double seldom = 400;
 
-/* Does rounding move what was taken by a 300th of the tolerance, or more? A
-   twin of it costs little, and tells. If not, but the spread of its errors
-   were such that they could break the promise, the twin would have come so
-   near by chance: in less than one of a hundred cases; and the two
-   references, too, to less than a twentieth, in one of a dozen. Each
-   without the other does no harm. */
+/* Returns whether rounding changes the chosen run by a 300th of the
+   tolerance or more. A twin of it, which costs little, tells. If rounding
+   errors could break the promise although it does not, the twin would have
+   come so close by chance, in less than one of a hundred cases; and the two
+   references, too, to less than a twentieth, in one of a dozen. Either
+   alone does no harm. */
 static bool is_near_floor(const struct task *t)
 {
     struct record twin;
@@ -244,9 +243,9 @@ static bool is_near_floor(const struct task *t)
     return 300 * far > t->q->tolerance;
 }
 
-/* Compares all with the reference. If the tolerance turns out to be near
-   the floor of rounding, the reference is compared with twins of its own,
-   and all with the reference once more. */
+/* Compares all candidates with the reference. If rounding errors turn out
+   to be near the tolerance, the reference gets further twins, and all
+   candidates are compared with it once more. */
 static void compare_surely(const struct task *t)
 {
     struct choose_choice *c = t->c;
@@ -268,7 +267,7 @@ static void compare_surely(const struct task *t)
         return;
     c->candidates = candidates;
     c->points = points;
-    if (!f->coarser.value) { /* it was taken, or was offered */
+    if (!f->coarser.value) { /* its rows were taken or suggested */
         const struct record_setup o =
             task_setup(t, f->coarser.plan, INFINITY);
         task_run(t, &f->coarser, &o);
@@ -277,9 +276,9 @@ static void compare_surely(const struct task *t)
 }
 
 /* Finds the answer. Exact models come first, as they need no reference; if
-   one meets the tolerance it is taken, since a search for a cheaper one
-   would cost more than it could save. Where nothing but collisions acts, a
-   fork that was seen in a run by events is final. */
+   one is within the tolerance it is taken, since searching for a cheaper
+   one would cost more than it could save. If only collisions act, a fork
+   seen in a run by events is final. */
 static void decide(const struct task *t)
 {
     const struct models_plan *only = t->q->only;
@@ -291,13 +290,13 @@ static void decide(const struct task *t)
     const bool falls = a->gravity || a->springs || a->weight || a->friction;
     if (t->c->run.value && t->c->horizon < INFINITY &&
         t->c->run.plan.model->family == MODELS_EVENTS)
-        record_free(&t->c->run); /* another way has seen it fork */
+        record_free(&t->c->run); /* another model has shown a fork */
     if (!t->c->run.value && (t->c->horizon == INFINITY || falls) &&
         task_budget(t) > 0 && reference_find(t, t->f))
         compare_surely(t);
 }
 
-/* Says why nothing was taken, if nobody has. */
+/* Writes why no run was taken, unless a reason has been written. */
 static void refuse(const struct task *t)
 {
     struct choose_choice *c = t->c;
@@ -325,8 +324,8 @@ static void refuse(const struct task *t)
                  t->q->tolerance, c->spent);
 }
 
-/* Refuses bodies that overlap at the start: what comes of it depends on how
-   long a step is. */
+/* Refuses bodies that overlap at the start, since their motion would depend
+   on the length of steps. Returns whether it did. */
 static bool overlaps(const struct task *t)
 {
     const double depth = spheres_depth(t->q->scene);
@@ -340,12 +339,12 @@ static bool overlaps(const struct task *t)
     return true;
 }
 
-/* Bodies up to which all pairs are measured: of more that would take longer
+/* Most bodies whose pairs are all measured: for more it would take longer
    than the answer. */
 enum { PAIRS_MOST = 2000 };
 
-/* Notes a pair nearer to each other than the tolerance, if it is one body,
-   far from all others, that makes the scale so long. */
+/* Records a pair nearer to each other than the tolerance, if a single body
+   far from all others makes the scale so long. */
 static void look_for_hidden(const struct task *t)
 {
     const struct scene *s = t->q->scene;
@@ -394,13 +393,13 @@ void choose_free(struct choose_choice *c)
     *c = (struct choose_choice){0};
 }
 
-/* No method with steps of one length has a higher order. */
+/* The highest order of methods with equal steps is eight. */
 static const char *const order_in_words[] = {"",      "first",   "second",
                                              "third", "fourth",  "fifth",
                                              "sixth", "seventh", "eighth"};
 
-/* Returns the cheapest that was not taken and costs more, by what it costs
-   or is foreseen to. */
+/* Returns the cheapest candidate that was not taken and costs more, and
+   sets *price to its actual or predicted cost. */
 static const struct choose_candidate *next_best(
     const struct choose_choice *c, double *price)
 {

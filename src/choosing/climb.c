@@ -1,11 +1,11 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 31407946 of the lines below */
-/* Finer and finer steps of one method, as long as they may pay. */
+/* checksum 4130803071 of the lines below */
+/* Tries finer and finer steps of one method, as long as they may pay. */
 #include "choosing/task.h"
 
 #include <math.h>
 
-static const double lost = 0.1; /* of the scale: it is on another way */
+static const double lost = 0.1; /* of the scale: entirely wrong */
 
 static bool is_lost(double error)
 {
@@ -21,8 +21,9 @@ static bool is_vain(const struct ladder *l, double error)
                               fabs(error - before) < 0.01 * error;
 }
 
-/* Does the last run tell nothing of the order? What a ladder leaves out
-   may be all of a large error: much finer steps are tried at once. */
+/* Returns whether the last error says nothing about the order, so that much
+   finer steps are tried at once. On a ladder with simplifications a large
+   error is not blind, since they may cause all of it. */
 static bool is_blind(const struct ladder *l)
 {
     const double error = l->best.error;
@@ -35,7 +36,7 @@ void climb_note(const struct task *t, struct ladder *l,
     const double fine = rung_fineness(&r.plan), e = t->q->tolerance;
     const bool holds = r.error <= e;
     if (!holds && is_vain(l, r.error))
-        l->most = -INFINITY; /* finer steps are no help */
+        l->most = -INFINITY; /* finer steps do not help */
     if (isinf(r.cost) || holds)
         l->most = fmin(l->most, fine);
     else
@@ -50,8 +51,7 @@ static double order_of_method(const struct ladder *l)
     return m->adaptive ? 1 : m->order;
 }
 
-/* Returns by how many octaves the error has to fall; INFINITY: it is not
-   known. */
+/* Returns by how many octaves the error must fall; INFINITY: unknown. */
 static double excess(const struct task *t, const struct ladder *l)
 {
     return log2(l->best.error / t->q->tolerance);
@@ -71,15 +71,15 @@ static double octaves_up(const struct task *t, const struct ladder *l)
     return fmin(more, FAR);
 }
 
-/* Returns, after the first run of a ladder, at what cost, s, it may meet
-   the tolerance. */
+/* Returns the cost, s, at which a ladder may meet the tolerance, as
+   predicted from its first run. */
 double climb_price(const struct task *t, const struct ladder *l)
 {
     return l->best.plan.model ? price_of(l, fmax(octaves_up(t, l), -FAR))
                               : INFINITY;
 }
 
-/* Returns the next rung that is worth a run; model NULL: none is. */
+/* Returns the next rung worth a run; its model is NULL if there is none. */
 static struct models_plan next_rung(const struct task *t,
                                     const struct ladder *l)
 {
@@ -103,8 +103,9 @@ static struct models_plan next_rung(const struct task *t,
     return next;
 }
 
-/* Notes what would hold, if the last error tells, and why it was not tried,
-   unless the last run has said so. */
+/* Stores the predicted cost of a run within the tolerance, if the last
+   error allows a prediction, and why it was not tried, unless the last run
+   has stored a reason. */
 static void foresee(const struct task *t, const struct ladder *l)
 {
     struct choose_candidate *k = l->candidate;

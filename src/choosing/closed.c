@@ -1,4 +1,4 @@
-/* Closed forms: an exponential, flight, an oscillator, points in order. */
+/* Closed forms: an exponential, flight, an oscillator, sorted points. */
 #include "choosing/closed.h"
 
 #include "forces/kepler.h"
@@ -7,10 +7,10 @@
 #include <stdlib.h>
 
 /* With x = n log 2 + r, e^x is 2^n e^r; the power is exact, and fourteen
-   terms of the series suffice for the rest: the next is r^15/15! <= 1e-19.
-   n log 2 is subtracted in two parts: n has at most 11 bits and the first
-   part 33, so their product is exact, and so is the difference of two
-   numbers that are nearly equal. Only the small second part is rounded. */
+   terms of the series suffice for e^r: the next is r^15/15! <= 1e-19. n log
+   2 is subtracted in two parts: n has at most 11 bits and the first part
+   33, so their product is exact, and so is the first difference, of nearly
+   equal numbers. Only the small second part is rounded. */
 double closed_exp(double x)
 {
     /* log 2 in two parts, the first of 33 bits */
@@ -25,8 +25,9 @@ double closed_exp(double x)
     return ldexp(sum, (int)n);
 }
 
-/* Returns phi_2 = (e^-z - 1 + z) / z^2 for z from 0 to 1, by its series:
-   the formula would lose all digits, and the others follow without loss. */
+/* Returns phi_2 = (e^-z - 1 + z) / z^2 for z from 0 to 1, by its series,
+   since the formula would lose all digits; the other phi follow from it
+   without loss. */
 static double phi2(double z)
 {
     double sum = 1;
@@ -37,7 +38,7 @@ static double phi2(double z)
 
 void closed_fly(double t, double rate, double g, double *x, double *v)
 {
-    if (rate == 0) { /* some operations instead of sixty */
+    if (rate == 0) { /* faster: a few operations instead of sixty */
         *x += (*v + g / 2 * t) * t;
         *v += g * t;
         return;
@@ -53,8 +54,8 @@ void closed_fly(double t, double rate, double g, double *x, double *v)
     *v = *v * left + g * t * p1;
 }
 
-/* Returns the sum of (-z)^n / (2n + first)!, first 0 or 1, for |z| <= 1:
-   the cosine of the root of z, or its sine divided by it. */
+/* Returns the sum of (-z)^n / (2n + first)!, with first 0 or 1, for |z| <=
+   1: cos(sqrt(z)), or sin(sqrt(z)) / sqrt(z). */
 static double series(double z, int first)
 {
     double sum = 1;
@@ -63,16 +64,16 @@ static double series(double z, int first)
     return sum;
 }
 
-/* One case for all rates of friction, as a series of squares does not mind
-   their sign (12.5, eq:models-swing); beyond |z| = 1 cosines, whose angle
-   is brought below a turn first, or exponentials: half the sum and
-   difference of two that decay, since a small number times a large one may
-   be 0 times infinity, and a difference of rates may cancel. */
+/* One series covers weak and strong friction, as it contains only squares
+   (12.5, eq:models-swing). Beyond |z| = 1 it uses a sine and cosine, whose
+   angle is first reduced to one turn, or exponentials: half the sum and
+   difference of two that decay, since a product of a small and a large
+   number may be 0 times infinity, and a difference of rates may cancel. */
 void closed_oscillate(double t, double square, double rate, double *y,
                       double *v)
 {
     const double half = rate / 2, w = square - half * half, z = w * t * t;
-    double c, s, decay = closed_exp(-half * t); /* s: of sine, times t */
+    double c, s, decay = closed_exp(-half * t); /* sine times t */
     if (z > 1) {
         const double angle = sqrt(w) * t, whole = 2 * KEPLER_PI;
         kepler_turn(angle - whole * floor(angle / whole), &c, &s);
@@ -97,7 +98,7 @@ struct point {
 };
 
 /* Compares two points for qsort: by place, and at one place by velocity,
-   since of two points that have just met the left one is the slower. */
+   since of two points that have just met the left one is slower. */
 static int by_place(const void *one, const void *other)
 {
     const struct point *a = one, *b = other;
@@ -106,8 +107,8 @@ static int by_place(const void *one, const void *other)
     return (a->v > b->v) - (a->v < b->v);
 }
 
-/* Folds the circle of a point between two walls: u is where it would be on
-   the way there and back, 0 to twice the width, and v its velocity. */
+/* Returns the point between two walls for a point at u, from 0 to twice the
+   width, with velocity v on a circle that leads there and back. */
 static struct point unfold(double low, double width, double u, double v)
 {
     u -= 2 * width * floor(u / (2 * width));
@@ -118,8 +119,8 @@ static struct point unfold(double low, double width, double u, double v)
     return (struct point){low + u, u == width ? -fabs(v) : v};
 }
 
-/* Reflects a point that has flown freely at the walls. One wall can be met
-   once only. */
+/* Returns where a point that has flown freely would be with walls, at which
+   it is reflected. A single wall is met at most once. */
 static struct point fold(double low, double high, struct point p)
 {
     const bool left = low > -INFINITY, right = high < INFINITY;
@@ -132,8 +133,8 @@ static struct point fold(double low, double high, struct point p)
     return p;
 }
 
-/* Fly, fold and sort: what it costs depends neither on the time nor on the
-   number of collisions. */
+/* Moves freely, reflects and sorts the points: its cost depends neither on
+   the time nor on the number of collisions. */
 bool closed_relabel(double low, double high, size_t n, double x[],
                     double v[], double t)
 {
@@ -151,10 +152,10 @@ bool closed_relabel(double low, double high, size_t n, double x[],
     return true;
 }
 
-/* Returns the whole turns by which one point is ahead of another, the
-   faster one of the slower: way and v are what it has more. A line with
-   one wall or none is a circle without end: -1 as long as it is behind,
-   then 0. */
+/* Returns by how many whole turns the faster of two points is ahead of the
+   slower; way and v are the differences of place and velocity. A line with
+   fewer than two walls is an infinite circle: -1 while the faster is
+   behind, then 0. */
 static double turns_ahead(double way, double v, double circle)
 {
     if (v == 0)
@@ -164,8 +165,9 @@ static double turns_ahead(double way, double v, double circle)
     return circle < INFINITY ? floor(way / circle) : way < 0 ? -1 : 0;
 }
 
-/* Sums that over all pairs, after the time t; where there is a wall, with
-   images at -x, which move at -v, and with the own image of each. */
+/* Returns the sum of turns_ahead over all pairs after the time t, s; with a
+   wall also over images at -x with velocity -v, each point's own
+   included. */
 static double count_until(size_t n, const double x[], const double v[],
                           double t, double wall, double circle, bool images)
 {

@@ -6,7 +6,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* e to the x, to 1e-15 of itself if x > -708; the same bits everywhere. */
+/* Returns e to the x, with a relative error of 1e-15 if x > -708 and equal
+   bits on every machine. */
 double closed_exp(double x);
 
 /* Moves a body by the time t (s) under a constant acceleration g (m/s^2)
@@ -21,15 +22,15 @@ void closed_oscillate(double t, double square, double rate, double *y,
                       double *v);
 
 /* Moves equal points on a line by the time t, s, between elastic walls at
-   low and high (m; -INFINITY, INFINITY: none). x and v are in order from
+   low and high (m; -INFINITY, INFINITY: no wall). x and v are in order from
    left to right, before and after. Returns false if memory runs out. */
 bool closed_relabel(double low, double high, size_t n, double x[],
                     double v[], double t);
 
 /* Returns how often the points have met each other and the walls by the
-   time t, not counting those that touch at the start; UINT64_MAX if that is
-   more often than it can hold. Takes a time of the order of n^2. Source:
-   (12.6, eq:closed-meetings). */
+   time t, s, not counting contacts at the start; UINT64_MAX if the number
+   is larger. The cost is of the order of n^2. Source: (12.6,
+   eq:closed-meetings). */
 uint64_t closed_meetings(double low, double high, size_t n,
                          const double x[], const double v[], double t);
 

@@ -1,4 +1,4 @@
-/* The models by name, plans as text, and a run of one from row to row. */
+/* The table of models, plans as text, and runs of a model row by row. */
 #include "choosing/models_parts.h"
 
 #include <math.h>
@@ -6,20 +6,20 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Measured on a server with an AMD EPYC of the fourth generation, whose
-   vectors have eight numbers, with gcc 12 and the flags of a bare make. A
-   unit never comes alone: `bonk-studies --study prices` runs a scene in
-   which there is much of one and little of the others, takes off what the
-   others cost by the list, and divides; a few rounds of measuring and
-   correcting converge. Then the list was balanced over more than two
-   hundred scenes by all models that carry them, with the factors that turn
-   passes, looks and springs into units: a bill is rarely wrong by more than
-   a factor of one and a half. Costs are no sums: what runs side by side
-   costs less than its parts, and the same bytes run faster or slower with
-   where the linker has put them. A nanosecond is about three cycles. A pull
-   has a root and a division, more than thirty cycles one after the other,
-   and is paid with twenty, as several are under way at once; the collision
-   of two disks cannot be shared out so. */
+/* The price list, measured on a server with a fourth-generation AMD EPYC,
+   whose vectors have eight numbers, with gcc 12 and the flags of plain
+   make. No unit occurs alone: `bonk-studies --study prices` runs a scene
+   with much of one unit and little of the others, subtracts the cost of the
+   others by the list, and divides; a few rounds of measuring and correcting
+   converge. Then the list was balanced over more than two hundred scenes by
+   all models that can compute them, with the factors that turn passes,
+   examined pairs and springs into units: predicted costs are rarely wrong
+   by more than a factor of one and a half. Costs are not exact sums: work
+   that overlaps in the processor costs less, and the place where the linker
+   puts code matters. A nanosecond is about three cycles. A pair in gravity
+   has a root and a division, more than thirty cycles in sequence, but its
+   price is twenty, as several overlap; the collision of two disks cannot
+   overlap with others. */
 const struct models_price models_prices[MODELS_UNITS] = {
     [MODELS_EVALUATION] = {"evaluation", "call of the forces", 18},
     [MODELS_BODY] = {"body", "body in a call of the forces", 3},
@@ -52,16 +52,16 @@ double models_cost(const double work[MODELS_UNITS])
 
 const char models_no_memory[] = "there is no memory";
 
-/* What is said to those who cannot bear what acts, bit by bit, in the order
-   of what a reader would like to hear first. */
+/* The messages for models that cannot compute what acts, one for each bit,
+   the most useful to a reader first. */
 enum { ACTS = 6 };
 static const char *const unborne[ACTS] = {
     "it knows no rods", "it does not ask who pulls",
     "springs act",      "the bodies attract each other",
     "bodies may meet",  "there is friction"};
 
-/* Returns NULL if the model can compute the scene, or why not: what it
-   cannot bear, and then what it has to ask itself. */
+/* Returns NULL if the model can compute the scene, or why not: because of
+   what acts, or for a reason of its own. */
 static const char *refusal(const struct models_run *r)
 {
     const struct models_model *m = r->plan.model;
@@ -89,9 +89,9 @@ void models_count_sorting(struct models_run *r, size_t n, double times)
     r->work[MODELS_ORDER] += times * (double)n * bits;
 }
 
-/* All models, in the order of their cost, more or less: formulas, events,
-   and then the methods of stepping. A model without steps is a row in the
-   file of its functions, and a line here. */
+/* The models without steps, roughly in the order of their cost: formulas,
+   then events. The methods of stepping follow them. To add a model without
+   steps, add a row in the file of its functions, and a line here. */
 static const struct models_model *const stepless[] = {
     &models_free,  &models_kepler, &models_oscillator, &models_relabel,
     &models_modes, &models_line,   &models_disks};
@@ -134,15 +134,14 @@ void models_write(const struct models_plan *p, char text[MODELS_TEXT])
                                      models_cut_names[k]);
 }
 
-/* Returns name k of the models, or of what can be left out; NULL behind
-   them. */
+/* Returns name k of the models or simplifications; NULL after the last. */
 static const char *name_of(size_t k, bool cuts)
 {
     return cuts ? models_cut_names[k] : models_all()[k].name;
 }
 
-/* Writes what was found and what was expected: `what`, or one of the names
-   if that is NULL. Of a long word its beginning is enough. */
+/* Writes the word found (40 characters at most) and what was expected:
+   `what`, or one of the names if that is NULL. Returns false. */
 static bool complain(char message[MODELS_MESSAGE], const char *word,
                      const char *what, bool cuts)
 {
@@ -155,7 +154,7 @@ static bool complain(char message[MODELS_MESSAGE], const char *word,
     return false;
 }
 
-/* Reads the number behind the colon. Returns NULL, or what was expected. */
+/* Reads the number after the colon. Returns NULL, or what was expected. */
 static const char *read_number(struct models_plan *p, const char *text)
 {
     char *end;
@@ -177,7 +176,7 @@ static const char *read_number(struct models_plan *p, const char *text)
     return NULL;
 }
 
-/* Ends a word at a mark; returns what follows, or NULL. */
+/* Ends a word at a mark; returns the text after the mark, or NULL. */
 static char *end_word(char *word, char mark)
 {
     char *const at = strchr(word, mark);
@@ -213,9 +212,9 @@ bool models_read(struct models_plan *p, const char *text,
     return true;
 }
 
-/* Copies the scene into the run, without what the plan leaves out; what is
-   held does not move there, whatever its velocity may say. Returns NULL, or
-   why the plan cannot compute it. */
+/* Copies the scene into the run, simplified as the plan says; velocities
+   along fixed coordinates become 0. Returns NULL, or why the plan cannot
+   compute the scene. */
 static const char *copy_scene(struct models_run *r, const struct scene *s)
 {
     struct scene *own = &r->scene;
@@ -255,7 +254,7 @@ bool models_begin(struct models_run *r, const struct models_plan *p,
         else if (p->model->begin)
             *why = p->model->begin(r);
     }
-    if (*why) { /* the work done so far remains in the cost */
+    if (*why) { /* keep the work done so far as cost */
         double work[MODELS_UNITS];
         memcpy(work, r->work, sizeof work);
         models_end(r);
@@ -264,8 +263,7 @@ bool models_begin(struct models_run *r, const struct models_plan *p,
     return !*why;
 }
 
-/* The time of a row is a product and no sum, so that the last one is where
-   it should be. */
+/* The time of a row is a product, not a sum: the last one is exact. */
 enum models_end models_row(struct models_run *r)
 {
     r->elapsed = (double)(r->rows + 1) * r->every;

@@ -1,4 +1,4 @@
-/* What acts in a scene, how fast, and what may be left out of it. */
+/* Interactions in a scene, how fast they are, and simplifications. */
 #include "choosing/models_parts.h"
 
 #include "choosing/particles.h"
@@ -6,8 +6,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Is there a body that can be pulled by another? One must be free, and
-   another one have mass. */
+/* Returns whether a body can be attracted by another: one must be free, and
+   another have mass. */
 static bool attracts(const struct scene *s)
 {
     size_t pulling = 0;
@@ -31,14 +31,14 @@ double models_square(const struct scene *s, size_t i, size_t j)
     return pair_of(s, i, j, s->position, s->velocity).r2;
 }
 
-/* What acts is a matter of yes and no. Along an axis that is dead nothing
-   moves at the start and nothing pushes: no weight, and no two bodies that
-   act on each other are at different places along it. So nothing ever will:
-   forces are along the line that joins two bodies, or along their relative
-   velocity, and the difference of equal numbers is exactly 0. Friction can
-   only slow down what moves. For gravity and contacts the places of all
-   bodies count, since any two may act on each other; for springs those of
-   the two ends of each: a membrane that lies flat stays flat. */
+/* Whether an interaction acts is exact. An axis does not matter if nothing
+   moves along it at the start and nothing pushes: there is no uniform
+   gravity along it, and no two bodies that interact have different places
+   along it. Then nothing ever moves along it: forces are along the line
+   between two bodies, or along their relative velocity, and the difference
+   of equal numbers is exactly 0. Friction only slows down. For gravity and
+   contacts the places of all bodies count, since any two may interact; for
+   springs those of the two ends of each: a flat membrane stays flat. */
 void models_analyse(struct models_acts *a, const struct scene *s)
 {
     const size_t n = s->bodies;
@@ -97,7 +97,8 @@ size_t models_central_body(const struct scene *s, unsigned axes)
     return best;
 }
 
-/* Returns the square of the frequency of two bodies, if they circled. */
+/* Returns the square of the angular frequency with which two bodies would
+   circle each other, 1/s^2. */
 static double square_of_pair(const struct scene *s, size_t i, size_t j)
 {
     const double square =
@@ -107,9 +108,9 @@ static double square_of_pair(const struct scene *s, size_t i, size_t j)
 
 enum { MOST_PAIRED = 4000 };
 
-/* Returns that of the fastest pair. All pairs of four thousand bodies are
-   eight million roots, some hundredths of a second; of more bodies only
-   pairs with a heavy one are looked at, as the number is a first idea. */
+/* Returns square_of_pair for the fastest pair. All pairs of four thousand
+   bodies are eight million roots, some hundredths of a second; for more
+   bodies an estimate from pairs with a heavy one suffices. */
 static double square_of_gravity(const struct scene *s)
 {
     const double heavy = models_heaviest(s);
@@ -123,9 +124,9 @@ static double square_of_gravity(const struct scene *s)
     return most;
 }
 
-/* Adds what a spring puts into the rows of its two bodies: its strength
-   over their mass, and over the root of both masses (Gershgorin's theorem,
-   in the section on the fastest time). */
+/* Adds the contribution of a spring to the matrix rows of its two bodies:
+   its strength divided by a body's mass, and by the root of the product of
+   both masses (Gershgorin's theorem, section on the fastest time). */
 static void add_rows(const struct scene *s, const struct scene_spring *p,
                      double row[], double strength)
 {
@@ -139,9 +140,9 @@ static void add_rows(const struct scene *s, const struct scene_spring *p,
         row[end[e]] += strength * (weight[e] + sqrt(weight[0] * weight[1]));
 }
 
-/* Returns how stiff a spring is. Its block of the matrix has the
-   eigenvalues D along the spring and D(1 - l/r) across it, which is larger
-   where the spring is pressed to less than half its length. */
+/* Returns the stiffness of a spring, N/m: the larger eigenvalue of its
+   block of the matrix. These are D along the spring and D(1 - l/r) across
+   it, which is larger if the spring is compressed to less than half. */
 static double stiffness(const struct scene *s, const struct scene_spring *p)
 {
     const double length = sqrt(models_square(s, p->a, p->b));
@@ -150,9 +151,9 @@ static double stiffness(const struct scene *s, const struct scene_spring *p)
            (across > 1 && across < INFINITY ? across : 1);
 }
 
-/* Returns the stiffness above which springs are stiff: a hundred times the
-   softest. Where all are alike all are stiff: whether to take them for rods
-   is for the plan to say. INFINITY: none is. */
+/* Returns the stiffness above which springs are stiff, N/m: a hundred times
+   the smallest. If all are equal, all are stiff, and the plan decides
+   whether they become rods. INFINITY if none is stiff. */
 static double stiff_from(const struct scene *s)
 {
     double least = INFINITY, most = 0;
@@ -172,14 +173,13 @@ static bool is_stiff(const struct scene *s, const struct scene_spring *p,
     return models_is_active(s, p) && s->kind[p->kind].stiffness > from;
 }
 
-/* Squares of frequencies are added, for two springs side by side are
-   stiff by the sum of both, and so are a spring and a pull; rates of
-   decay are added to the frequency. The rows of the dashpots stand behind
-   those of the springs. A spring that becomes a rod has no frequency, and
-   turns no faster than the speed of its ends over its length. It is a
-   first idea of a step, no more: a comet far from its star will not be so
-   for ever. What is chosen has been run and compared, and does not depend
-   on this number. */
+/* Squares of frequencies are added, since the stiffnesses of parallel
+   springs add up, and so do those of a spring and gravity; rates of damping
+   are added to the frequency. The rows of the dashpots follow those of the
+   springs. A spring that becomes a rod has no frequency, and turns at most
+   at the speed of its ends divided by its length. The result is only a
+   first estimate for steps: a comet far from its star will not stay there.
+   The choice is made by comparing runs, and does not depend on it. */
 double models_rate(const struct scene *s, unsigned cuts)
 {
     double square = 0, rate = 0, turning = 0, slow = 0;
@@ -214,7 +214,7 @@ const char *const models_cut_names[MODELS_CUTS + 1] = {
     "no-light", "rods",      "no-softening", "no-friction", "no-dashpots",
     "no-weak",  "no-weight", "no-pull",      "no-across",   NULL};
 
-/* Leaves out what is across the line: the axis along which a body is
+/* Removes the motion across the line: the axis along which a body is
    farthest from the first one. */
 static void flatten(struct scene *s)
 {
@@ -254,8 +254,8 @@ void models_leave_out(struct scene *s, unsigned cuts)
     }
 }
 
-/* A cut that changes nothing is not offered. Light bodies matter only where
-   there is gravity; those without mass do not pull in any case. */
+/* Simplifications that change nothing are not included. Light bodies matter
+   only with gravity; bodies without mass attract none anyway. */
 unsigned models_cuts(const struct scene *s)
 {
     const double from = stiff_from(s), most = models_heaviest(s);

@@ -1,4 +1,4 @@
-/* Models in closed form: free flight, ellipses, vibrations. */
+/* Models in closed form: free motion, ellipses, vibrations. */
 #include "choosing/models_parts.h"
 
 #include "choosing/closed.h"
@@ -11,12 +11,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A closed form goes from the start, which the run remembers, to every row:
-   no error is handed on from row to row. */
+/* A closed form computes every row from the start, which the run keeps, so
+   errors do not add up from row to row. */
 
-enum { WITH_EXPONENTIAL = 10 }; /* what such a flight costs, in flights */
+enum { WITH_EXPONENTIAL = 10 }; /* cost in flights of one with friction */
 
-/* Each coordinate flies alone. */
+/* Moves each coordinate independently of the others. */
 static enum models_end row_free(struct models_run *r)
 {
     struct scene *s = &r->scene;
@@ -40,11 +40,11 @@ const struct models_model models_free = {
     .engine = 1,
     .row = row_free};
 
-/* Do all but the central body pull nobody who could give way, and are they
-   free along every axis on which anything moves (one that may move along x
-   but not along y is a bead on a wire, and has no ellipse)? Those without
-   mass do not pull, light ones may be left out, and the pull of the other
-   of two is in the formula (12.3, eq:light-ellipse). */
+/* Returns whether only the central body attracts bodies that can move, and
+   all others are free along every axis that matters (a body free along x
+   but not along y slides on a wire, and has no ellipse). Bodies without
+   mass attract none, light ones may be neglected, and for two bodies the
+   formula includes both attractions (12.3, eq:light-ellipse). */
 static bool is_central(const struct scene *s, const struct models_acts *a,
                        size_t centre)
 {
@@ -62,7 +62,8 @@ static bool is_central(const struct scene *s, const struct models_acts *a,
     return held || !(axes & ~freedom_of(s, centre));
 }
 
-/* Weight is no obstacle if all can fall, since then nobody can tell. */
+/* Uniform gravity is allowed if all bodies can fall, since it does not
+   change their relative motion. */
 static const char *refuse_kepler(const struct scene *s,
                                  const struct models_acts *a)
 {
@@ -85,7 +86,8 @@ static void end_kepler(struct models_run *r)
     particles_free(r->engine);
 }
 
-/* Returns places at the start, followed by velocities. */
+/* Returns the places at the start, followed by the velocities, in the order
+   of the particles. */
 static double *at_start(const struct models_run *r)
 {
     const struct particles *l = r->engine;
@@ -95,20 +97,20 @@ static double *at_start(const struct models_run *r)
     return l->work;
 }
 
-/* The relative error of times that all twins share: 2 pi is wrong by a
-   third of 2^-53, and its product with the number of whole turns, which is
-   the same in all units, is rounded once. */
+/* The relative error of times that all twins share: 2 pi has a relative
+   error of a third of 2^-53, and its product with the number of whole
+   turns, which is equal in all units, is rounded once. */
 static const double clock_error = 0x1.6p-53;
 
 /* Returns the relative error of times on these ellipses that all twins
-   share. Returns INFINITY if an orbit is a parabola or a hyperbola, which
-   this model does not solve, or an ellipse as narrow as a line, on which
-   the body would run into its centre. The rounding of the mean motion is
-   not counted, although it is larger: 1/a is the difference 2/r - v^2/mu,
-   both terms are wrong by some 2^-53, and so the mean motion is wrong by up
-   to 13 a/r times that. But it depends on the last digits of r and v, so
-   twins in other units differ by it. A bound of it, 4 a/r 2^-51, was far
-   too high: 14 times the true error in the median of random orbits, and 40
+   share, or INFINITY if an orbit is a parabola or a hyperbola, for which
+   this model has no solution, or an ellipse as narrow as a line, on which
+   the body would fall into the centre. The rounding error of the mean
+   motion is larger but not included: 1/a is the difference 2/r - v^2/mu of
+   terms with errors of some 2^-53, so the mean motion has an error of up to
+   13 a/r times that. But this depends on the last digits of r and v, so
+   twins in other units show it. A bound of it, 4 a/r 2^-51, was far too
+   high: 14 times the true error in the median of random orbits, and 40
    times in one of ten. */
 static double clock_of_ellipses(const struct models_run *r)
 {
@@ -139,9 +141,9 @@ static const char *begin_kepler(struct models_run *r)
                                : "an orbit is open, or as good as a fall";
 }
 
-/* Each row is one drift of Wisdom and Holman's method from the start to its
-   time, of whatever number of turns: what it costs does not depend on the
-   time. Where all fall, they fall alike. */
+/* Computes a row by one drift of Wisdom and Holman's method from the start,
+   over any number of turns: the cost does not depend on the time. Uniform
+   gravity, if any, is added for all bodies alike. */
 static enum models_end row_kepler(struct models_run *r)
 {
     const struct particles *l = r->engine;
@@ -171,16 +173,16 @@ const struct models_model models_kepler = {
     .end = end_kepler,
     .refuses = refuse_kepler};
 
-/* Four hundred modes are found in some seconds, a thousand take a minute,
-   and there are cheaper ways by then. */
+/* Four hundred modes take some seconds, a thousand a minute, and then other
+   models are cheaper. */
 enum { MOST_MODES = 400, MOST_TRIES = 30 };
 
-/* Springs about their rest have modes, and each is an oscillator. What that
-   leaves out is of second order in the displacement, and no formula tells
-   how much it is: a membrane at rest length has no linear modes to speak
-   of, a taut one nothing else. So it is compared with a run in steps.
-   Friction may act if it slows down all modes alike, c/m being the same for
-   all; dashpots if there is one coordinate only. */
+/* Springs near equilibrium have modes, each of which is an oscillator. The
+   error is of second order in the displacement, and no formula gives it: a
+   membrane at its rest length has hardly any linear modes, a taut one has
+   only those. So it is compared with a run in steps. Friction is allowed if
+   it damps all modes equally, with one c/m for all bodies; dashpots only
+   for a single coordinate. */
 static const char *refuse_modes(const struct scene *s,
                                 const struct models_acts *a)
 {
@@ -202,9 +204,8 @@ static const char *refuse_modes(const struct scene *s,
     return coordinates > MOST_MODES ? "there are too many modes" : NULL;
 }
 
-/* On one line nothing is left out, as long as no spring turns round. A
-   spring that also swings sideways is longer at the side: its force is not
-   linear. */
+/* On one line the motion is exactly linear, as long as no spring reverses.
+   A spring that also moves sideways gets longer: then it is not linear. */
 static const char *refuse_oscillator(const struct scene *s,
                                      const struct models_acts *a)
 {
@@ -213,15 +214,15 @@ static const char *refuse_oscillator(const struct scene *s,
                : refuse_modes(s, a);
 }
 
-/* Modes, and how much of each there is. */
+/* The modes of a scene, and their amplitudes. */
 struct vibration {
     struct springs springs;
     struct modes modes;
-    double *rest, *push;     /* [3 * bodies], [6 * bodies] */
+    double *rest, *push;     /* [3 * bodies] equilibrium; scratch */
     double *amount, *change; /* [size] of each mode at the start */
-    double *pull;            /* [size] what pulls at it where it rests */
-    double rate;             /* of friction, 1/s */
-    double slack;            /* squares below that are none, 1/s^2 */
+    double *pull;            /* [size] force on each mode at equilibrium */
+    double rate;             /* friction over mass, 1/s */
+    double slack;            /* smaller squares count as 0, 1/s^2 */
 };
 
 static void end_modes(struct models_run *r)
@@ -271,9 +272,9 @@ static bool is_start_dear(const struct models_run *r)
            models_cost(work) > r->plan.start_limit;
 }
 
-/* Goes from w->rest to a place of rest that is stable, or returns why there
-   is none: then there are no small vibrations. Where it is not stable the
-   smallest square of a frequency is negative, and clearly so. */
+/* Moves w->rest to a stable equilibrium and returns NULL, or returns why
+   there is none: then there are no small vibrations. At an unstable one the
+   smallest squared frequency is clearly negative. */
 static const char *find_rest(struct vibration *w, struct models_run *r)
 {
     const double size = largest(w->rest, 3 * r->scene.bodies);
@@ -292,8 +293,8 @@ static const char *find_rest(struct vibration *w, struct models_run *r)
                : NULL;
 }
 
-/* Finds how much of each mode is in a displacement, or in its derivatives:
-   shapes are orthogonal, so a scalar product each is enough. */
+/* Computes the amplitudes of the modes in a displacement x - from, or in
+   velocities: shapes are orthogonal, so each is a scalar product. */
 static void take_apart(const struct modes *m, const double x[],
                        const double from[], double amount[])
 {
@@ -307,17 +308,18 @@ static void take_apart(const struct modes *m, const double x[],
     }
 }
 
-/* Does no spring that has a length of its own turn round on this axis? None
-   can have more than the energy of all modes about their rest, which
-   friction only makes less; one longer or shorter by u than at rest has
-   Du^2/2 of it. So one that starts on the side of its place of rest, where
-   it is d long, stays there if Dd^2/2 is more than there is. */
+/* Returns whether no spring with a rest length reverses its direction on
+   this axis. The energy of a spring cannot exceed that of all modes about
+   equilibrium, which friction only reduces; a spring that is longer or
+   shorter by u than at equilibrium has the energy Du^2/2. So a spring of
+   length d at equilibrium that starts with the direction it has there keeps
+   it if Dd^2/2 is more than the total. */
 static bool keeps_sides(const struct vibration *w, const struct scene *s,
                         size_t axis)
 {
     const double *x = s->position + axis * s->bodies;
     const double *rest = w->rest + axis * s->bodies;
-    double twice = 0; /* the energy */
+    double twice = 0; /* of the energy */
     for (size_t j = 0; j < w->modes.size; ++j)
         if (w->modes.square[j] > w->slack)
             twice += w->change[j] * w->change[j] +
@@ -333,8 +335,8 @@ static bool keeps_sides(const struct vibration *w, const struct scene *s,
     return true;
 }
 
-/* Finds the place of rest, and the amounts of places and velocities about
-   it. Along a dead axis nothing has to be found: it is held. */
+/* Finds the equilibrium, and the amplitudes of places and velocities about
+   it. Coordinates along axes that do not matter are fixed. */
 static const char *begin_modes(struct models_run *r)
 {
     struct vibration *w = r->engine;
@@ -372,9 +374,9 @@ static const char *begin_modes(struct models_run *r)
                : "a spring may turn round";
 }
 
-/* Amount and change of a mode are place and velocity of an oscillator
-   (12.5, eq:models-swing). Modes without stiffness fly, as the centre of a
-   chain does that nothing holds, and weight pulls at them. */
+/* Amplitude and velocity of a mode move as those of an oscillator (12.5,
+   eq:models-swing). Modes without stiffness, such as the centre of mass of
+   a free chain, move freely, under uniform gravity. */
 static enum models_end row_modes(struct models_run *r)
 {
     const struct vibration *w = r->engine;

@@ -1,4 +1,4 @@
-/* Disks and spheres in a box: collisions one by one. */
+/* Models of disks and spheres in a box, by events. */
 #include "choosing/models_parts.h"
 
 #include "box/cells.h"
@@ -7,13 +7,14 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* A scene's axes in the order of the engine: live ones first, and the one
-   with the floor, or the walls of another kind, second, since chapter 5
-   knows weight along the second axis, and walls there with periodic axes
-   beside it. A dead axis is open for the engine, whatever walls it has. */
+/* The scene's axes in the order of the engine: first those that matter,
+   with the axis of the floor, or that of the only walls, second, since
+   chapter 5 has gravity along the second axis, and walls across it with
+   other axes periodic. An axis that does not matter is open for the engine,
+   whatever its walls. */
 struct box_axes {
     size_t axes, axis[SCENE_AXES];
-    size_t count[3]; /* of the walls of each kind */
+    size_t count[3]; /* numbers of axes with each kind of wall */
     unsigned live;
 };
 
@@ -45,8 +46,8 @@ static struct box_axes box_axes_of(const struct scene *s,
     return w;
 }
 
-/* Returns what keeps a scene out of the box. A body that is held would need
-   a mass of its own along each axis, which the collisions do not know. */
+/* Returns why a scene does not suit the box, or NULL. A fixed body would
+   need a different mass along each axis, which the engine does not have. */
 static const char *refuse_disks(const struct scene *s,
                                 const struct models_acts *a)
 {
@@ -76,14 +77,15 @@ static const char *refuse_disks(const struct scene *s,
                : NULL;
 }
 
-/* One of the two engines of part II. */
+/* A run by one of the two engines of part II. */
 struct box_run {
     struct disks disks;
     struct cells cells;
     bool celled;
     struct box_axes view;
-    double sign[SCENE_AXES], origin[SCENE_AXES]; /* of the engine's axes */
-    double crossed; /* how often a disk must have crossed the box */
+    double sign[SCENE_AXES], origin[SCENE_AXES]; /* scene to engine, along
+                                                    its axes */
+    double crossed; /* crossings of the box by free disks */
 };
 
 static void end_disks(struct models_run *r)
@@ -94,8 +96,8 @@ static void end_disks(struct models_run *r)
     disks_free(&d->disks);
 }
 
-/* Puts the bodies in the engine's box: its corner is at the origin there,
-   and weight is downwards. */
+/* Puts the bodies into the engine's box, with a corner at the origin and
+   gravity downwards. */
 static void put_in_box(struct box_run *d, const struct scene *s)
 {
     struct disks *all = &d->disks;
@@ -119,10 +121,10 @@ static void put_in_box(struct box_run *d, const struct scene *s)
     }
 }
 
-enum { SCANNED = 100 }; /* disks up to which all are looked at */
+enum { SCANNED = 100 }; /* most disks for which all are examined */
 
-/* Begins a run: by the scan of all disks, or for many of them by cells, if
-   the box suits these. */
+/* Begins a run: by examining all disks, or for many of them with cells, if
+   the box suits these. Returns NULL, or why it cannot. */
 static const char *begin_disks(struct models_run *r)
 {
     const struct scene *s = &r->scene;
@@ -152,13 +154,13 @@ static const char *begin_disks(struct models_run *r)
 }
 
 /* Counts the work: events and pairs examined. A collision of two disks
-   plans both of them anew, one with a wall plans one. To plan a disk the
-   scan examines all (with four disks a collision costs two plans of four
-   pairs); cells examine its neighbours, and half as many more for events
-   that turn out to be stale. The start counts, too: the scan tests every
-   pair for an overlap and for a meeting, at twice the price of a pair; in
-   cells every disk gets a list of its neighbours, as it does each time it
-   leaves its skin. */
+   makes two new plans, one with a wall a single one. For a plan the scan
+   examines all disks (with four disks a collision costs two plans of four
+   pairs); cells examine the neighbours, and half as many more for stale
+   events. The start counts, too: the scan tests every pair for an overlap
+   and for a meeting, at twice the price of a pair; with cells every disk
+   gets a list of its neighbours, as it does each time it leaves its
+   skin. */
 static void count_disks(struct models_run *r, const struct box_run *d)
 {
     const double met = (double)d->disks.collisions;
@@ -175,10 +177,10 @@ static void count_disks(struct models_run *r, const struct box_run *d)
         ((double)r->rows + 1) * (double)(d->view.axes * d->disks.count);
 }
 
-/* Returns whether the crossings of the box alone, with those of the next
-   row, will cost more than the limit. A disk that met nobody would meet a
-   wall, or be planned anew on the other side of a periodic box, |v| t/L
-   times in the time t along each axis. */
+/* Returns whether the crossings of the box alone, including the next row,
+   will exceed the cost limit. A disk without collisions would meet a wall,
+   or need a new plan in a periodic box, |v| t/L times in the time t along
+   each axis. */
 static bool is_endless(const struct models_run *r, struct box_run *d)
 {
     const double time = r->elapsed - d->disks.now;
@@ -191,9 +193,9 @@ static bool is_endless(const struct models_run *r, struct box_run *d)
     return models_cost(r->work) + price * d->crossed > r->limit;
 }
 
-/* Runs to the next row. The engines stop early only if there is no memory
-   to enlarge the calendar of events. Positions in a periodic box are not
-   folded back into it; nor do the models with steps fold them. */
+/* Runs to the next row. The engines stop early only if memory for longer
+   lists runs out. Positions in a periodic box are not folded back, as in
+   the models with steps. */
 static enum models_end row_disks(struct models_run *r)
 {
     struct box_run *d = r->engine;

@@ -1,4 +1,4 @@
-/* Bodies on a line: collisions one by one, or equal bodies in order. */
+/* Models of bodies on a line: by events, or equal bodies sorted. */
 #include "choosing/models_parts.h"
 
 #include "choosing/closed.h"
@@ -11,16 +11,14 @@
 /* Bodies on a line, from left to right. */
 struct row_of_bodies {
     size_t axis;
-    double sign; /* -1: the axis is reversed, so that gravity points down */
-    double gravity;     /* m/s^2, down */
-    double left, right; /* m: surfaces of the walls, or of fixed bodies that
-                           act as such */
+    double sign;        /* -1: axis reversed, so that gravity points left */
+    double gravity;     /* towards the left wall, m/s^2 */
+    double left, right; /* surfaces of walls or of end bodies, m */
 };
 
-/* Returns the row of bodies along the axis on which something moves, or
-   else on which they lie. A body that is held is a wall if it stands at an
-   end; one held between others has no place on the engine's line: left is
-   NaN then. */
+/* Returns the row of bodies along the axis of motion, or else along the
+   axis on which they lie. A fixed body at an end counts as a wall; for one
+   between others, which the engine does not allow, left is NaN. */
 static struct row_of_bodies row_of(const struct scene *s,
                                    const struct models_acts *a)
 {
@@ -32,7 +30,7 @@ static struct row_of_bodies row_of(const struct scene *s,
     struct row_of_bodies row = {axis, g > 0 ? -1 : 1, fabs(g),
                                 walls ? s->low[axis] : -INFINITY,
                                 walls ? s->high[axis] : INFINITY};
-    double first = INFINITY, last = -INFINITY; /* of the free ones */
+    double first = INFINITY, last = -INFINITY; /* of the free bodies */
     for (size_t i = 0; i < s->bodies; ++i)
         if (free[i]) {
             first = fmin(first, x[i]);
@@ -48,8 +46,8 @@ static struct row_of_bodies row_of(const struct scene *s,
     return row;
 }
 
-/* Returns what keeps a scene off the line. A wall beside it is allowed if
-   all bodies keep clear of it: it never has anything to do. */
+/* Returns why a scene does not suit the line, or NULL. Walls beside the
+   line are allowed if no body touches them. */
 static const char *refuse_line(const struct scene *s,
                                const struct models_acts *a)
 {
@@ -81,17 +79,17 @@ static const char *refuse_line(const struct scene *s,
                : "nothing is free, or too much";
 }
 
-/* The engine of chapter 2, and which bodies are in it. */
+/* The engine of chapter 2, and the bodies of the scene in it. */
 struct line {
     struct bonkers bonkers;
     struct row_of_bodies row;
     size_t *body;
-    double *x, *v; /* of the engine's bodies, two walls included */
+    double *x, *v; /* of the engine's bodies, with two walls */
 };
 
-/* Makes a start of the free bodies, in order from left to right, which are
-   kept in l->body; those that are held have become walls. false if memory
-   runs out. */
+/* Makes a start of the free bodies, sorted from left to right, and stores
+   their numbers in l->body; fixed bodies have become walls. Returns false
+   if memory runs out. */
 static bool start_row(struct line *l, struct start *start,
                       const struct scene *s)
 {
@@ -129,7 +127,7 @@ static void end_line(struct models_run *r)
     free(l->x);
 }
 
-/* Begins a run, unless a gap is too narrow: then bodies overlap. */
+/* Begins a run; returns NULL, or why not, if bodies overlap. */
 static const char *begin_line(struct models_run *r)
 {
     struct start start = {0};
@@ -150,8 +148,8 @@ static const char *begin_line(struct models_run *r)
                                       : "bodies overlap at the start";
 }
 
-/* For a collision the engine looks at all gaps for the next one; that for
-   more than 32 bodies does not, and what it does is worth so many looks. */
+/* Cost of finding a collision among more than 32 bodies, in examined gaps;
+   for fewer bodies the engine examines all gaps. */
 enum { SLAB_WORTH = 30 };
 
 static void count_line(struct models_run *r, const struct bonkers *b)
@@ -164,8 +162,8 @@ static void count_line(struct models_run *r, const struct bonkers *b)
     r->work[MODELS_FLIGHT] = 3 * rows * (double)b->gaps;
 }
 
-/* Gives places and velocities back to the bodies: the j-th from the left is
-   always the same. */
+/* Copies places and velocities to the scene: the order of the bodies on the
+   line never changes. */
 static void take_from_line(struct models_run *r, const struct line *l)
 {
     for (size_t j = 1; j < l->bonkers.gaps; ++j) {
@@ -176,9 +174,8 @@ static void take_from_line(struct models_run *r, const struct line *l)
     r->virial = NAN;
 }
 
-/* Runs to the next row, in pieces, between which the cost is checked: a run
-   in pieces has the same bits as a run in one. Collapse ends a line for
-   good. */
+/* Runs to the next row, in pieces between which the cost is checked, with
+   the bits of an undivided run. After a collapse a run cannot continue. */
 static enum models_end row_line(struct models_run *r)
 {
     struct line *l = r->engine;
@@ -233,8 +230,9 @@ static const char *refuse_relabel(const struct scene *s,
     return NULL;
 }
 
-/* Puts the points where they are at the start: the engine has taken the
-   radii out (2.2, eq:rods). Returns how many there are. */
+/* Fills l->x and l->v with the places and velocities at the start, from
+   which the engine has subtracted the radii (2.2, eq:rods). Returns the
+   number of points. */
 static size_t put_points(const struct line *l)
 {
     for (size_t j = 0; j <= l->bonkers.gaps; ++j) {
@@ -244,14 +242,14 @@ static size_t put_points(const struct line *l)
     return l->bonkers.gaps - 1;
 }
 
-/* Lets all points fly and puts them in order. */
+/* Moves all points freely and sorts them. */
 static enum models_end row_relabel(struct models_run *r)
 {
     const struct line *l = r->engine;
     const size_t n = put_points(l);
     double *const x = l->x + 1, *const v = l->v + 1;
     if (!(l->x[0] < x[n]))
-        return MODELS_BROKEN; /* no room at all */
+        return MODELS_BROKEN; /* no free space */
     if (!closed_relabel(l->x[0], x[n], n, x, v, r->elapsed))
         return MODELS_MEMORY;
     for (size_t j = 1; j <= n && l->bonkers.shift; ++j)
@@ -262,9 +260,8 @@ static enum models_end row_relabel(struct models_run *r)
     return MODELS_DONE;
 }
 
-/* Counts the collisions up to the last row: only for who asks, since that
-   costs more than the row, a look at all pairs, with images, at two
-   times. */
+/* Counts the collisions up to the last row; only on request, since it costs
+   more than the row: it examines all pairs, with images, at two times. */
 static void count_relabelled(struct models_run *r)
 {
     const struct line *l = r->engine;

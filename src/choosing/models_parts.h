@@ -1,4 +1,4 @@
-/* What the files of models share: axes, pairs of bodies, costs, rows. */
+/* Functions that the files of models share: axes, pairs, costs, rows. */
 #ifndef MODELS_PARTS_H
 #define MODELS_PARTS_H
 
@@ -13,7 +13,7 @@ static inline size_t at(const struct scene *s, size_t k, size_t i)
     return k * s->bodies + i;
 }
 
-/* Returns the first axis of a set; of none, x. */
+/* Returns the first axis of a set, or 0 if it is empty. */
 static inline size_t first_axis(unsigned axes)
 {
     return axes & 1 ? 0 : axes & 2 ? 1 : axes & 4 ? 2 : 0;
@@ -30,7 +30,7 @@ static inline unsigned freedom_of(const struct scene *s, size_t i)
     return axes;
 }
 
-/* Returns body j as body i sees it, if they are at x and move at v. */
+/* Returns body j relative to body i, for places x and velocities v. */
 static inline struct pair pair_of(const struct scene *s, size_t i, size_t j,
                                   const double x[], const double v[])
 {
@@ -43,9 +43,8 @@ static inline struct pair pair_of(const struct scene *s, size_t i, size_t j,
     return p;
 }
 
-/* What may act, bit by bit, and so what a model can bear: rods, light
-   bodies as test particles, springs, gravity, contacts, friction. What only
-   a run in steps can leave out counts among what acts. */
+/* Bits for interactions and simplifications that a model supports: rods,
+   light bodies as test particles, springs, gravity, contacts, friction. */
 enum {
     BEARS_RODS = 1,
     BEARS_PARTICLES = 2,
@@ -63,47 +62,47 @@ extern const char models_no_memory[];
 /* Returns whether the run has already cost more than its limit. */
 bool models_is_costly(const struct models_run *r);
 
-/* Event-driven engines are stopped after this number of collisions to check
-   the cost so far: a gas can have very many before the next row. */
+/* Event-driven engines stop after this number of collisions so that the
+   cost can be checked: a gas can have very many before the next row. */
 enum { AT_A_TIME = 4096 };
 
-/* Counts the comparisons in sorting n bodies `times` times. */
+/* Counts the comparisons needed to sort n bodies `times` times. */
 void models_count_sorting(struct models_run *r, size_t n, double times);
 
 /* ---- models_acts.c */
 
-/* Does a spring act: is one of its ends free, and has it a stiffness or a
-   dashpot? */
+/* Returns whether a spring acts: one of its ends is free, and it has a
+   stiffness or a dashpot. */
 bool models_is_active(const struct scene *s, const struct scene_spring *p);
 
 double models_heaviest(const struct scene *s);
 
-/* Returns the body in the middle: one that is held along these axes and has
+/* Returns the central body: one that is fixed along these axes and has
    mass, or else the heaviest. */
 size_t models_central_body(const struct scene *s, unsigned axes);
 
-/* Sets to 0 those numbers of the scene that are left out. Light bodies and
-   rods, which are no numbers of it, are left out by the models. */
+/* Sets the quantities of the scene that these cuts leave out to 0. The
+   models themselves handle light bodies and rods. */
 void models_leave_out(struct scene *s, unsigned cuts);
 
-/* Moves the springs that become rods behind the others, out of the list.
-   Returns how many those are. */
+/* Moves the springs that become rods from the list to the places after it.
+   Returns their number. */
 size_t models_take_stiff(struct scene *s, const struct scene *origin);
 
-/* Are there points on one line that may meet? Whether two points beside it
-   meet is a matter of rounding, so they are left to `line` and `relabel`,
-   and others refuse them with these words. */
+/* Returns whether there are points on one line that may meet. Steps cannot
+   decide this because of rounding, so such scenes are left to `line` and
+   `relabel`, and other models refuse them with the text models_unseen. */
 bool models_points_meet(const struct scene *s, const struct models_acts *a);
 extern const char models_unseen[];
 
-/* ---- the rows of the table of models: each stands with its functions */
+/* ---- the models without steps, defined in the files of their functions */
 
 /* models_closed.c: formulas, and small vibrations */
 extern const struct models_model models_free, models_kepler,
     models_oscillator, models_modes;
 /* models_line.c, models_disks.c: events */
 extern const struct models_model models_relabel, models_line, models_disks;
-/* models_steps.c: the row of a method of stepping */
+/* models_steps.c: the model of a method of stepping */
 struct models_model models_of_method(const struct stepping_method *m);
 
 #endif

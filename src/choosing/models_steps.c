@@ -12,8 +12,8 @@
 #include <stdlib.h>
 
 /* Returns why no method with steps can compute the scene, or NULL. With
-   rods and friction together leapfrog, which alone has rods, would have to
-   know the velocity before it has it. */
+   rods and friction, leapfrog, the only method with rods, would need the
+   velocity before it is computed. */
 static const char *refuse_steps(const struct scene *s,
                                 const struct models_acts *a)
 {
@@ -32,15 +32,16 @@ static const char *refuse_steps(const struct scene *s,
                : NULL;
 }
 
-/* Orders bodies from the inside outwards, the heaviest first: ellipses go
-   so, and the numbers of the bodies in a file are only their names. */
+/* Sorts bodies from the inside outwards, after the central one, as ellipses
+   need it: their numbers in a file have no meaning. False without
+   memory. */
 static bool order_outwards(struct particles *l, const struct scene *s)
 {
     return particles_create(l, s, INFINITY,
                             models_central_body(s, ALL_AXES), false);
 }
 
-/* Copies the state to the bodies in this order, or back. */
+/* Copies the state into this order, or back. */
 static void permute(struct scene *to, const struct scene *from,
                     const uint32_t order[], bool back)
 {
@@ -76,8 +77,8 @@ static const char *refuse_orbits(const struct scene *s,
 /* A run in steps, with or without rods. */
 struct steps {
     struct motion motion;
-    struct scene scene; /* what is stepped: a run may move to another place
-                           in memory, and its scene with it */
+    struct scene scene; /* what is stepped: a copy that does not move in
+                           memory */
     struct models_plan plan;
     struct particles particles;
     struct rods rods;
@@ -96,8 +97,8 @@ static void end_steps(struct models_run *r)
     scene_free(&t->scene);
 }
 
-/* Is momentum conserved, so that Jacobi's coordinates suit: is nothing
-   held, and is there nothing but gravity and weight? */
+/* Returns whether momentum is conserved, so that Jacobi's coordinates can
+   be used: nothing is fixed, and only gravity acts. */
 static bool keeps_momentum(const struct scene *s,
                            const struct models_acts *a)
 {
@@ -107,9 +108,10 @@ static bool keeps_momentum(const struct scene *s,
     return !a->contact && !a->springs && !a->friction;
 }
 
-/* Does a passage count, that is, may it move a body by more than is
-   negligible in the time that is left (12.13, eq:choose-passage)? Its
-   distance is that of straight ways, less by what they bend. */
+/* Returns whether two bodies passing each other matter: whether this may
+   move a body by more than `negligible` in the remaining time (12.13,
+   eq:choose-passage). Their smallest distance is that of straight paths,
+   less the bending of the paths. */
 static bool passage_counts(const struct steps *t, const struct pair *p,
                            double pull, double a2)
 {
@@ -120,8 +122,8 @@ static bool passage_counts(const struct steps *t, const struct pair *p,
            t->plan.negligible * b * sqrt(p->v2);
 }
 
-/* Returns how often, in 1/s, two bodies can fly 0.7 of their distance, or
-   come nearer by so much with what pulls them. */
+/* Returns the inverse of the time, 1/s, in which two bodies move by 0.7 of
+   their distance, or approach by that much with their accelerations. */
 static double passage_rate(const struct pair *p, double a2)
 {
     const double way = 0.7 * sqrt(p->r2), fall = 2 * sqrt(a2) * way;
@@ -130,7 +132,7 @@ static double passage_rate(const struct pair *p, double a2)
            way;
 }
 
-/* Returns the longest step that no passage which counts can hide in. */
+/* Returns the longest step, s, that cannot miss a passage that matters. */
 static double longest_step(void *what, const double x[], const double v[],
                            const double a[])
 {
@@ -151,8 +153,9 @@ static double longest_step(void *what, const double x[], const double v[],
     return most > 0 ? 1 / most : INFINITY;
 }
 
-/* Returns the steps in a row. Steps that choose their length are asked for
-   its end only, but with contacts, of which a call takes just so many. */
+/* Returns the number of steps in a row. An adaptive method is called once
+   for a row, or LOOKS times with contacts, as a call handles only a limited
+   number of them. */
 static uint64_t steps_of(const struct models_run *r)
 {
     enum { LOOKS = 8 };
@@ -161,11 +164,11 @@ static uint64_t steps_of(const struct models_run *r)
     return r->scene.contact ? LOOKS : 1;
 }
 
-/* Begins a run. Springs that become rods are taken out first, so that the
-   motion does not know them; contacts are located, and go back to the
-   moment of the knock. Light bodies that do not pull are stepped in a scene
-   of their own, in Jacobi's coordinates: gravity is told which its sources
-   are, and by which part each body feels them. */
+/* Begins a run; returns NULL, or why it cannot. Springs that become rods
+   are removed first, so that they exert no forces; contacts are located at
+   their times. Light bodies that attract no others are stepped in a scene
+   of their own, in Jacobi's coordinates, with the heavy bodies as the
+   sources of gravity, and a factor on the acceleration of each body. */
 static const char *begin_steps(struct models_run *r)
 {
     struct steps *t = r->engine;
@@ -220,10 +223,10 @@ static const char *begin_steps(struct models_run *r)
     return NULL;
 }
 
-/* Returns the square roots of an evaluation of gravity, by their price. Up
-   to 32 bodies share the root of a pair; the kernel for more takes every
-   root twice, but eight or so at a time, and so eight count as one. With
-   light bodies as test particles each heavy one pulls all others. */
+/* Returns the number of pairs in an evaluation of gravity, by their cost.
+   Up to 32 bodies share the root of a pair; the kernel for more computes
+   every root twice, but about eight at a time, so that eight count as one.
+   With test particles each heavy body attracts all other bodies. */
 static double count_pulls(const struct steps *t)
 {
     const double n = (double)t->motion.scene->bodies;
@@ -234,12 +237,12 @@ static double count_pulls(const struct steps *t)
     return n <= 32 ? n * (n - 1) / 2 : n * (n - 1) / 8;
 }
 
-/* Returns the passes over n bodies that belong to an evaluation, in bodies:
-   in a splitting a kick and a drift; a stage of an explicit method is put
-   together from those before it, about twice that; one of an implicit
-   method from all of them, again and again; a pair estimates its error as
-   well; Radau's polynomials are four times as much a body, and as much
-   again as for eight bodies. These numbers are measured, as prices are. */
+/* Returns the passes over bodies for each evaluation: of a splitting, n,
+   for a kick and a drift; of an explicit method twice that, as a stage
+   combines those before it; of an implicit method more, as it combines all
+   of them repeatedly; of a pair also for the error estimate; of Radau's
+   method four times as much, and as much again as for eight bodies. These
+   factors are measured, like prices. */
 static double body_passes(const struct stepping_method *m, double n)
 {
     switch (m->family) {
@@ -251,9 +254,8 @@ static double body_passes(const struct stepping_method *m, double n)
     }
 }
 
-/* A spring in no band, of which all of a pendulum and most of a small beam
-   are, has its forces gathered and scattered and takes so many times as
-   long. */
+/* Cost of a spring in no band, relative to one in a band, since its forces
+   are scattered. A pendulum has only such springs, a small beam mostly. */
 enum { LISTED = 10 };
 
 /* Counts the work of `asked` force evaluations. */
@@ -270,18 +272,18 @@ static void count_evaluations(const struct models_run *r,
         asked * ((double)p->count + (LISTED - 1) * (double)p->listed);
 }
 
-/* Light bodies that do not pull are stepped in Jacobi's coordinates. To
-   turn them back for a row costs as much as so many passes over a body. */
+/* Cost for a body of converting Jacobi's coordinates back for a row, in
+   passes; needed for light bodies that attract no others. */
 enum { LEAVING = 5 };
 
-/* Makes the bill anew, after the fact, from what all parts have counted
-   since the start. To find the end of a row a method with steps of its own
-   sums its polynomial once more, worth eighteen passes. Successive points
-   on an ellipse are near each other, so Kepler's equation costs 0.8 of its
-   price there. Contacts that are located divide a step: each part has a
-   path for every body, pairs near each other along the widest axis, curves
-   of their gaps, and roots. Contacts after each step, as with rods, cost a
-   third. Of rods each pass counts, corrected or not: three in a step. */
+/* Computes the total work anew from the counts of all modules since the
+   start. An adaptive method evaluates its polynomial at each row, at the
+   cost of eighteen passes. Successive points on an ellipse are close
+   together, so Kepler's equation costs 0.8 of its price there. Located
+   contacts divide a step into parts: each has a path for every body, pairs
+   close along the widest axis, polynomials of their gaps, and roots.
+   Contacts after each step, as with rods, cost a third. For rods each pass
+   counts, with or without corrections: three in a step. */
 static void count_steps(struct models_run *r, const struct steps *t)
 {
     const struct stepping *p = &t->motion.stepping;
@@ -315,9 +317,9 @@ static void count_steps(struct models_run *r, const struct steps *t)
 
 enum { STEPS_AT_A_TIME = 256 };
 
-/* Is the run bound to exceed its limit, at the rate at which it has cost so
-   far: by a tenth, or twice if steps choose their length, whose costs vary
-   along the run? Such a step may already be beyond the row. */
+/* Returns whether the run will exceed its limit at the present rate of
+   cost: by a tenth, or twofold for adaptive methods, whose cost varies
+   along the run, and whose last step may end beyond the row. */
 static bool is_hopeless(const struct models_run *r, const struct steps *t,
                         uint64_t left)
 {
@@ -331,10 +333,9 @@ static bool is_hopeless(const struct models_run *r, const struct steps *t,
                : cost / done * all > 1.1 * r->limit;
 }
 
-/* Limits the evaluations of one call, of steps that choose their length,
-   to what is left of the limit, and to eight times an equal part of it
-   for each call of the run (or 0.1 s): one row must not use up what all
-   have. */
+/* Limits the evaluations in a call of an adaptive method to the rest of the
+   cost limit, and to eight times an equal part of the limit for each call
+   of the run (or 0.1 s): one row must not use up the cost of all. */
 static void bound_evaluations(const struct models_run *r, struct steps *t)
 {
     struct adaptive *own = t->motion.stepping.own;
@@ -345,7 +346,8 @@ static void bound_evaluations(const struct models_run *r, struct steps *t)
     count_evaluations(r, t, 1, work);
     if (t->motion.located && cost == 0) {
         const double n = (double)r->scene.bodies;
-        work[MODELS_CONTACT] = n / 4; /* a guess: all pairs, once in four */
+        work[MODELS_CONTACT] = n / 4; /* guess: all pairs, every fourth
+                                         time */
         work[MODELS_OVERLAP] = n * (n - 1) / 8;
     }
     const double asked = fmax(r->work[MODELS_EVALUATION], 1);
@@ -353,7 +355,7 @@ static void bound_evaluations(const struct models_run *r, struct steps *t)
     own->most = more < 1e15 ? own->evaluations + (uint64_t)more + 100 : 0;
 }
 
-/* Takes the steps of a row, and checks the cost between some of them. */
+/* Takes the steps of a row, checking the cost between some of them. */
 static enum models_end run_steps(struct models_run *r, struct steps *t)
 {
     const struct adaptive *own = t->motion.stepping.own;
@@ -375,9 +377,9 @@ static enum models_end run_steps(struct models_run *r, struct steps *t)
     return MODELS_DONE;
 }
 
-/* Goes to the next row. What was stepped in other coordinates is turned
-   back for the row only, and goes on from those; rods end each row without
-   a velocity along themselves. */
+/* Moves to the next row. Other coordinates are converted back only for the
+   row; the run continues from them. Rods end each row without relative
+   velocities along them. */
 static enum models_end row_steps(struct models_run *r)
 {
     struct steps *t = r->engine;
@@ -399,9 +401,9 @@ static enum models_end row_steps(struct models_run *r)
     return end;
 }
 
-/* The methods of chapter 8 have a table already; a second list would be a
-   second truth. Rods are for leapfrog alone, and along ellipses all bodies
-   pull. */
+/* The model is made from the row of the method in chapter 8's table, so
+   that there is no second list. Only leapfrog supports rods, and with
+   ellipses all bodies attract. */
 struct models_model models_of_method(const struct stepping_method *m)
 {
     const unsigned no = (m->orbits ? BEARS_PARTICLES : 0) |

@@ -1,18 +1,17 @@
-/* Two bodies as the first one sees the second: how near they pass. */
+/* Two bodies, the second relative to the first: how close they pass. */
 #ifndef PAIR_H
 #define PAIR_H
 
 #include <math.h>
 
-/* Two bodies, seen from the first. Millions of pairs are asked, and
-   calls that hand these numbers over in memory would take longer than to
-   find them; so all here is inline, and what is not asked for is not
-   computed. */
+/* Body j relative to body i. The functions are inline, and compute only
+   what is needed, since for millions of pairs passing these numbers in
+   memory would take longer than computing them. */
 struct pair {
     double r2, v2, rv; /* squared distance, m^2, and speed; r . v */
 };
 
-/* Adds what is along an axis to the sums: r, m, and v, m/s. */
+/* Adds the terms of one axis to the sums: r, m, and v, m/s. */
 static inline void pair_add(struct pair *p, double r, double v)
 {
     p->r2 += r * r;
@@ -20,9 +19,8 @@ static inline void pair_add(struct pair *p, double r, double v)
     p->rv += r * v;
 }
 
-/* Returns the square of the distance at which they pass on straight ways,
-   m^2 (12.12, eq:pair-nearest), which rounding may make a little less than
-   0. */
+/* Returns the square of the smallest distance on straight paths, m^2
+   (12.12, eq:pair-nearest); 0 where rounding makes it negative. */
 static inline double pair_nearest2(const struct pair *p)
 {
     return fmax(p->r2 - p->rv * p->rv / p->v2, 0);

@@ -1,10 +1,10 @@
-/* Light bodies from the inside out, and their Jacobi coordinates. */
+/* Light bodies sorted outwards, and their Jacobi coordinates. */
 #include "choosing/particles.h"
 
 #include <stdlib.h>
 
-/* The heavy bodies count as one, at their centre: that of a single one is
-   where it is, to the last bit. */
+/* The heavy bodies count as one body at their centre of mass; a single
+   heavy body keeps its coordinates exactly. */
 void particles_gather(const struct particles *l, const struct scene *s,
                       const double x[], double q[])
 {
@@ -32,9 +32,9 @@ int particles_compare(const void *one, const void *other)
 }
 
 /* Sorts the light bodies by their distance from the centre of the heavy
-   ones, at the start, once for all. Until then they may have any order;
-   those equally far stay in the order of their numbers, lest a result
-   depend on what qsort does with equals. */
+   ones, once, at the start. Bodies at equal distances stay in the order of
+   their numbers, so that the result does not depend on qsort. Returns false
+   if memory runs out. */
 static bool sort_by_distance(struct particles *l, const struct scene *s)
 {
     const size_t n = l->jacobi.bodies;
@@ -62,7 +62,8 @@ bool particles_is_light(const struct scene *s, size_t i, double heaviest)
     return s->mass[i] * 100 < heaviest;
 }
 
-/* Tells light bodies from heavy ones, and sorts the light ones. */
+/* Separates light bodies from heavy ones, and sorts the light ones. Returns
+   false if memory runs out. */
 static bool split(struct particles *l, const struct scene *s,
                   double heaviest, size_t centre)
 {
@@ -84,11 +85,11 @@ static bool split(struct particles *l, const struct scene *s,
     return sort_by_distance(l, s);
 }
 
-/* Jacobi's coordinates sum the masses from the inside out, and a light body
-   feels the heavy ones by M_i/M_0 (12.3, eq:light-ellipse). If a body is
-   held, or something else acts, the centre of mass is no help: momentum is
-   not conserved, and what is inside does not give way as it should. Then
-   each light body is alone with the heavy ones, as if it had no mass. */
+/* Jacobi's coordinates add up the masses from the inside outwards, and the
+   acceleration of a light body by the heavy ones has the factor M_i/M_0
+   (12.3, eq:light-ellipse). If a body is fixed, or another force acts,
+   momentum is not conserved, and they cannot be used. Then each light body
+   moves around the heavy ones alone, as if it had no mass. */
 bool particles_create(struct particles *l, const struct scene *s,
                       double heaviest, size_t centre, bool moving)
 {
@@ -118,9 +119,9 @@ void particles_free(struct particles *l)
     *l = (struct particles){0};
 }
 
-/* Replaces places by (12.2, eq:light-jacobi); velocities are differences of
-   places, and go the same way. If the heavy ones do not give way nothing
-   changes. centre: that of all. */
+/* Replaces places by (12.2, eq:light-jacobi); velocities are transformed
+   like places. Nothing changes if the heavy bodies are not moving. centre:
+   the centre of mass of all bodies. */
 static void to_jacobi(const struct particles *l, const struct scene *s,
                       double x[], double centre[])
 {
@@ -146,7 +147,7 @@ void particles_to_jacobi(struct particles *l, const struct scene *s,
 }
 
 /* Converts Jacobi's coordinates back to positions or velocities: from the
-   centre of mass, which is known, inwards; the heavy ones come last. */
+   known centre of mass inwards; the heavy bodies come last. */
 static void from_jacobi(const struct particles *l, const struct scene *s,
                         double x[], const double centre[])
 {
@@ -168,8 +169,8 @@ static void from_jacobi(const struct particles *l, const struct scene *s,
         }
 }
 
-/* The centre of all is where it began, plus its drift, plus its fall: along
-   an axis along which bodies are held weight does nothing. */
+/* The centre of mass moves uniformly, and falls unless bodies are fixed
+   along an axis. */
 void particles_from_jacobi(const struct particles *l, const struct scene *s,
                            double t, double x[], double v[])
 {

@@ -1,4 +1,4 @@
-/* Runs models row by row, in the units of a twin, and compares rows. */
+/* Runs models row by row, or twins in other units, and compares rows. */
 #include "choosing/record.h"
 
 #include "toolbox/bench.h"
@@ -8,9 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Returns how long the scene is along an axis, m, without one of the
-   bodies. Walls count with the bodies, for a gas may fill its box or stand
-   in a corner. *near: the largest distance from 0, on either side. */
+/* Returns the extent of the scene along an axis, m, without one of the
+   bodies. Walls count like bodies, since a gas may fill its box or a corner
+   of it. Sets *near to the smallest distance of the extent from 0. */
 static double spread_of(const struct scene *s, size_t k, size_t without,
                         double *near)
 {
@@ -29,8 +29,8 @@ static double spread_of(const struct scene *s, size_t k, size_t without,
     return fmax(high - low, 0);
 }
 
-/* Returns the diagonal of the box that holds all bodies but one and all
-   walls, m. */
+/* Returns the diagonal of the box around walls and all bodies but one,
+   m. */
 static double size_without(const struct scene *s, size_t without)
 {
     double sum = 0, near;
@@ -61,23 +61,23 @@ static double speed_of_body(const struct scene *s, size_t i)
     return sqrt(v[0] * v[0] + v[n] * v[n] + v[2 * n] * v[2 * n]);
 }
 
-/* What errors are divided by, in the units of a scene. */
+/* The divisors of errors, in the units of a scene. */
 struct scales {
     double length, speed, energy, momentum;
 };
 
-/* Returns a, or b if a is zero and cannot serve as a scale, as is the
-   energy of bodies that rest without forces. */
+/* Returns a, or b if a is zero and cannot be a scale, such as the energy of
+   bodies at rest without forces. */
 static double or_next(double a, double b)
 {
     return a > 0 ? a : b;
 }
 
-/* Measures the scales at the start, each in terms of those before it. A
-   lone body has no size: what it covers in the time of the run serves
-   instead, and if it rests, a metre. A momentum is measured by the sum of
-   all amounts, whatever their directions: the sum of the vectors is zero
-   for two bodies about their centre, and of zero there are no fractions. */
+/* Computes the scales at the start, each with the help of those before it.
+   A single body has no size: the scale is the distance it covers in the
+   run, or a metre if it rests. The scale of momentum is the sum of all |p|:
+   the vector sum is zero for two bodies about their centre of mass, and
+   errors cannot be fractions of zero. */
 static struct scales measure_scales(const struct record_view *v,
                                     double length)
 {
@@ -101,9 +101,9 @@ static struct scales measure_scales(const struct record_view *v,
     return to;
 }
 
-/* Returns the scale of an observable, which its unit tells, and what its
-   errors are errors of. All kinds of energy have one scale, that of the
-   whole: the parts' errors make up its own. */
+/* Returns the scale of an observable, found by its unit, and sets *as to
+   the name of the quantity whose errors are judged. All kinds of energy
+   have the scale of the total, as their errors add up to its own. */
 static double scale_of(const struct scales *to, const char *unit,
                        const char **as)
 {
@@ -125,9 +125,9 @@ static double scale_of(const struct scales *to, const char *unit,
     return known[k].scale;
 }
 
-/* Judges a column by a scale; axis: that of a coordinate, or SCENE_AXES. In
-   a periodic box a place is the same after each turn; a distance has no
-   turn, nor has the centre of mass, which flies on. */
+/* Sets the scale of a column; axis: that of a coordinate, or SCENE_AXES. In
+   a periodic box a coordinate repeats after each side; a distance does not,
+   nor does the centre of mass, which moves on. */
 static void scale_column(struct record_view *v, size_t column, double scale,
                          size_t axis)
 {
@@ -138,9 +138,9 @@ static void scale_column(struct record_view *v, size_t column, double scale,
         v->period[column] = s->high[axis] - s->low[axis];
 }
 
-/* Finds the scale of each column. Without a list all states are shown, and
-   the places among them judged: velocities keep the weight 0. Of several
-   observables the first one's scale is kept to be printed. */
+/* Sets the scale of each column. Without a list of observables all states
+   are stored, but only places are judged: velocities keep the weight 0. Of
+   several observables the first one's scale is printed. */
 static void find_scales(struct record_view *v, double length)
 {
     const struct scales to = measure_scales(v, length);
@@ -159,12 +159,13 @@ static void find_scales(struct record_view *v, double length)
     }
 }
 
-/* A scene may lie farther from the origin than it is long, and a run there
-   rounds places by what that distance rounds to: two disks four kilometres
-   away that miss each other by 3e-13 m, or do not, are told apart from near
-   the origin only. So it is moved there, axis by axis, and its rows are
-   moved back. Returns what a row of places cannot say then, as a fraction
-   of the scale: that is no error of the run, but belongs to the answer. */
+/* Finds the shift of the scene to the origin. A scene may be farther from
+   the origin than it is long, and rounding errors of places are
+   proportional to that distance: whether two disks four kilometres away
+   miss each other by 3e-13 m can be decided only near the origin. So the
+   scene is moved there, axis by axis, and its rows are moved back. Returns
+   the rounding error of moved rows, as a fraction of the scale: it is no
+   error of the run, but belongs to the answer. */
 static double find_origin(struct record_view *v)
 {
     const struct scene *s = &v->scene;
@@ -207,28 +208,26 @@ void record_view_free(struct record_view *v)
     *v = (struct record_view){0};
 }
 
-/* Two collisions at one moment that share a body are a fork: which of them
-   comes first is decided by the order of bodies in a list, or by the side
-   from which one looks, and by nothing in nature. So a twin has both the
-   other way round. The other units: of length, from the other side if it is
-   negative, of mass, and of time. No factor is a power of two, so every
-   number is rounded anew in each of them: frequencies and the times of
-   rows, too, but for twin 1, whose steps are to end at the very times of
-   the run's own. */
+/* The units of twins: of length (negative: mirrored), mass and time. Two
+   collisions at one time that share a body are a fork: which comes first is
+   decided by the order of bodies in a list or the orientation of the axes,
+   not by nature, so a twin reverses both. No factor is a power of two, so
+   every number is rounded differently in each twin: frequencies and times
+   of rows, too, except in twin 1, whose steps must end at exactly the times
+   of the run itself. */
 static const struct units {
     double length, mass, time;
 } units[] = {{1, 1, 1},        {-0.7, 1.3, 1},   {0.9, 0.6, 1.1},
              {-1.1, 1.7, 0.7}, {1.3, 0.9, 1.9},  {-0.6, 2.3, 1.3},
              {1.9, 1.1, 0.85}, {-0.85, 0.7, 0.6}};
 
-/* Returns the index of coordinate c when the order of n bodies is
-   reversed. */
+/* Returns the index of coordinate c with n bodies in reverse order. */
 static size_t reversed(size_t n, size_t c)
 {
     return c / n * n + (n - 1 - c % n);
 }
 
-/* Reverses the order in each row of n numbers, and multiplies them. */
+/* Reverses each row of n numbers, and multiplies the numbers. */
 static void reverse_rows(double a[], size_t rows, size_t n, double by)
 {
     for (size_t c = 0; a && c < rows * n; ++c) {
@@ -242,11 +241,11 @@ static void reverse_rows(double a[], size_t rows, size_t n, double by)
 }
 
 /* Converts a scene to other units, with the bodies in reverse order; a
-   negative length also reflects it, and the lower wall becomes the upper
-   one. The dimension of each quantity gives its factor: a stiffness,
-   kg/s^2, has m/t^2, k^2, m^3/(kg s^2), has |l|^3/(m t^2), and friction
-   m/t. If a factor is forgotten this is another scene, so different that no
-   tolerance is met, which tests see at once. */
+   negative length also mirrors it, and the lower wall becomes the upper
+   one. Each quantity gets the factor of its dimension: a stiffness, kg/s^2,
+   has m/t^2, k^2, m^3/(kg s^2), has |l|^3/(m t^2), and friction m/t. A
+   forgotten factor makes such a different scene that no tolerance is met,
+   which tests detect. */
 static void change_units(struct scene *s, const struct units *u)
 {
     const double l = u->length, size = fabs(l), m = u->mass, t = u->time;
@@ -286,9 +285,8 @@ static void change_units(struct scene *s, const struct units *u)
     s->damping *= m / t;
 }
 
-/* Returns by how much coordinate c of a velocity of 1 is moved in a
-   twin: by one unit in the last place, up or down. Each twin has its own
-   signs. */
+/* Returns the change of coordinate c of a velocity of 1 in a twin: one unit
+   in the last place, up or down, with different signs in each twin. */
 static double last_bit(size_t c, unsigned twin)
 {
     const uint64_t h = (c + 1) * UINT64_C(0x9e3779b97f4a7c15) +
@@ -298,10 +296,10 @@ static double last_bit(size_t c, unsigned twin)
     return ((double)(drawn >> 62 & 1) * 2 - 1) * 0x1p-52;
 }
 
-/* Moves the last bits of what flies, along the axes that live, so that what
-   is exactly at the same time, or on one line, is so no longer. A body at
-   rest that falls, or stands among others that fly, is moved by a part of
-   the speed of the scene. */
+/* Changes the last bits of all velocities that are not 0, along the axes
+   that matter, so that exact coincidences in time or place are removed. A
+   body at rest that falls, or is among moving ones, gets a tiny part of the
+   speed of the scene. */
 static void move_last_bits(struct scene *s, unsigned twin)
 {
     struct models_acts acts;
@@ -320,18 +318,18 @@ static void move_last_bits(struct scene *s, unsigned twin)
     }
 }
 
-/* Returns the distance of two numbers; in a periodic box, to the nearest
-   image: 0.1 and 9.9 in a box of 10 are 0.2 apart. */
+/* Returns the distance of two numbers; if turn > 0, to the nearest periodic
+   image: 0.1 and 9.9 in a box of 10 have the distance 0.2. */
 static double distance(double a, double b, double turn)
 {
     const double d = fabs(a - b);
     return turn > 0 ? fabs(d - turn * floor(d / turn + 0.5)) : d;
 }
 
-/* Returns the largest difference of two rows, each column in terms of its
-   scale; no less than rows are rounded, for two that agree in all digits
-   may have been rounded away from the truth alike. A NaN must not pass for
-   a small number: it is unequal to itself. */
+/* Returns the largest difference of two rows, each column relative to its
+   scale; at least the rounding error of the rows, since two that agree in
+   all digits may have been rounded alike. A NaN must not count as a small
+   number: it is unequal to itself. */
 static double row_difference(const struct record_view *v, const double a[],
                              const double b[])
 {
@@ -368,9 +366,9 @@ size_t record_agree(const struct record_view *v, const struct record *a,
 }
 
 /* Writes a row of a run, in the units of the scene: its states, or the
-   observables that are asked for. For these the view's own scene takes the
-   place of the run's. The time is that of the row, as it was asked for, and
-   not what a method has summed up to. met: collisions so far. */
+   requested observables, for which the view's own scene gets the state of
+   the run. The time is that of the row, and not the sum made by a method.
+   met: collisions so far. */
 static void write_row(struct record *r, struct record_view *v,
                       const struct record_setup *o, const struct scene *now,
                       uint64_t met)
@@ -397,7 +395,7 @@ static void write_row(struct record *r, struct record_view *v,
         }
 }
 
-/* A run under way. */
+/* A run in progress. */
 struct pass {
     struct record *r;
     const struct record_setup *o;
@@ -407,8 +405,8 @@ struct pass {
     double since;
 };
 
-/* Begins a run, with the row of the start: in other units if it is a twin,
-   in which two numbers of the plan are lengths and one a time. */
+/* Begins a run, with the row of the start. For a twin it converts the scene
+   to other units, and two lengths and a time in the plan. */
 static void begin_pass(struct pass *w, struct record_view *v)
 {
     const struct record_setup *o = w->o;
@@ -431,8 +429,8 @@ static void begin_pass(struct pass *w, struct record_view *v)
         if (w->twin.radius[i] > 0)
             w->twin.radius[i] = fmax(w->twin.radius[i] + o->grow, 0);
     if (o->twin) {
-        /* In a closed form without contacts nothing is tied, and what the
-           last bits do would only hide what the form itself rounds. */
+        /* A closed form without contacts has no coincidences to remove, and
+           changed last bits would only hide its rounding errors. */
         if (plan.model->family != MODELS_CLOSED || o->scene->contact)
             move_last_bits(&w->twin, o->twin);
         change_units(&w->twin, u);
@@ -492,8 +490,8 @@ void record_run(struct record *r, struct record_view *v,
     end_pass(&w);
 }
 
-/* Computes the next row, as next_row does, when another run has used part
-   of the cost limit that the two share. */
+/* Computes the next row, as next_row does, with the rest of a cost limit
+   that two runs share. */
 static bool next_row_beside(struct pass *w, const struct pass *other,
                             double limit, struct record_view *v)
 {
@@ -515,7 +513,7 @@ void record_both(struct record *a, struct record *b, struct record_view *v,
         ;
     end_pass(&x);
     end_pass(&y);
-    /* Both clocks ran all the time: the bill divides it. */
+    /* both clocks ran all the time: divide it by cost */
     const double seconds = fmax(a->seconds, b->seconds);
     const double bill = a->cost + b->cost;
     a->seconds = bill > 0 ? seconds * (a->cost / bill) : seconds / 2;

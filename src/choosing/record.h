@@ -1,91 +1,91 @@
-/* The rows of a run, and how far those of two runs are apart. */
+/* The rows of a run, and the difference between those of two runs. */
 #ifndef RECORD_H
 #define RECORD_H
 
 #include "choosing/models.h"
 #include "forces/observables.h"
 
-/* The columns of the rows that are kept, and what errors in each are
-   divided by: with the weights all have the same unit, a fraction. It owns
-   a copy of the scene, set in motion only because observables ask a motion:
-   it never takes a step. */
+/* The columns of the rows that are stored, with the scale of each: errors
+   times weights are fractions. Its copy of the scene has a motion only
+   because observables need one: it takes no steps. */
 struct record_view {
-    const struct observables *asked; /* NULL: all states, as step's rows */
+    const struct observables *asked; /* NULL: all states, as in step */
     size_t columns;
-    double *weight;     /* [columns] 1/scale; 0: is shown, but not judged */
-    double *period;     /* [columns] places repeat after it; 0: never */
-    double *rounding;   /* [columns] fraction it is rounded by; 0: counts */
-    double scale;       /* of the first column that is judged */
-    double length;      /* of places, m */
-    const char *judged; /* and what that is: "positions", "energy", ... */
+    double *weight;     /* [columns] 1/scale; 0: stored, not judged */
+    double *period;     /* [columns] of periodic places, or 0 */
+    double *rounding;   /* [columns] relative rounding; 0: counts */
+    double scale;       /* of the first judged column */
+    double length;      /* scale of places, m */
+    const char *judged; /* what is judged: "positions", "energy", ... */
     /* ---- private */
     struct scene scene;
     struct motion motion;
-    double origin[SCENE_AXES]; /* to which the scene is moved, m */
-    double rounded; /* by how much rows are that are moved back */
+    double origin[SCENE_AXES]; /* shift of the scene, m */
+    double rounded; /* rounding error of shifted rows, as a fraction */
 };
 
-/* A run of which every row is kept. */
+/* A run of which every row is stored. */
 struct record {
     struct models_plan plan;
     enum models_end end;
-    size_t reached; /* rows, but for that of the start */
-    double *value;  /* [(rows + 1) * columns], so far as reached */
+    size_t reached; /* rows so far, without that of the start */
+    double *value;  /* [(rows + 1) * columns] up to reached */
     double work[MODELS_UNITS];
-    uint64_t collisions; /* as the model counts them */
+    uint64_t collisions; /* as counted by the model */
     double cost;         /* of the work, s by the price list */
     double seconds;      /* of processor time */
     double clock;        /* as in struct models_run */
-    double least;        /* m, the same */
-    unsigned twin;       /* as in the order */
+    double least;        /* as in struct models_run, m */
+    unsigned twin;       /* as in record_setup */
     const char *why;     /* NULL, or why it could not begin */
 };
 
-enum { RECORD_TWINS = 7 }; /* of one run, each in units of its own */
+enum { RECORD_TWINS = 7 }; /* most twins of one run */
 
-/* How a run is to be done. */
+/* The parameters of a run. */
 struct record_setup {
     const struct scene *scene;
     struct models_plan plan;
     double every; /* s */
     size_t rows;
-    double limit;  /* cost, s by the price list */
-    double grow;   /* m, by which balls are larger */
-    unsigned twin; /* 0: the run itself; 1 to RECORD_TWINS: a twin, which
-                      is the same physically: rescaled, mirrored, renumbered
-                      and with other last bits, so that it shows rounding */
+    double limit;  /* largest cost, s by the price list */
+    double grow;   /* added to all radii, m */
+    unsigned twin; /* 0: the run itself; 1 to RECORD_TWINS: a twin, the same
+                      physics rescaled, mirrored, renumbered, with other
+                      last bits */
 };
 
-/* Prepares to look at a run that lasts `length`, s. asked has to outlive v.
-   Without memory it prints so, after the program's name, and returns false,
-   with nothing to free. */
+/* Prepares to store a run of the duration `length`, s. asked must outlive
+   v. If memory runs out, prints an error beginning with program, and
+   returns false, with nothing to free. */
 bool record_view_create(struct record_view *v, const char *program,
                         const struct scene *s,
                         const struct observables *asked, double length);
 void record_view_free(struct record_view *v);
 
-/* Runs a plan and keeps its rows. What became of the run stands in *r, to
-   be freed with record_free. */
+/* Runs a plan and stores its rows and its end in *r, for record_free. */
 void record_run(struct record *r, struct record_view *v,
                 const struct record_setup *o);
 void record_free(struct record *r);
 
-/* Two runs row by row, until they are more than `apart` of the scale apart,
-   or one has ended; both together within the limit of the first. */
+/* Runs two plans row by row in turn, until they differ by more than `apart`
+   of the scale, or one has ended; both together within the first's
+   limit. */
 void record_both(struct record *a, struct record *b, struct record_view *v,
                  const struct record_setup *oa,
                  const struct record_setup *ob, double apart);
 
-/* The largest difference of two records in all rows from the first to the
-   last, as a fraction of its scale; INFINITY if one has not come so far. */
+/* Returns the largest difference of two records in the rows from first to
+   last, as a fraction of the scale; INFINITY if one has fewer rows. */
 double record_difference(const struct record_view *v,
                          const struct record *a, const struct record *b,
                          size_t first, size_t last);
 
-/* The size of the scene, m, without the body that most adds to it, *far. */
+/* Returns the size of the scene, m, without the body that increases it
+   most, and sets *far to that body. */
 double record_scale_without(const struct scene *s, size_t *far);
 
-/* How many rows the two agree to within e. */
+/* Returns in how many rows, from the first on, two runs agree within e. */
 size_t record_agree(const struct record_view *v, const struct record *a,
                     const struct record *b, double e);
 

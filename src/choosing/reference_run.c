@@ -1,6 +1,6 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 2109781578 of the lines below */
-/* Reference runs: two that agree, the second finer and a twin. */
+/* checksum 2437174789 of the lines below */
+/* Finds reference runs: two that agree, the second finer and a twin. */
 #include "choosing/task.h"
 
 #include <math.h>
@@ -10,29 +10,28 @@ static struct models_plan finer(struct models_plan p)
     return rung_at(p, rung_fineness(&p) + log2(100));
 }
 
-/* Makes two runs row by row in turn, the second one finer, until they
-   differ. */
+/* Makes two runs row by row, the second one finer, until they differ. */
 static void run_pair(const struct task *t, struct reference *f,
                      struct models_plan plan)
 {
     const struct record_setup a = task_setup(t, plan, INFINITY);
     struct record_setup b = task_setup(t, finer(plan), INFINITY);
     b.twin = 1;
-    b.plan.slack = 0.2; /* no step is one of the first run's */
+    b.plan.slack = 0.2; /* so that no steps of the runs are equal */
     record_both(&f->coarser, &f->run, t->view, &a, &b, t->q->tolerance);
     task_bill(t, &f->coarser);
     task_bill(t, &f->run);
 }
 
-/* Returns whether the two runs agree on the closest of all contacts. */
+/* Returns whether the two runs agree on the closest contact or miss. */
 static bool is_decided(const struct reference *f)
 {
     const double a = f->coarser.least, b = f->run.least;
     return 2 * fabs(a - b) < fmin(fabs(a), fabs(b));
 }
 
-/* Bounds the error of the finer run by its twins, until the bound is below
-   `want`; returns whether it is below half of the tolerance. */
+/* Bounds the error of the finer run by twins of it, until the bound is
+   below `want`; returns whether it is below half of the tolerance. */
 bool reference_ask_twins(const struct task *t, struct reference *f,
                          double want)
 {
@@ -65,7 +64,8 @@ static void ask_balls(const struct task *t, struct reference *f)
     }
 }
 
-/* Is the finest run that there is sure to half of the tolerance? */
+/* Returns whether the error of the finest possible run is certainly below
+   half of the tolerance. */
 static bool is_sure(const struct task *t, struct reference *f)
 {
     if (f->doubt <= t->q->tolerance / last_margin)
@@ -77,11 +77,11 @@ static bool is_sure(const struct task *t, struct reference *f)
     return false;
 }
 
-/* Runs finer and finer pairs until two agree; false: they do not. */
+/* Runs finer and finer pairs until two runs agree; false if none agree. */
 static bool find_adaptive(const struct task *t, struct reference *f)
 {
     struct models_plan plan = {.model = models_find("radau15"), .steps = 1};
-    size_t stood = 0; /* rows of the last run that stood still, and 1 */
+    size_t stood = 0; /* 1 + rows before the last standstill */
     plan = rung_at(plan, -log2(task_first_tolerance(t)));
     for (;; plan = finer(plan)) {
         run_pair(t, f, plan);

@@ -1,4 +1,4 @@
-/* Rungs: how fine steps may be, and a run of one, compared. */
+/* Rungs: the numbers of steps to try, and one such run, compared. */
 #include "choosing/task.h"
 
 #include <math.h>
@@ -6,13 +6,12 @@
 
 /* Returns rung n of a method, from 1 on: eight numbers of steps to an
    octave, 1 to 16, 18, 20 ... 32, 36 ...; or tolerances of 1, 0.5, 0.2, 0.1
-   ... Rungs are fixed, so that two questions that differ a little get the
-   same plan. */
+   ... Rungs are fixed, so that similar questions get equal plans. */
 static struct models_plan nth_rung(struct models_plan p, int n)
 {
     static const double digit[] = {0.2, 1, 0.5};
-    /* To divide by a power of ten gives the number nearest to what is
-       written so; to multiply by a tenth again and again does not. */
+    /* Dividing by a power of ten gives the number nearest to the decimal;
+       multiplying by a tenth repeatedly does not. */
     double power = 1;
     for (int k = 1; k <= (n - 1) / 3 && p.model->method->adaptive; ++k)
         power *= 10;
@@ -53,7 +52,7 @@ double rung_error(const struct task *t, const struct record *r)
     return task_difference(t, r, &t->f->run) + t->f->doubt;
 }
 
-/* Returns how far the next finer rung is off, which may have been tried. */
+/* Returns the error of the next finer rung, which may have been run. */
 static double error_of_finer(const struct task *t, const struct ladder *l,
                              const struct models_plan *p)
 {
@@ -68,9 +67,9 @@ static double error_of_finer(const struct task *t, const struct ladder *l,
     return error;
 }
 
-/* Runs the next coarser rung into r and returns how far it is off. From 8
-   steps on, rungs are 0.09 to 0.17 octaves apart; below, and where a rung
-   is known to fail, nothing is run and the result is INFINITY. */
+/* Runs the next coarser rung into r and returns its error. From 8 steps on,
+   rungs are 0.09 to 0.17 octaves apart; with fewer steps, and for a rung
+   known to fail, nothing is run and the result is INFINITY. */
 static double error_of_coarser(const struct task *t, const struct ladder *l,
                                const struct models_plan *p,
                                struct record *r)
@@ -83,12 +82,13 @@ static double error_of_coarser(const struct task *t, const struct ladder *l,
     return rung_error(t, r);
 }
 
-/* Tries the neighbours of a rung that holds. Its errors may happen to
-   cancel, and be ten times as large with one step more; so one of its
-   neighbours has to hold, too. If that is the finer one, the run stands as
-   it is; if it is the coarser one, which is cheaper, that takes its place.
-   Otherwise the run is as bad as its finer neighbour. Tolerances are spared
-   this: their steps change with every digit. */
+/* Tries the neighbours of a rung within the tolerance. Its errors may
+   happen to cancel, and be ten times as large with one more step; so one of
+   its neighbours must be within the tolerance, too. If that is the finer
+   one, the run is kept; if it is the coarser one, which is cheaper, it
+   replaces the run. Otherwise the run gets the error of its finer
+   neighbour. Adaptive methods need no such test: all their steps change
+   with the tolerance. */
 static void ask_neighbours(const struct task *t, const struct ladder *l,
                            struct record *r, struct choose_point *seen)
 {

@@ -1,4 +1,4 @@
-/* Adds up the chooser's cost, keeps its candidates, sets up its runs. */
+/* Adds up the chooser's cost, stores candidates, prepares runs. */
 #include "choosing/task.h"
 
 #include <math.h>
@@ -14,18 +14,17 @@ double task_first_tolerance(const struct task *t)
     return fmax(1e-8, fmin(1e-3, pow(t->q->tolerance, 2.0 / 3)));
 }
 
-/* A passage counts if it displaces somebody by more than a twentieth of the
-   tolerance until the end (12.13, eq:choose-passage); in a finer reference
-   if it does by less, since what both of two runs leap over neither can
-   tell. */
+/* Two bodies passing each other matter if that moves a body by more than a
+   twentieth of the tolerance before the end (12.13, eq:choose-passage); for
+   a finer reference by less, as two runs that miss a passage would
+   agree. */
 struct record_setup task_setup(const struct task *t,
                                struct models_plan plan, double limit)
 {
     const double less = fmin(plan.tolerance / task_first_tolerance(t), 1);
     plan.negligible = negligible * t->q->tolerance * t->view->length * less;
     plan.time_left = (double)t->c->rows * t->q->every;
-    plan.start_limit =
-        fmax(task_budget(t) / 2, 1e-9); /* a twin's as well */
+    plan.start_limit = fmax(task_budget(t) / 2, 1e-9); /* also for a twin */
     plan.contact_margin =
         plan.tolerance > 0 ? t->q->tolerance * t->view->length : 0;
     return (struct record_setup){.scene = t->q->scene,
@@ -146,8 +145,9 @@ void task_refuse_plan(const struct task *t, const struct models_plan *p,
                  plan, role, t->q->budget, t->c->spent);
 }
 
-/* Refuses where bodies come to rest on each other: runs of two tolerances
-   have seen it after the same row, so it is neither rounding nor a fork. */
+/* Refuses a scene whose bodies come to rest on each other: runs with two
+   tolerances have shown it after equal numbers of rows, so it is due
+   neither to rounding nor to a fork. */
 static void refuse_standstill(const struct task *t, const struct record *r)
 {
     snprintf(t->c->refusal, CHOOSE_REFUSAL,

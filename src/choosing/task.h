@@ -1,4 +1,4 @@
-/* What the parts of the chooser share: the question, the cost, and runs. */
+/* Shared by the files of the chooser: the question, the cost, the runs. */
 #ifndef TASK_H
 #define TASK_H
 
@@ -6,52 +6,51 @@
 #include "choosing/models.h"
 #include "choosing/record.h"
 
-/* A question, what its runs are judged by, and the answer so far. */
+/* A question, the view that judges its runs, and the answer so far. */
 struct task {
     const struct choose_request *q;
     struct record_view *view;
-    struct reference *f;     /* stands when candidates are tried */
-    struct choose_choice *c; /* where what was seen is written down */
+    struct reference *f;     /* found before candidates are compared */
+    struct choose_choice *c; /* the answer, with all results */
 };
 
-/* A run to compare others with, and how far it may itself be off. The
-   coarser one of two is kept as well: it is a candidate like others. */
+/* A run with which others are compared, and its own error. The coarser of
+   its two runs is kept as well, as a candidate. */
 struct reference {
     struct record run, coarser;
-    double seen;    /* how far the two are apart */
-    double doubt;   /* how far the finer one may be off */
-    unsigned twins; /* how many were run, besides the coarser run */
+    double seen;    /* difference of the two runs */
+    double doubt;   /* bound of the error of the finer run */
+    unsigned twins; /* twins of it, without the coarser run */
 };
 
-/* The runs of one method with finer and finer steps. Kept are the best of
-   them and the bounds between which the next one has to lie. */
+/* The runs of one method with finer and finer steps: the best of them and
+   the bounds of the next one. */
 struct ladder {
     struct choose_candidate *candidate;
     struct models_plan foot;
-    struct choose_point best; /* the coarsest within the tolerance, or else
-                                 the last; model NULL: none was tried */
-    double least, most;       /* bounds of the next fineness, in
-                                 octaves */
+    struct choose_point best; /* the coarsest within the tolerance, or the
+                                 last; model NULL: none */
+    double least, most;       /* bounds of the next fineness, octaves */
     double rise;              /* octaves of cost per octave of fineness */
-    double price; /* s: estimated after the first run, of a run within
-                     the tolerance */
+    double price;             /* predicted cost within the tolerance, s */
 };
 
-/* Fractions of the tolerance: what is nothing beside it, and how well two
-   references agree; and what cheap ones do. */
+/* Fractions of the tolerance: errors that are negligible, which is also how
+   well two references must agree; and the limit for cheap references. */
 static const double negligible = 0.05;
 static const double roughly = 0.2;
 
-/* ---- task.c: the bill and the list of candidates */
+/* ---- task.c: the cost and the list of candidates */
 
-/* Returns what is left to be spent, s by the price list. */
+/* Returns the rest of the budget, s by the price list. */
 double task_budget(const struct task *t);
 
 /* Returns the tolerance of the steps of the first reference. */
 double task_first_tolerance(const struct task *t);
 
-/* Writes down how a plan is to be run: for what it may cost at most, what
-   is left and the limit, and with which passages and contacts count. */
+/* Returns the parameters of a run of a plan: its cost limit, the smaller of
+   `limit` and the rest of the budget, and what passages and contacts
+   count. */
 struct record_setup task_setup(const struct task *t,
                                struct models_plan plan, double limit);
 
@@ -66,120 +65,123 @@ void task_run(const struct task *t, struct record *r,
 bool task_complete(const struct task *t, const struct record *r);
 
 /* Returns the largest difference of two runs, as a fraction of the scale,
-   from the first row after the start, where all are alike. */
+   in all rows after the start. */
 double task_difference(const struct task *t, const struct record *a,
                        const struct record *b);
 
-/* Records that runs differ after the first `held` rows: this is the horizon
-   of the scene, and the nearest one seen counts. */
+/* Records that runs differ after the first `held` rows: this is a horizon
+   of the scene, and the earliest one is kept. */
 void task_note_horizon(const struct task *t, size_t held, double every);
 
-/* Records the horizon, as task_note_horizon does, of two runs if they
-   differ by more than `most`; their first rows may agree nevertheless. */
+/* Records a horizon, as task_note_horizon does, if two runs differ by more
+   than `most`; their first rows may agree. */
 void task_note_parting(const struct task *t, const struct record *a,
                        const struct record *b, double most);
 
-/* Returns the candidate of a plan's model and cuts, a new one if there is
-   none. The list has room for more than there are. */
+/* Returns the candidate with a plan's model and cuts, a new one if
+   needed. */
 struct choose_candidate *task_candidate(const struct task *t,
                                         struct models_plan plan);
 
 /* Stores the reason why a candidate is excluded. */
 void task_explain(struct choose_candidate *k, const char *text);
 
-/* Returns in words how a run ended that has not all its rows. */
+/* Returns text that says how a run without all its rows ended. */
 const char *task_ending(const struct record *r);
 
-/* Returns the cost to beat, s by the price list. */
+/* Returns the cost of the best run so far, s by the price list. */
 double task_best_cost(const struct task *t);
 
-/* Writes down a run whose error was seen: as a point of the chart; with its
-   candidate, if it is the cheapest of that which holds; and if it is the
-   cheapest of all, the answer takes its rows over (*r is then empty), so
-   that nothing has to be run again. */
+/* Stores a run with its error: as a point of the chart; in its candidate,
+   if it is the cheapest within the tolerance; and if it is the cheapest of
+   all, the answer takes over its rows (*r is then empty), so that nothing
+   is run again. */
 void task_consider(const struct task *t, struct choose_candidate *k,
                    struct record *r, double error);
 
-/* Refuses, as a plan is too expensive (why NULL), or for another reason. */
+/* Writes a refusal: a plan is too expensive (why NULL), or the reason
+   why. */
 void task_refuse_plan(const struct task *t, const struct models_plan *p,
                       const char *why, const char *role);
 
-/* Refuses if it is no use to look for finer references: *f is too
-   expensive, or it is the scene that ends them. *stood: 0 at first; the
-   rows of the last run that ended since bodies came to rest on each other,
-   and 1. */
+/* Writes a refusal and returns true if finer references are useless: they
+   are too expensive, or always end early. *stood is 0 at first, then 1 plus
+   the rows of the last run that ended because bodies came to rest on each
+   other. */
 bool task_gives_up(const struct task *t, const struct reference *f,
                    size_t *stood);
 
-/* ---- rung.c: how fine the steps of a method may be, one by one */
+/* ---- rung.c: the numbers of steps of a method */
 
-/* Returns how fine the steps of a plan are, in octaves: one octave is twice
-   as many steps, or half the tolerance. */
+/* Returns the fineness of the steps of a plan, in octaves: one octave is
+   twice as many steps, or half the tolerance. */
 double rung_fineness(const struct models_plan *p);
 
-/* Returns the coarsest rung that is as fine as this, with 2^52 steps or a
-   tolerance of 1e-15 at most. */
+/* Returns the coarsest rung of at least this fineness, with at most 2^52
+   steps or a tolerance of at least 1e-15. */
 struct models_plan rung_at(struct models_plan p, double fine);
 
-/* Returns the lowest rung: the longest steps that make sense, three fifths
-   of what the method can bear or a radian of the largest rate. */
+/* Returns the lowest rung: the longest useful steps, three fifths of the
+   method's stability limit or a radian of the largest rate. */
 struct models_plan rung_lowest(const struct task *t, struct models_plan p);
 
-/* Returns how far a run is from the reference, and that from the truth. */
+/* Returns the distance of a run from the reference plus the latter's
+   error. */
 double rung_error(const struct task *t, const struct record *r);
 
-/* Runs a plan, up to a cost, and writes down how far off it is. l: NULL, or
-   the ladder that it is a rung of: then a neighbour has to hold, too. */
+/* Runs a plan, up to a cost, and stores its error. l: NULL, or the plan's
+   ladder: then a neighbour must be within the tolerance, too. */
 struct choose_point rung_try(const struct task *t, const struct ladder *l,
                              struct models_plan plan, double limit,
                              struct choose_candidate *k);
 
-/* ---- twins.c: what rounding does to a run */
+/* ---- twins.c: rounding errors of a run */
 
-/* The largest number of twins of a run. The largest distance from k of
-   them, times a factor, bounds the error of the run; for each k the chance
-   that it does not is 6.7e-5. */
+/* The largest number of twins of a run. The largest distance of k of them
+   from the run, times twins_margin[k - 1], bounds the error of the run; for
+   each k this fails with probability 6.7e-5. */
 enum { TWINS = 6 };
 extern const double twins_margin[TWINS];
-static const double last_margin = 2; /* the last of them, and the least */
+static const double last_margin = 2; /* the last twins_margin */
 
-/* Runs a plan and its twin side by side until they part; returns whether
-   they have. Both are to be freed. */
+/* Runs a plan and its twin row by row until they differ; returns whether
+   they do. Both are to be freed. */
 bool twins_run(const struct task *t, struct record_setup one,
                struct record *a, struct record *b);
 
-/* Runs another twin of a run and returns their distance. Where they are
-   more than `most` apart that is noted as a horizon; 0: it is none. */
+/* Runs another twin of a run and returns their distance. If it exceeds
+   `most`, a horizon is recorded, unless most is 0. */
 double twins_add(const struct task *t, const struct record *r,
                  unsigned number, double most);
 
-/* Returns how far a run may be off that is complete, like its first
-   twin. */
+/* Returns a bound of the error of run a, which like its twin b is
+   complete. */
 double twins_bound(const struct task *t, const struct record *a,
                    const struct record *b);
 
-/* ---- reference_run.c: a run that proves itself */
+/* ---- reference_run.c: references */
 
-/* Finds a reference. false: there is none; if that is no horizon, the
-   refusal says why. */
+/* Finds a reference. Returns false if there is none; then a horizon or a
+   refusal is recorded. */
 bool reference_find(const struct task *t, struct reference *f);
 
-/* Compares the finer run with twins of its own, until they bound its error
-   by `want`, or there are no more, or they differ by too much. Returns
-   whether the bound is at most half of the tolerance. */
+/* Compares the finer run with twins of it, until they bound its error by
+   `want`, or there are no more, or they differ by too much. Returns whether
+   the bound is at most half of the tolerance. */
 bool reference_ask_twins(const struct task *t, struct reference *f,
                          double want);
 
 /* ---- climb.c: finer steps, as long as they may pay */
 
-/* Notes on a ladder what a run of one of its rungs has shown. */
+/* Updates a ladder with the result of a run of one of its rungs. */
 void climb_note(const struct task *t, struct ladder *l,
                 struct choose_point r);
 
-/* Returns what is expected to hold, by the order, s by the price list. */
+/* Returns the cost of a run within the tolerance, as predicted from the
+   order, s by the price list. */
 double climb_price(const struct task *t, const struct ladder *l);
 
-/* Tries finer rungs, as long as one may become cheaper than the best. */
+/* Tries finer rungs, as long as one may be cheaper than the best run. */
 void climb(const struct task *t, struct ladder *l);
 
 #endif

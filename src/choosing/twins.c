@@ -1,11 +1,11 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 2211966322 of the lines below */
-/* What rounding does to a run: twins of it, in other units. */
+/* checksum 643172534 of the lines below */
+/* Rounding errors of a run, shown by twins of it in other units. */
 #include "choosing/task.h"
 
 #include <math.h>
 
-/* Runs a plan beside its twin; returns whether they have parted. */
+/* Runs a plan beside its twin; returns whether they differ. */
 bool twins_run(const struct task *t, struct record_setup one,
                struct record *a, struct record *b)
 {
@@ -23,8 +23,8 @@ bool twins_run(const struct task *t, struct record_setup one,
 }
 
 const double twins_margin[TWINS] = {4800, 43, 9.2, 4.3, 2.7, 2};
-/* Runs another twin, notes where it parts from the run if that shows a
-   horizon (most > 0), and returns how far it is from the run. */
+/* Runs another twin and returns its distance from the run; if most > 0,
+   records a horizon where they differ by more. */
 double twins_add(const struct task *t, const struct record *r,
                  unsigned number, double most)
 {
@@ -53,7 +53,7 @@ static double error_of_clock(const struct task *t, const struct record *r)
     record_free(&late);
     return by;
 }
-static const double trifle = 1e-3; /* s: not worth being saved */
+static const double trifle = 1e-3; /* cost that is not worth saving, s */
 
 /* Returns a bound of the error of run a; it and its twin b are complete. */
 double twins_bound(const struct task *t, const struct record *a,

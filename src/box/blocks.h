@@ -1,4 +1,4 @@
-/* Means over time with honest errors, from samples summed in blocks. */
+/* Means over time with their errors, from samples summed in blocks. */
 #ifndef BLOCKS_H
 #define BLOCKS_H
 
@@ -42,7 +42,7 @@ struct blocks_average {
 enum { BLOCKS_STEADY = 6 }; /* the largest |drift| that chance explains */
 
 /* Return the average of a column of the samples, and that of n values in
-   the order in which they were measured. */
+   the order of measurement. */
 struct blocks_average blocks_average(const struct blocks *b, size_t column);
 struct blocks_average blocks_average_of(size_t n, const double x[]);
 

@@ -1,5 +1,5 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 282678327 of the lines below */
+/* checksum 591179290 of the lines below */
 /* A calendar queue: days that are linked lists, each a few events long. */
 #include "box/calendar.h"
 
@@ -127,7 +127,7 @@ static void shorten(struct calendar *c)
     const double today = c->begin + c->width * (double)c->today;
     c->asked = c->looked = 0;
     if (!(today + c->width / 4 > today))
-        return; /* the clock has no shorter days */
+        return; /* shorter days would be below the clock's last bit */
     c->begin = today;
     c->width /= 4;
     c->today = 0;

@@ -29,8 +29,8 @@ static const float *place_of(const struct cells *c, uint32_t i)
    its velocity, m/s. Since every plan calls it, it repeats the code of
    disks_position and disks_separation without their divisions: 10 000
    spheres run 6 % faster. Only disks under gravity call disks_position. */
-static void leave_anchor(const struct cells *c, uint32_t i, double way[],
-                         double v[])
+static void from_anchor(const struct cells *c, uint32_t i, double way[],
+                        double v[])
 {
     const struct disk *a = &c->d->disk[i];
     const float *at = place_of(c, i);
@@ -60,7 +60,7 @@ static double skin_end(const struct cells *c, uint32_t i, double until)
     const double most = g > 0 ? sqrt(c->skin / (2 * g)) : INFINITY;
     const double skin = g > 0 ? 0.75 * c->skin : c->skin;
     double way[DISKS_AXES], v[DISKS_AXES];
-    leave_anchor(c, i, way, v);
+    from_anchor(c, i, way, v);
     const double b = dot(way, v), vv = dot(v, v);
     const double left = skin * skin - dot(way, way);
     const double wait = until - c->d->now;
@@ -77,8 +77,8 @@ static double skin_end(const struct cells *c, uint32_t i, double until)
 
 /* Replaces *first by the earliest meeting of disk i with a neighbour, if
    that comes before *first. */
-static void ask_each(const struct cells *c, uint32_t i,
-                     struct disks_event *first)
+static void meet_each(const struct cells *c, uint32_t i,
+                      struct disks_event *first)
 {
     const uint32_t *list = c->neighbour + i * c->seats;
     for (size_t k = 0; k < c->anchor[i].neighbours; ++k) {
@@ -158,7 +158,8 @@ VECTOR_AVX2 static inline v4 dot4(const v4 a[], const v4 b[])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* Returns x in the lanes that are chosen, `otherwise` in the others. */
+/* Returns a vector with x in the lanes that are chosen, `otherwise` in the
+   others. */
 VECTOR_AVX2 static inline v4 choose(v4 otherwise, v4 x, l4 chosen)
 {
     return _mm256_blendv_pd(otherwise, x, (v4)chosen);
@@ -195,10 +196,10 @@ VECTOR_AVX2 static inline void meet_four(const struct cells *c,
     first->who = (l4)choose((v4)first->who, (v4)who, sooner);
 }
 
-/* Does what ask_each does. A list whose length is no multiple of four is
+/* Does what meet_each does. A list whose length is no multiple of four is
    padded with disk i itself, which it never meets. */
-VECTOR_AVX2 static void ask_four(const struct cells *c, uint32_t i,
-                                 struct disks_event *first)
+VECTOR_AVX2 static void meet_by_fours(const struct cells *c, uint32_t i,
+                                      struct disks_event *first)
 {
     const struct disk *a = &c->d->disk[i];
     const uint32_t *list = c->neighbour + i * c->seats;
@@ -228,7 +229,8 @@ EIGHT void gather_eight(const struct disk *disk, const uint32_t *list,
 {
     v8 row[4];
     for (size_t k = 0; k < 4; ++k) {
-        const uint32_t *pair = list + k + (k & 2); /* it and its second */
+        const uint32_t *pair = list + k + (k & 2); /* pair[0] and pair[2]
+                                                      share a row */
         row[k] = _mm512_insertf64x4(
             _mm512_castpd256_pd512(
                 _mm256_load_pd(disk[pair[0]].position + half)),
@@ -292,14 +294,14 @@ EIGHT void meet_eight(const struct cells *c, const struct disk *a,
     first->who = _mm512_mask_mov_epi64(first->who, sooner, who);
 }
 
-/* Does what ask_each does. Most disks have 9 to 16 neighbours: the first
+/* Does what meet_each does. Most disks have 9 to 16 neighbours: the first
    two batches follow each other without a loop, so that the processor
    starts the second before the roots of the first are done. The last batch
    ends with the end of the list; lanes that repeat earlier neighbours are
    masked out, as each would tie with itself. After a tie it calls
-   ask_each. */
-EIGHT void ask_eight(const struct cells *c, uint32_t i,
-                     struct disks_event *first)
+   meet_each. */
+EIGHT void meet_by_eights(const struct cells *c, uint32_t i,
+                          struct disks_event *first)
 {
     const struct disk *a = &c->d->disk[i];
     const uint32_t *list = c->neighbour + i * c->seats;
@@ -320,7 +322,7 @@ EIGHT void ask_eight(const struct cells *c, uint32_t i,
     if (!lanes.ties && !(time < first->time))
         return;
     if (lanes.ties || (those & (those - 1))) {
-        ask_each(c, i, first);
+        meet_each(c, i, first);
         return;
     }
     const __m512i who = _mm512_maskz_compress_epi64(those, lanes.who);
@@ -341,19 +343,19 @@ size_t cells_lanes(void)
 /* Updates *first by the meetings of disk i with its neighbours, by the
    widest vector code available. That assumes straight flights, so under
    gravity the neighbours are examined one by one. */
-static void look_at_neighbours(const struct cells *c, uint32_t i,
-                               struct disks_event *first)
+static void meet_neighbours(const struct cells *c, uint32_t i,
+                            struct disks_event *first)
 {
 #ifdef VECTOR_AVX2
     const size_t lanes = c->d->gravity > 0 ? 1 : c->lanes;
     if (lanes == 8)
-        ask_eight(c, i, first);
+        meet_by_eights(c, i, first);
     else if (lanes == 4)
-        ask_four(c, i, first);
+        meet_by_fours(c, i, first);
     if (lanes > 1)
         return;
 #endif
-    ask_each(c, i, first);
+    meet_each(c, i, first);
 }
 
 /* FETCH loads a cache line in advance. A large system mostly waits for
@@ -453,7 +455,7 @@ static void plan(struct cells *c, uint32_t i)
     struct disks_event first = {disks_wall(d, i, &axis), i,
                                 (uint32_t)(d->count + axis)};
     fetch_neighbours(c, i);
-    look_at_neighbours(c, i, &first);
+    meet_neighbours(c, i, &first);
     const double end = skin_end(c, i, first.time);
     if (end < first.time)
         first = (struct disks_event){end, i, i};
@@ -467,7 +469,7 @@ static void plan(struct cells *c, uint32_t i)
    for the neighbours of a disk (a giant among small ones has hundreds). It
    happens a few times at the start of a run. Moving the lists in reverse
    order overwrites none. Returns false if memory runs out. */
-static bool more_seats(struct cells *c)
+static bool lengthen_lists(struct cells *c)
 {
     const size_t n = c->d->count, seats = c->seats + 4, old = c->seats;
     uint32_t *list = realloc(c->neighbour, n * seats * sizeof *list);
@@ -483,10 +485,10 @@ static bool more_seats(struct cells *c)
 
 /* Appends `other` to the list of disk i. Returns false if memory runs out,
    or if i has more neighbours than 16 bits can count. */
-static bool learn(struct cells *c, uint32_t i, uint32_t other)
+static bool add_neighbour(struct cells *c, uint32_t i, uint32_t other)
 {
     if (c->anchor[i].neighbours == UINT16_MAX ||
-        (c->anchor[i].neighbours == c->seats && !more_seats(c)))
+        (c->anchor[i].neighbours == c->seats && !lengthen_lists(c)))
         return false;
     c->neighbour[i * c->seats + c->anchor[i].neighbours++] = other;
     return true;
@@ -496,24 +498,24 @@ static bool learn(struct cells *c, uint32_t i, uint32_t other)
    entry, as the order of a list has no effect on events. The loop visits
    all entries, four together: stopping at the right one costs a branch that
    is usually mispredicted, which takes longer. */
-static void forget(struct cells *c, uint32_t i, uint32_t other)
+static void remove_neighbour(struct cells *c, uint32_t i, uint32_t other)
 {
-    uint32_t *seat = c->neighbour + i * c->seats;
+    uint32_t *entry = c->neighbour + i * c->seats;
     const size_t last = --c->anchor[i].neighbours;
-    const uint32_t name = seat[last];
+    const uint32_t name = entry[last];
     for (size_t k = 0; k < c->seats; k += BATCH)
         for (size_t l = 0; l < BATCH; ++l)
-            seat[k + l] = seat[k + l] == other ? name : seat[k + l];
-    seat[last] = i;
+            entry[k + l] = entry[k + l] == other ? name : entry[k + l];
+    entry[last] = i;
 }
 
 /* Removes disk i from all lists and empties its own list. */
-static void forget_all(struct cells *c, uint32_t i)
+static void clear_list(struct cells *c, uint32_t i)
 {
-    uint32_t *seat = c->neighbour + i * c->seats;
+    uint32_t *entry = c->neighbour + i * c->seats;
     for (size_t k = 0; k < c->anchor[i].neighbours; ++k) {
-        forget(c, seat[k], i);
-        seat[k] = i;
+        remove_neighbour(c, entry[k], i);
+        entry[k] = i;
     }
     c->anchor[i].neighbours = 0;
 }
@@ -535,7 +537,7 @@ static size_t cell_of(const struct cells *c, const double x[])
 
 /* Gives all cells space for two more anchors, and moves the arrays of the
    cells apart, in reverse order. Returns false if memory runs out. */
-static bool more_room(struct cells *c)
+static bool enlarge_cells(struct cells *c)
 {
     const size_t old = c->room, room = old + 2;
     float *place =
@@ -587,7 +589,7 @@ static bool enter_cell(struct cells *c, uint32_t i)
     disks_fold(c->d, x);
     const size_t cell = cell_of(c, x);
     if (c->full[cell] == UINT16_MAX ||
-        (c->full[cell] == c->room && !more_room(c)))
+        (c->full[cell] == c->room && !enlarge_cells(c)))
         return false;
     const float at[] = {(float)x[0], (float)x[1], (float)x[2]};
     write_place(c, cell, c->full[cell]++, i, at, 1);
@@ -623,31 +625,35 @@ static struct beside beside(const struct cells *c, size_t g, size_t k)
 /* Makes disks i and `other` neighbours if the square of the distance of
    their anchors, m^2, is small enough (7.14, eq:neighbours). Returns false
    if memory runs out. */
-static bool consider(struct cells *c, uint32_t i, uint32_t other,
-                     float square)
+static bool join_if_near(struct cells *c, uint32_t i, uint32_t other,
+                         float square)
 {
     const double reach = c->d->disk[i].radius + c->d->disk[other].radius +
                          2 * c->skin + c->slack;
     if (other == i || (double)square > reach * reach)
         return true;
-    return learn(c, i, other) && learn(c, other, i);
+    return add_neighbour(c, i, other) && add_neighbour(c, other, i);
 }
 
-enum { NEAR = 64, ROW = 16 }; /* NEAR: size of a collection; ROW: lanes */
+enum {
+    NEAR = 64,
+    ROW = 16
+}; /* NEAR: most anchors collected; ROW: vector
+      lanes */
 
 /* Anchors within the range that the widest disk would have. */
 struct near {
     size_t count;
     uint32_t who[NEAR + ROW];
-    float square[NEAR + ROW]; /* of the distance, m^2 */
+    float square[NEAR + ROW]; /* of their distances, m^2 */
 };
 
-/* Calls consider for all anchors in *near, and empties it. Returns false if
-   memory runs out. */
-static bool consider_all(struct cells *c, uint32_t i, struct near *near)
+/* Calls join_if_near for all anchors in *near, and empties it. Returns
+   false if memory runs out. */
+static bool join_all(struct cells *c, uint32_t i, struct near *near)
 {
     for (size_t k = 0; k < near->count; ++k)
-        if (!consider(c, i, near->who[k], near->square[k]))
+        if (!join_if_near(c, i, near->who[k], near->square[k]))
             return false;
     near->count = 0;
     return true;
@@ -658,9 +664,9 @@ static bool consider_all(struct cells *c, uint32_t i, struct near *near)
    time. A dense gas of 10 000 spheres, in which every eleventh collision
    renews a list, runs 3 % faster. */
 #ifdef VECTOR_AVX512
-VECTOR_AVX512 static void look_at_row(const struct cells *c, size_t cell,
-                                      const float from[], float farthest,
-                                      struct near *near)
+VECTOR_AVX512 static void search_row(const struct cells *c, size_t cell,
+                                     const float from[], float farthest,
+                                     struct near *near)
 {
     const float *x = c->place + 3 * cell * c->room;
     const __mmask16 all = (__mmask16)((1u << c->full[cell]) - 1);
@@ -686,10 +692,11 @@ VECTOR_AVX512 static void look_at_row(const struct cells *c, size_t cell,
    cell's last anchor never count. All four are written, but the count grows
    for near ones only, so that the next write replaces a distant one: one in
    seven is near, and a mispredicted branch costs more than a write. With
-   this, and with forget, spheres at the packing 0.3 run a fifth faster. */
-static bool look_in_cell(struct cells *c, uint32_t i, size_t cell,
-                         const float from[], float farthest,
-                         struct near *near)
+   this, and with remove_neighbour, spheres at the packing 0.3 run a fifth
+   faster. */
+static bool search_cell(struct cells *c, uint32_t i, size_t cell,
+                        const float from[], float farthest,
+                        struct near *near)
 {
     const float *x = c->place + 3 * cell * c->room;
     const float *y = x + c->room, *z = y + c->room;
@@ -697,15 +704,15 @@ static bool look_in_cell(struct cells *c, uint32_t i, size_t cell,
     const size_t full = c->full[cell];
 #ifdef VECTOR_AVX512
     if (c->lanes == 8 && full <= ROW) {
-        if (near->count > NEAR && !consider_all(c, i, near))
+        if (near->count > NEAR && !join_all(c, i, near))
             return false;
-        look_at_row(c, cell, from, farthest, near);
+        search_row(c, cell, from, farthest, near);
         return true;
     }
 #endif
     for (size_t k = 0; k < full; k += BATCH) {
         float square[BATCH];
-        if (near->count > NEAR && !consider_all(c, i, near))
+        if (near->count > NEAR && !join_all(c, i, near))
             return false;
         for (size_t l = 0; l < BATCH; ++l) {
             const float u = x[k + l] - from[0], v = y[k + l] - from[1];
@@ -746,18 +753,18 @@ static bool find_neighbours(struct cells *c, uint32_t i)
                                       here[2] - bz.shift[z]};
                 const size_t cell =
                     (bz.at[z] * ny + by.at[y]) * nx + bx.at[x];
-                if (!look_in_cell(c, i, cell, from, (float)(reach * reach),
-                                  &near))
+                if (!search_cell(c, i, cell, from, (float)(reach * reach),
+                                 &near))
                     return false;
             }
-    return consider_all(c, i, &near);
+    return join_all(c, i, &near);
 }
 
 /* Sets the anchor of disk i to its present place and makes its list anew.
    Returns false if memory runs out. */
 static bool renew(struct cells *c, uint32_t i)
 {
-    forget_all(c, i);
+    clear_list(c, i);
     leave_cell(c, i);
     return enter_cell(c, i) && find_neighbours(c, i);
 }
@@ -792,7 +799,8 @@ static double choose_skin(const struct disks *d, double radius, double pair)
     return fmin(skin, 0.999 * fmin(image, cells));
 }
 
-/* The largest radius, the sum of the two largest, and the mean, m. */
+/* Radii of the disks, m: the largest, the sum of the two largest, the
+   mean. */
 struct sizes {
     double widest, pair, mean;
 };
@@ -889,8 +897,8 @@ bool cells_create(struct cells *c, struct disks *d)
     *c = (struct cells){.d = d, .lanes = cells_lanes()};
     lay_grid(c, d);
     bool memory = make_lists(c, n);
-    for (size_t seat = 0; memory && seat < n * c->seats; ++seat)
-        c->neighbour[seat] = (uint32_t)(seat / c->seats);
+    for (size_t entry = 0; memory && entry < n * c->seats; ++entry)
+        c->neighbour[entry] = (uint32_t)(entry / c->seats);
     for (uint32_t i = 0; memory && i < n; ++i)
         memory = enter_cell(c, i) && find_neighbours(c, i);
     if (!memory)

@@ -39,7 +39,7 @@ struct cells {
     uint32_t *who;    /* for each cell the disks of its `room` anchors */
     uint16_t *full;   /* for each cell the number of its anchors */
     uint64_t stale;   /* events dropped as the partner had collided */
-    uint64_t renewed; /* lists made anew at the end of a skin */
+    uint64_t renewed; /* lists made again at the end of a skin */
 };
 
 /* Says whether the box suits cells: a periodic axis must be wide enough for
@@ -57,8 +57,8 @@ void cells_free(struct cells *c);
 bool cells_fit(const struct cells *c, size_t *a, size_t *b);
 
 /* Runs as disks_run does, with results equal to the last bit, in a time per
-   collision that does not grow with the number of disks. Returns
-   DISKS_COLLISIONS with fewer collisions than requested without memory. */
+   collision that does not grow with the number of disks. If memory runs
+   out, returns DISKS_COLLISIONS before that number is reached. */
 enum disks_stop cells_run(struct cells *c, double until,
                           uint64_t collisions);
 

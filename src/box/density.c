@@ -64,8 +64,8 @@ static void block(struct line *l, const double centre[], double reach)
     blocked[k][1] = b + half;
 }
 
-/* Blocks the line by disk j: in a periodic box by each of its nearest
-   images, 9 in the plane and 27 in space. */
+/* Marks the part of the line blocked by disk j: in a periodic box by each
+   of its nearest images, 9 in the plane and 27 in space. */
 static void block_by(struct line *l, size_t j)
 {
     const struct disks *d = &l->s->disks;
@@ -163,7 +163,7 @@ double sampling_pair_density(const struct sampling *s, size_t i, size_t j)
     return part > 0 && low ? at / part : 0;
 }
 
-/* The root is taken of a product, since the difference of the squares would
+/* Takes the root of a product, since the difference of the squares would
    lose digits where the segment is thin. */
 double sampling_segment(size_t dimensions, double radius, double distance)
 {

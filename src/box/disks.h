@@ -1,4 +1,4 @@
-/* Hard disks and spheres in a box: starts, collisions, runs and sums. */
+/* Hard disks and spheres in a box: starts, collisions, runs, energy. */
 #ifndef DISKS_H
 #define DISKS_H
 
@@ -63,7 +63,7 @@ struct disks {
     uint64_t collisions, wall_collisions;
     double impulse[DISKS_AXES]; /* given to the walls across an axis, N s */
     double virial;  /* sum of distance times impulse in collisions, J s */
-    uint32_t *hits; /* collisions of each disk, with disks and walls */
+    uint32_t *hits; /* collisions of each disk, also with walls */
     uint64_t standing;       /* collisions at the present time */
     struct disks_plan *plan; /* private to disks_run */
 };

@@ -1,4 +1,4 @@
-/* Disks moved from tick to tick by a wrong loop and by a right one. */
+/* Disks moved from tick to tick, by a wrong loop and by a correct one. */
 #ifndef LOOP_H
 #define LOOP_H
 
@@ -12,7 +12,7 @@ struct loop {
     struct disks d;
     struct disks_event next;
     double t;      /* present time, s */
-    double offset; /* ticks */
+    double offset; /* -1 in the article, 1 is correct; ticks */
 };
 
 /* Carries out the next event and finds the one after it. */

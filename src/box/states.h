@@ -1,4 +1,4 @@
-/* States of disks in a file, from which a run goes on to the last bit. */
+/* States of disks in a file, from which a run continues exactly. */
 #ifndef STATES_H
 #define STATES_H
 

@@ -66,7 +66,7 @@ struct search {
     double box[2]; /* distances between walls, m */
     double energy; /* kinetic, J; in a periodic box relative to the drift */
     double mass;   /* total, kg */
-    double radii;  /* sum, m */
+    double radii;  /* their sum, m */
     bool equal;    /* whether all masses are equal */
 };
 
@@ -367,7 +367,7 @@ static bool sample(struct measurement *w, double value[])
     return true;
 }
 
-/* Returns the average of blocks from to to-1 of a column; fills x with
+/* Returns the average of the blocks from..to-1 of a column; fills x with
    their means. */
 static struct blocks_average part(const struct measurement *w,
                                   size_t column, size_t from, size_t to,
@@ -556,7 +556,8 @@ static void refuse(char *to, const struct measurement *w)
              (double)w->run.rows * w->interval, w->why, more);
 }
 
-/* Computes the answer by a run of events. Returns false without memory. */
+/* Computes the answer by a run of events; returns false if memory runs
+   out. */
 static bool measure(const struct search *h)
 {
     struct averages_found *f = h->f;
@@ -579,7 +580,7 @@ static bool measure(const struct search *h)
 }
 
 /* Computes the answer by the way that suits the quantity and the scene; a
-   way requested by name must be that one. Returns false without memory. */
+   way requested by name must be that one. False if memory runs out. */
 static bool answer(const struct search *h)
 {
     const enum averages_kind kind = h->q->quantity.kind;

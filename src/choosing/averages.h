@@ -44,8 +44,8 @@ enum { AVERAGES_BUDGET = 60 }; /* default budget, s by the price list */
 struct averages_found {
     const char *way; /* conserved, tonks or events; NULL: none */
     enum averages_sure sure;
-    double value, error;      /* in its unit; as a fraction of the scale */
-    double scale;             /* max(1, Z); the box; or the value */
+    double value, error;      /* value in its unit; error over scale */
+    double scale;             /* of errors: max(1, Z); box; or value */
     double time, cost;        /* simulated time, s; s by the price list */
     char text[AVERAGES_TEXT]; /* how the answer was found */
     char refusal[AVERAGES_REFUSAL]; /* empty unless refused */

@@ -147,8 +147,8 @@ static void add_model(const struct task *t, struct ladder ladder[],
 }
 
 /* Tries all methods with equal steps, or all adaptive ones: first the
-   lowest rung of each ladder, then finer ones, ladder by ladder, as long as
-   one may be cheaper than the best so far. */
+   lowest rung of each ladder, then finer rungs, ladder by ladder, as long
+   as a rung may be cheaper than the best run so far. */
 static void race(const struct task *t, bool adaptive)
 {
     struct ladder ladder[STEPPING_MOST + LEFT_OUT];
@@ -226,12 +226,11 @@ static void compare(const struct task *t)
    is_near_floor leaves no smaller differences, so this is not tested. */
 static const double seldom = 400;
 
-/* Returns whether rounding changes the chosen run by a 300th of the
-   tolerance or more. A twin of it, which costs little, tells. If rounding
-   errors could break the promise although it does not, the twin would have
-   come so close by chance, in less than one of a hundred cases; and the two
-   references, too, to less than a twentieth, in one of a dozen. Either
-   alone does no harm. */
+/* Returns whether a twin of the chosen run differs from it by a 300th of
+   the tolerance or more. If rounding errors could exceed the tolerance, the
+   twin would differ less only by chance, in less than one of a hundred
+   cases; and the two references would agree to a twentieth only by chance,
+   in one of a dozen. Both together are too rare to matter. */
 static bool is_near_floor(const struct task *t)
 {
     struct record twin;

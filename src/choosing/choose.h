@@ -14,7 +14,7 @@ enum { CHOOSE_MOST = STEPPING_MOST + 40, CHOOSE_POINTS = 400 };
 struct choose_request {
     const struct scene *scene;
     const char *program;             /* its name, for messages */
-    double until, every;             /* times: last row; between rows, s */
+    double until, every;             /* of the last row; between rows; s */
     double tolerance;                /* of errors, fraction of the scale */
     const struct observables *asked; /* NULL: all positions */
     double budget; /* largest total cost, s by the price list */
@@ -26,7 +26,7 @@ struct choose_request {
 /* A candidate: a model with its simplifications, and its results so far. */
 struct choose_candidate {
     struct models_plan plan;
-    double error, cost; /* fraction of the scale; s by the price list */
+    double error, cost; /* error over scale; s by the price list */
     double foreseen;    /* predicted cost, s, or INFINITY */
     bool holds;
     char text[CHOOSE_TEXT]; /* the result, or why it is excluded */

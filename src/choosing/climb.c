@@ -1,6 +1,6 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 4130803071 of the lines below */
-/* Tries finer and finer steps of one method, as long as they may pay. */
+/* checksum 1429344638 of the lines below */
+/* Tries finer and finer steps of one method while they may be cheaper. */
 #include "choosing/task.h"
 
 #include <math.h>
@@ -22,8 +22,8 @@ static bool is_vain(const struct ladder *l, double error)
 }
 
 /* Returns whether the last error says nothing about the order, so that much
-   finer steps are tried at once. On a ladder with simplifications a large
-   error is not blind, since they may cause all of it. */
+   finer steps are tried next. On a ladder with simplifications these may
+   cause all of a large error, so it is no sign of that. */
 static bool is_blind(const struct ladder *l)
 {
     const double error = l->best.error;

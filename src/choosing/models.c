@@ -55,7 +55,7 @@ const char models_no_memory[] = "there is no memory";
 /* The messages for models that cannot compute what acts, one for each bit,
    the most useful to a reader first. */
 enum { ACTS = 6 };
-static const char *const unborne[ACTS] = {
+static const char *const unsupported[ACTS] = {
     "it knows no rods", "it does not ask who pulls",
     "springs act",      "the bodies attract each other",
     "bodies may meet",  "there is friction"};
@@ -72,7 +72,7 @@ static const char *refusal(const struct models_run *r)
                              a->contact,         a->friction};
     for (unsigned k = 0; k < ACTS; ++k)
         if (acts[k] && !(m->bears >> k & 1))
-            return unborne[k];
+            return unsupported[k];
     return m->refuses ? m->refuses(&r->scene, a) : NULL;
 }
 

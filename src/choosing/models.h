@@ -17,19 +17,19 @@ enum models_unit {
     MODELS_SPRING,     /* force of a spring; ten times that if in no band */
     MODELS_ROD,        /* correction of a rod */
     MODELS_CONTACT,    /* body in a part of a step, with contacts */
-    MODELS_OVERLAP,    /* and each pair examined */
-    MODELS_CURVE,      /* and each product for a gap's polynomial */
-    MODELS_ROOT,       /* and each polynomial with a root */
+    MODELS_OVERLAP,    /* pair examined for contacts */
+    MODELS_CURVE,      /* product of coefficients for a gap */
+    MODELS_ROOT,       /* polynomial of a gap that has a root */
     MODELS_LINE_EVENT, /* collision on a line */
-    MODELS_LINE_SCAN,  /* and each gap examined */
+    MODELS_LINE_SCAN,  /* gap examined on a line */
     MODELS_DISK_EVENT, /* collision of disks, or with a wall */
-    MODELS_DISK_SCAN,  /* and each disk examined */
+    MODELS_DISK_SCAN,  /* disk examined for a plan */
     MODELS_RENEWAL,    /* neighbour list made */
     MODELS_ELLIPSE,    /* body moved along its ellipse */
-    MODELS_FLIGHT,     /* coordinate; damped or on a spring: 10 */
+    MODELS_FLIGHT,     /* free coordinate; damped or on a spring: ten */
     MODELS_ORDER,      /* comparison in sorting bodies */
     MODELS_MODE,       /* operation in finding and summing modes */
-    MODELS_ROW,        /* row of any model */
+    MODELS_ROW,        /* output of a row */
     MODELS_UNITS
 };
 
@@ -153,9 +153,9 @@ unsigned models_cuts(const struct scene *s);
 /* Finds the interactions in a scene. */
 void models_analyse(struct models_acts *a, const struct scene *s);
 
-/* Returns an estimate of the largest angular frequency now, plus the
-   largest rate of friction, 1/s, with these cuts; INFINITY without
-   memory. */
+/* Returns an estimate of the present largest angular frequency plus the
+   largest rate of friction, 1/s, with these cuts; INFINITY if memory runs
+   out. */
 double models_rate(const struct scene *s, unsigned cuts);
 
 /* Returns the square of the present distance of two bodies, m^2. */
@@ -186,7 +186,8 @@ bool models_begin(struct models_run *r, const struct models_plan *p,
 enum models_end models_row(struct models_run *r);
 void models_end(struct models_run *r);
 
-/* Returns the collisions up to the last row; UINT64_MAX without memory. */
+/* Returns the collisions up to the last row; UINT64_MAX if memory runs
+   out. */
 uint64_t models_collisions(struct models_run *r);
 
 #endif

@@ -31,14 +31,15 @@ double models_square(const struct scene *s, size_t i, size_t j)
     return pair_of(s, i, j, s->position, s->velocity).r2;
 }
 
-/* Whether an interaction acts is exact. An axis does not matter if nothing
-   moves along it at the start and nothing pushes: there is no uniform
-   gravity along it, and no two bodies that interact have different places
-   along it. Then nothing ever moves along it: forces are along the line
-   between two bodies, or along their relative velocity, and the difference
-   of equal numbers is exactly 0. Friction only slows down. For gravity and
-   contacts the places of all bodies count, since any two may interact; for
-   springs those of the two ends of each: a flat membrane stays flat. */
+/* An interaction is absent only if it is exactly zero. An axis does not
+   matter if nothing moves along it at the start and nothing pushes: there
+   is no uniform gravity along it, and no two bodies that interact have
+   different places along it. Then nothing ever moves along it: forces are
+   along the line between two bodies, or along their relative velocity, and
+   the difference of equal numbers is exactly 0. Friction only slows down.
+   For gravity and contacts the places of all bodies count, since any two
+   may interact; for springs those of the two ends of each: a flat membrane
+   stays flat. */
 void models_analyse(struct models_acts *a, const struct scene *s)
 {
     const size_t n = s->bodies;
@@ -214,8 +215,8 @@ const char *const models_cut_names[MODELS_CUTS + 1] = {
     "no-light", "rods",      "no-softening", "no-friction", "no-dashpots",
     "no-weak",  "no-weight", "no-pull",      "no-across",   NULL};
 
-/* Removes the motion across the line: the axis along which a body is
-   farthest from the first one. */
+/* Removes the motion across the line, which is the axis along which a body
+   is farthest from the first one. */
 static void flatten(struct scene *s)
 {
     const size_t n = s->bodies;

@@ -219,7 +219,7 @@ struct vibration {
     struct springs springs;
     struct modes modes;
     double *rest, *push;     /* [3 * bodies] equilibrium; scratch */
-    double *amount, *change; /* [size] of each mode at the start */
+    double *amount, *change; /* [size] of each mode, at the start */
     double *pull;            /* [size] force on each mode at equilibrium */
     double rate;             /* friction over mass, 1/s */
     double slack;            /* smaller squares count as 0, 1/s^2 */

@@ -8,7 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Bodies on a line, from left to right. */
+/* The bodies of a scene as a row on a line. */
 struct row_of_bodies {
     size_t axis;
     double sign;        /* -1: axis reversed, so that gravity points left */

@@ -5,8 +5,8 @@
 #include "choosing/models.h"
 #include "choosing/pair.h"
 
-/* Coordinates lie axis by axis: all x, then all y, then all z. A set of
-   axes is a number of three bits. */
+/* Coordinates are arranged axis by axis: all x, then all y, then all z. A
+   set of axes is a number with three bits. */
 /* Returns the index of coordinate k of body i. */
 static inline size_t at(const struct scene *s, size_t k, size_t i)
 {

@@ -32,9 +32,8 @@ static const char *refuse_steps(const struct scene *s,
                : NULL;
 }
 
-/* Sorts bodies from the inside outwards, after the central one, as ellipses
-   need it: their numbers in a file have no meaning. False without
-   memory. */
+/* Sorts bodies outwards, after the central one, since ellipses need that
+   order and numbers in a file have no meaning. False if memory runs out. */
 static bool order_outwards(struct particles *l, const struct scene *s)
 {
     return particles_create(l, s, INFINITY,
@@ -77,8 +76,7 @@ static const char *refuse_orbits(const struct scene *s,
 /* A run in steps, with or without rods. */
 struct steps {
     struct motion motion;
-    struct scene scene; /* what is stepped: a copy that does not move in
-                           memory */
+    struct scene scene; /* a copy to be stepped, fixed in memory */
     struct models_plan plan;
     struct particles particles;
     struct rods rods;
@@ -209,7 +207,8 @@ static const char *begin_steps(struct models_run *r)
         g->source = t->particles.order;
         g->sources = t->particles.heavy;
         g->factor = t->particles.factor;
-        models_count_sorting(r, s->bodies, 5); /* with the coordinates */
+        models_count_sorting(r, s->bodies, 5); /* five times, with the
+                                                  coordinates */
     }
     if (count > 0) {
         t->rodded =
@@ -237,12 +236,12 @@ static double count_pulls(const struct steps *t)
     return n <= 32 ? n * (n - 1) / 2 : n * (n - 1) / 8;
 }
 
-/* Returns the passes over bodies for each evaluation: of a splitting, n,
-   for a kick and a drift; of an explicit method twice that, as a stage
-   combines those before it; of an implicit method more, as it combines all
-   of them repeatedly; of a pair also for the error estimate; of Radau's
-   method four times as much, and as much again as for eight bodies. These
-   factors are measured, like prices. */
+/* Returns the passes over bodies in each evaluation, a measured number: n
+   for a kick and a drift of a splitting; twice that for a stage of an
+   explicit method, which combines those before it; more for an implicit
+   method, which combines all of them repeatedly; 8 n for a pair, with its
+   error estimate; for Radau's method 4 n, plus as much as for eight
+   bodies. */
 static double body_passes(const struct stepping_method *m, double n)
 {
     switch (m->family) {
@@ -258,7 +257,7 @@ static double body_passes(const struct stepping_method *m, double n)
    are scattered. A pendulum has only such springs, a small beam mostly. */
 enum { LISTED = 10 };
 
-/* Counts the work of `asked` force evaluations. */
+/* Counts the work of this number of force evaluations. */
 static void count_evaluations(const struct models_run *r,
                               const struct steps *t, double asked,
                               double work[MODELS_UNITS])

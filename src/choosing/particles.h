@@ -17,14 +17,14 @@ struct particles {
     size_t bodies, heavy;
     uint32_t *order; /* [bodies] the heavy ones, by number; the light ones,
                         outwards */
-    double *factor;  /* [bodies] on the acceleration of each body */
+    double *factor;  /* [bodies] factor on each acceleration */
     bool moving;     /* whether the heavy ones move */
     /* The heavy ones as one body, then the light ones, which have no mass
        unless moving. */
     struct jacobi jacobi;
     double *mass, *work;       /* [n], [6 * n]; n: bodies of jacobi */
     double centre[SCENE_AXES]; /* centre of mass at the start, m */
-    double drift[SCENE_AXES];  /* its velocity, m/s */
+    double drift[SCENE_AXES];  /* velocity of the centre of mass, m/s */
 };
 
 /* Compares two struct particles_place for qsort: by key, then by number. */

@@ -126,8 +126,8 @@ static double scale_of(const struct scales *to, const char *unit,
 }
 
 /* Sets the scale of a column; axis: that of a coordinate, or SCENE_AXES. In
-   a periodic box a coordinate repeats after each side; a distance does not,
-   nor does the centre of mass, which moves on. */
+   a periodic box a coordinate is compared modulo the side; a distance is
+   not, nor is the centre of mass, which moves on. */
 static void scale_column(struct record_view *v, size_t column, double scale,
                          size_t axis)
 {

@@ -28,12 +28,12 @@ struct record_view {
 struct record {
     struct models_plan plan;
     enum models_end end;
-    size_t reached; /* rows so far, without that of the start */
+    size_t reached; /* rows after that of the start */
     double *value;  /* [(rows + 1) * columns] up to reached */
     double work[MODELS_UNITS];
     uint64_t collisions; /* as counted by the model */
     double cost;         /* of the work, s by the price list */
-    double seconds;      /* of processor time */
+    double seconds;      /* processor time, s */
     double clock;        /* as in struct models_run */
     double least;        /* as in struct models_run, m */
     unsigned twin;       /* as in record_setup */

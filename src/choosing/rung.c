@@ -114,7 +114,7 @@ struct choose_point rung_try(const struct task *t, const struct ladder *l,
                              struct choose_candidate *k)
 {
     struct record r;
-    struct choose_point seen = {plan, INFINITY, INFINITY}; /* too costly */
+    struct choose_point seen = {plan, INFINITY, INFINITY}; /* for now */
     const struct record_setup o = task_setup(t, plan, limit);
     task_run(t, &r, &o);
     if (r.end != MODELS_COSTLY)

@@ -20,7 +20,7 @@ struct reference {
     struct record run, coarser;
     double seen;    /* difference of the two runs */
     double doubt;   /* bound of the error of the finer run */
-    unsigned twins; /* twins of it, without the coarser run */
+    unsigned twins; /* number of twins of the finer run */
 };
 
 /* The runs of one method with finer and finer steps: the best of them and
@@ -125,8 +125,8 @@ struct models_plan rung_at(struct models_plan p, double fine);
    method's stability limit or a radian of the largest rate. */
 struct models_plan rung_lowest(const struct task *t, struct models_plan p);
 
-/* Returns the distance of a run from the reference plus the latter's
-   error. */
+/* Returns the distance of a run from the reference plus the error of the
+   reference. */
 double rung_error(const struct task *t, const struct record *r);
 
 /* Runs a plan, up to a cost, and stores its error. l: NULL, or the plan's
@@ -171,7 +171,7 @@ bool reference_find(const struct task *t, struct reference *f);
 bool reference_ask_twins(const struct task *t, struct reference *f,
                          double want);
 
-/* ---- climb.c: finer steps, as long as they may pay */
+/* ---- climb.c: finer and finer steps of a method */
 
 /* Updates a ladder with the result of a run of one of its rungs. */
 void climb_note(const struct task *t, struct ladder *l,

@@ -596,9 +596,9 @@ static void accept(struct adaptive *s, double h)
         s->shortest = h;
 }
 
-/* Limits the next step to `most`, s. This limit, like the first step, does
-   not depend on the tolerance; so that two runs that are compared do not
-   take equal steps for this reason, one of them sets its slack. */
+/* Limits the next step to `most`, s. Neither this limit nor the first step
+   depends on the tolerance, so two runs with different tolerances might
+   take equal steps: to be compared, one of them sets its slack. */
 static void bound(struct adaptive *s, double most)
 {
     s->next = fmin(s->next, (1 - s->slack) * most);

@@ -10,7 +10,7 @@ struct adaptive_state {
     double *carry;     /* rounding errors of the sums for x, then for v */
 };
 
-/* A system that an adaptive method steps. Its fields may be read. */
+/* The state of a run by an adaptive method. Its members may be read. */
 struct adaptive {
     const struct stepping_method *method;
     struct stepping_forces forces;
@@ -20,8 +20,8 @@ struct adaptive {
     double t, h;             /* end and length of the last step, s */
     double shortest;         /* shortest accepted step, s; 0: none */
     /* ---- private */
-    double start, owed, next; /* all in s; owed: rounding error of t; next:
-                                 proposed length */
+    double start, owed, next; /* s; owed: rounding of t; next: proposed
+                                 length */
     uint64_t before;          /* steps taken before start */
     double past, past_owed;   /* t and owed before the last step, s */
     double whole;             /* length of the step described by b, s */

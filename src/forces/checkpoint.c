@@ -27,7 +27,7 @@ bool checkpoint_possible(const char *output)
     return stat(output, &file) != 0 || S_ISREG(file.st_mode);
 }
 
-/* Returns both strings concatenated, for free, or NULL without memory. */
+/* Returns a new string of both, for free(); NULL if memory runs out. */
 static char *join(const char *a, const char *b)
 {
     const size_t size = strlen(a) + strlen(b) + 1;

@@ -22,8 +22,8 @@ static inline void pull(const struct gravity *g, const double p[], size_t j,
     pull_by(g->mass[j], p[j], p[n + j], p[2 * n + j], least, self, o);
 }
 
-/* Adds the accelerations due to all bodies of the block that begins with
-   body i. Each sum has its terms in the order of the bodies, whatever the
+/* Adds, for the block that begins with body i, the accelerations due to all
+   bodies. Each sum has its terms in the order of the bodies, whatever the
    width of the processor's vectors: (sec:gravity-blocks). */
 VECTOR_LOOP static void add_portable(const struct gravity *g,
                                      const double x[], double a[], size_t i)

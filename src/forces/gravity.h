@@ -14,7 +14,7 @@
 enum gravity_kernel {
     GRAVITY_AUTO,         /* the fastest with the bits of portable */
     GRAVITY_PORTABLE,     /* plain C, equal bits on every machine */
-    GRAVITY_AVX512,       /* intrinsics, eight bodies at a time */
+    GRAVITY_AVX512,       /* by intrinsics, eight bodies at a time */
     GRAVITY_TREE,         /* Barnes and Hut's: needs gravity_use_tree */
     GRAVITY_OPENCL,       /* on a device: needs `elsewhere` */
     GRAVITY_OPENCL_FLOAT, /* that in single precision */
@@ -74,8 +74,7 @@ void gravity_free(struct gravity *g);
    bodies at one place give NaN. The number of threads changes no bits. */
 void gravity_add(const struct gravity *g, const double x[], double a[]);
 
-/* Returns these accelerations as forces for stepping_begin; g must outlive
-   them. */
+/* Returns gravity_add as forces for stepping_begin; g must outlive them. */
 struct stepping_forces gravity_forces(struct gravity *g);
 
 /* Returns the potential energy, in units of mass 1 times velocity squared:

@@ -196,7 +196,7 @@ enum {
     GAS_SEED,
     GAS_RESTITUTION,
     GAS_DT,
-    GAS_HEAVY, /* mass of the heavy disk; brownian only */
+    GAS_HEAVY, /* mass of the heavy disk, in brownian only */
     GAS_HEAVY_RADIUS
 };
 

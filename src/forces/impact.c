@@ -560,7 +560,7 @@ static struct impact_gap *earlier_gap(const struct impact *p, double *h)
 }
 
 /* Ends the step unfinished, and records the two bodies that caused it. */
-static void crowd(struct impact *p, const struct impact_gap *g)
+static void abandon_step(struct impact *p, const struct impact_gap *g)
 {
     p->crowded = true;
     p->between[0] = g->a;
@@ -671,11 +671,11 @@ static void settle(struct impact *p, uint64_t *met)
             if (is_wall(&p->gap[i]))
                 hold(p, &p->gap[i]);
             else
-                crowd(p, &p->gap[i]);
+                abandon_step(p, &p->gap[i]);
         }
     while (p->end == STEPPING_DONE && settle_once(p, &now))
         if (++passes == MOST_PASSES)
-            crowd(p, &p->gap[0]);
+            abandon_step(p, &p->gap[0]);
     p->simultaneous += now > 1 ? now - 1 : 0;
     *met += now;
     if (!p->stepping->own)
@@ -853,7 +853,7 @@ static enum stepping_end reach_look(struct impact *p, uint64_t *met)
         if (p->end == STEPPING_DONE)
             take_own(p);
         if (parts == MOST_PARTS && p->gaps > 0)
-            crowd(p, &p->gap[0]);
+            abandon_step(p, &p->gap[0]);
     }
     s->evaluations += own->evaluations - before;
     if (p->end == STEPPING_DONE) {
@@ -873,7 +873,7 @@ enum stepping_end impact_step(struct impact *p, uint64_t *met)
     for (int parts = 0; left > 0 && p->end == STEPPING_DONE; ++parts) {
         left -= take_part(p, left, met);
         if (parts == MOST_PARTS && p->gaps > 0)
-            crowd(p, &p->gap[0]);
+            abandon_step(p, &p->gap[0]);
     }
     p->stepping->steps += p->end == STEPPING_DONE;
     return p->end;

@@ -13,8 +13,8 @@
 struct impact {
     uint64_t simultaneous; /* contacts at the time of the last one */
     uint64_t grazing;      /* of paths, not confirmed by the method */
-    double least;          /* width nearest to 0 of the minima of gaps, m;
-                              set it to the largest that counts */
+    double least;          /* minimum of a gap nearest to 0, m; to be set to
+                              the largest that counts */
     uint64_t parts;        /* parts of steps searched for contacts */
     uint64_t pairs;        /* pairs examined in these parts */
     uint64_t curves;       /* gaps followed; each needs a product of two
@@ -33,7 +33,7 @@ struct impact {
     signed char *held;   /* [3 * bodies] side of the holding wall, or 0 */
     size_t lifted;       /* coordinate that a wall would have to pull */
     double *note;        /* state of the stepping when the part begins */
-    double *control;     /* [3 * bodies][10] points of the paths, m */
+    double *control;     /* [3 * bodies][10] of the paths, m */
     size_t degree;       /* of the paths */
     double *low, *high;  /* [3 * bodies] limits of each path, m */
     double *pull;        /* [3 * bodies] accelerations, m/s^2 */

@@ -1,6 +1,6 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 4013589081 of the lines below */
-/* Moves bodies along ellipses in Jacobi's coordinates, and kicks them. */
+/* checksum 2140952050 of the lines below */
+/* Moves bodies along ellipses, in Jacobi's coordinates, and kicks them. */
 #include "forces/jacobi.h"
 
 #include "forces/kepler.h"

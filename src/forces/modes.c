@@ -1,5 +1,5 @@
 /* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 881489328 of the lines below */
+/* checksum 4111187412 of the lines below */
 /* Finds modes: diagonalises the stiffness matrix by Jacobi's rotations. */
 #include "forces/modes.h"
 
@@ -79,7 +79,7 @@ static void add_spring(const struct springs *p,
     }
 }
 
-/* Adds all springs to the matrix of zeros. Returns false without memory. */
+/* Adds all springs to the matrix of zeros. False if memory runs out. */
 static bool assemble(const struct modes *m, const struct springs *p,
                      const double x[], double matrix[])
 {

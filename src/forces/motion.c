@@ -491,14 +491,14 @@ static bool note(double **to, const double from[], size_t n)
     return !*to == !from;
 }
 
-/* Saves also the rounding errors of compensated sums: each is less than a
-   last digit, but a run resumed without them differs after a thousand
-   steps; and the acceleration that leapfrog stores. After a contact that is
-   no longer valid, and is not saved: an uninterrupted run also computes a
-   new one. A time in the first column of a resumed run may differ in its
-   last digit from that of an uninterrupted run: it is t0 + n dt, and t0 is
-   now the time of the saved scene. No motion depends on it; a checkpoint
-   stores t0 and n, and gives equal times. */
+/* Stores rounding errors of compensated sums, too: each is less than a last
+   digit, but a run resumed without them differs after a thousand steps. It
+   also stores the acceleration that leapfrog keeps, except after a contact,
+   when that is no longer valid: an uninterrupted run also computes a new
+   one. A time in the first column of a resumed run may differ in its last
+   digit from that of an uninterrupted run: it is t0 + n dt, and t0 is now
+   the time of the saved scene. No motion depends on it; a checkpoint stores
+   t0 and n, and gives equal times. */
 bool motion_note(struct motion *m)
 {
     struct scene *s = m->scene;
@@ -513,7 +513,7 @@ bool motion_note(struct motion *m)
 
 /* Returns the potential energy in uniform gravity, J, summed over the free
    coordinates only: fixed ones would add a constant. */
-static double weigh(const struct scene *s)
+static double weight_energy(const struct scene *s)
 {
     const size_t n = s->bodies;
     double sum = 0;
@@ -547,7 +547,7 @@ struct motion_energy motion_energy(const struct motion *m)
     return (struct motion_energy){
         motion_kinetic(m),
         m->attracts ? gravity_potential(&m->gravity, x) : 0, springs,
-        weigh(m->scene)};
+        weight_energy(m->scene)};
 }
 
 double motion_potential(const struct motion *m)

@@ -67,8 +67,8 @@ void motion_end(struct motion *m);
 
 /* Has contacts found inside the steps from now on, not after them. To be
    called before the first step, for a scene with contacts, a method of
-   stepping_methods and dt > 0. Returns false, with m unchanged, without
-   memory. */
+   stepping_methods and dt > 0. Returns false, with m unchanged, if memory
+   runs out. */
 bool motion_locate(struct motion *m);
 
 /* Takes `steps` steps. Contacts, if the scene has any, are resolved after
@@ -87,8 +87,7 @@ void motion_resume(struct motion *m, double start, uint64_t steps);
 
 /* Stores time, initial step, rounding errors and the acceleration kept by
    the method in the scene: a file written by scene_write can then be
-   continued, by this method, with equal bits. Returns false without
-   memory. */
+   continued, by this method, with equal bits. False if memory runs out. */
 bool motion_note(struct motion *m);
 
 /* Return the present energy, J: all parts, kinetic, and potential. Fixed

@@ -303,7 +303,8 @@ static bool has_passed(const struct spheres *p, size_t i, size_t j,
     const size_t n = p->scene->bodies;
     const double sum = p->scene->radius[i] + p->scene->radius[j];
     const double touching = sum * sum, dt = p->dt;
-    double now = 0, b = 0, u2 = 0; /* d^2, d u and u^2 */
+    double now = 0, b = 0, u2 = 0; /* d^2, d u and u^2; d, u: relative
+                                      place, velocity */
     for (size_t k = 0; k < SPHERES_AXES; ++k) {
         const double d = spheres_way(p->scene, x, i, j, k);
         const double u = v[k * n + j] - v[k * n + i];

@@ -15,7 +15,7 @@ struct rods_rod {
     double square; /* of its length, m^2 */
 };
 
-/* A scene with rods in it, in steps of leapfrog. */
+/* The state of a scene with rods, stepped by leapfrog. */
 struct rods {
     size_t bodies, count;
     struct rods_rod *rod;

@@ -41,8 +41,8 @@ static double distance(const struct scene *s, size_t a, size_t b,
     return sqrt(square);
 }
 
-/* Adds the accelerations of two overlapping bodies along the line between
-   their centres. Bodies at one place have no direction, and no force. */
+/* Adds the accelerations of two overlapping bodies, in the direction of the
+   line between their centres. Bodies at one place get no force. */
 static void push_apart(const struct scene *s, size_t i, size_t j,
                        const double x[], const double v[], double a[])
 {

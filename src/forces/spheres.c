@@ -1,5 +1,5 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 3465147173 of the lines below */
+/* checksum 653920991 of the lines below */
 /* Reflects spheres that overlap after a step, and moves them apart. */
 #include "forces/spheres.h"
 
@@ -34,7 +34,8 @@ void spheres_free(struct spheres *p)
 /* Two bodies, relative to the first. */
 struct contact {
     size_t a, b;
-    double d[SPHERES_AXES], u[SPHERES_AXES]; /* from a to b; m, m/s */
+    double d[SPHERES_AXES], u[SPHERES_AXES]; /* of b relative to a: m,
+                                                m/s */
     double sigma, distance;                  /* sum of radii; distance; m */
     double normal[SPHERES_AXES];             /* of the length distance, m */
     double back;                             /* time since the contact, s */

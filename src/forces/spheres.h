@@ -60,7 +60,7 @@ struct spheres {
     enum spheres_shift shift;
     enum spheres_order order;
     enum spheres_search search;
-    double dt; /* the scene's step, s; limits SPHERES_BACK */
+    double dt; /* the scene's step, s; SPHERES_BACK goes back less */
     double restitution;
     /* ---- counted by spheres_resolve */
     uint64_t collisions, wall_collisions;

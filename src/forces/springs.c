@@ -583,7 +583,7 @@ static void reach_in(const struct springs *p, const struct task *t,
     }
 }
 
-/* Does the task for bodies `from` to end - 1, block by block. */
+/* Completes the task for bodies `from` to end - 1, block by block. */
 static void gather(const struct springs *p, const struct task *t,
                    size_t from, size_t end, double buffer[])
 {

@@ -17,7 +17,7 @@ enum {
 /* How the forces are summed. Both ways give equal bits. */
 enum springs_engine {
     SPRINGS_GATHER, /* bands of springs, block by block */
-    SPRINGS_SCATTER /* spring after spring */
+    SPRINGS_SCATTER /* springs one after another */
 };
 
 /* A band: springs of one kind that join body i to body i + stride, for many
@@ -46,9 +46,8 @@ struct springs {
     bool axial;
     enum springs_engine engine;
     int threads;
-    double *force; /* [3 * bodies] sums made spring by spring, N */
-    double
-        *buffer; /* forces of bands, for each thread or step of a sweep */
+    double *force;  /* [3 * bodies] sums made spring by spring, N */
+    double *buffer; /* band forces of each thread or step of a sweep */
 };
 
 /* Copies all data it needs from the scene, which may change afterwards.

@@ -1,4 +1,4 @@
-/* Runs by equal steps: their memory, the steps, tests of the numbers. */
+/* Runs by equal steps: their memory, the steps, checks for infinities. */
 #include "forces/stepping.h"
 
 #include "forces/adaptive.h"

@@ -48,7 +48,7 @@ enum stepping_family {
     STEPPING_EXPLICIT,  /* Runge-Kutta, stage after stage */
     STEPPING_IMPLICIT,  /* Runge-Kutta, all stages at once */
     STEPPING_PAIR,      /* explicit, with an estimate of its error */
-    STEPPING_RADAU      /* polynomial force in time */
+    STEPPING_RADAU      /* the force is a polynomial in time */
 };
 
 /* A method: its properties and its coefficients. */
@@ -150,7 +150,7 @@ enum stepping_end stepping_run(struct stepping *s, uint64_t steps);
 /* Returns the time of x and v, s. */
 double stepping_time(const struct stepping *s);
 
-/* Must be called after x or v were changed from outside. */
+/* Tells s that x or v were changed by the caller. */
 void stepping_disturb(struct stepping *s);
 
 void stepping_free(struct stepping *s);

@@ -1,5 +1,5 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 413562812 of the lines below */
+/* checksum 1934466152 of the lines below */
 /* Sums gravity by a tree, in which a distant cell of bodies is one mass. */
 #include "forces/tree.h"
 
@@ -167,7 +167,7 @@ static inline struct box box_of(const struct block *o)
     return b;
 }
 
-/* Returns whether the cell may be one mass from everywhere in the box. */
+/* Returns whether the cell may count as a mass for the whole box. */
 static inline bool is_small(const struct tree *t, const struct cell *c,
                             const struct box *b)
 {
@@ -182,7 +182,8 @@ static inline bool is_small(const struct tree *t, const struct cell *c,
     return c->side * c->side < t->theta2 * d2;
 }
 
-/* Adds the accelerations of the block from body i on due to all bodies. */
+/* Adds, for the block from body i on, the accelerations due to all
+   bodies. */
 static inline void walk(const struct gravity *g, size_t i, struct block *o)
 {
     const struct tree *t = g->tree;

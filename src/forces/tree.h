@@ -1,4 +1,4 @@
-/* A tree of cells: gravity treats a distant cell as one mass. */
+/* A tree of cells for gravity: a distant cell counts as one mass. */
 #ifndef TREE_H
 #define TREE_H
 

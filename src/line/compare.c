@@ -32,8 +32,8 @@ static void series_of(size_t n, const double x[], double y[],
 }
 
 /* Sets *error to the standard error of the mean of y, estimated from blocks
-   if y is a series in time, and updates the largest inefficiency, block and
-   so on in *d. Returns false if memory runs out. */
+   if y is a series in time; in *d inefficiency, block and plateau become
+   the worst of all calls. Returns false if memory runs out. */
 static bool error_of(size_t n, const double y[], bool serial,
                      struct statistics_description *d, double *error)
 {

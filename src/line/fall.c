@@ -1,4 +1,4 @@
-/* The roots of a parabola at a floor and at a roof. */
+/* Times at which a parabola reaches a floor or a roof. */
 #include "line/fall.h"
 
 #include <math.h>

@@ -90,7 +90,7 @@ size_t laws_complete(struct law *law, double mean, double sd)
         {mean, sd},
         {0, p[0] * sd * sd / 2, 1}, /* <v^2> = 2E/nm */
         {0, 0, 0, 1},
-        {0, 1, 0}}; /* a component, not a speed */
+        {0, 1, 0}}; /* of a component, not of a speed */
     law->given = kinds[law->kind].most;
     for (size_t k = given; k < law->given; ++k)
         p[k] = usual[law->kind][k];

@@ -27,7 +27,7 @@ struct law_test {
     double degrees;                /* of freedom of chi2 */
 };
 
-/* Reads a law from text; what stands in brackets may be missing:
+/* Reads a law from text; parts in brackets are optional:
      normal[:mean,sd]
      microcanonical:n[,E,m]   a velocity of a body of mass m when n such
                               velocity components share the energy E
@@ -35,7 +35,7 @@ struct law_test {
      maxwell:kT[,m[,d]]       a velocity component of a body of mass m (1)
                               at temperature kT; or, given d, its speed in
                               d dimensions
-   Returns NULL, or what is wrong with the text. */
+   Returns NULL, or an error message. */
 const char *laws_read(const char *text, struct law *law);
 
 /* Sets the parameters that were not given: low = 0 and high = 1, m = 1, all

@@ -1,4 +1,4 @@
-/* A piston between two gases that act as springs. */
+/* A piston between two gases on a line, which act as springs. */
 #ifndef PISTON_H
 #define PISTON_H
 

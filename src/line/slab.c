@@ -1,4 +1,4 @@
-/* The engine that runs distant bodies independently for a short time. */
+/* The slab engine: distant bodies run independently for a short time. */
 
 /* A slab is an interval of time. Its collisions form islands, groups of
    neighbouring gaps, and one pass along the line runs island by island.
@@ -308,7 +308,7 @@ static size_t add_island(struct bonkers *b, struct slab *s, size_t first)
     return last + 3;
 }
 
-/* Saves gaps from to to-1 and the bodies to their left. This also loads
+/* Saves the gaps from..to-1 and the bodies to their left. This also loads
    them from memory, and prefetches the next block; a compiler without
    __builtin_prefetch makes large lines slower. */
 static void save(struct bonkers *b, size_t from, size_t to)
@@ -372,10 +372,10 @@ static void drop_safe_entries(struct slab *s)
         s->island[k].start -= start;
 }
 
-/* Runs the islands of slab s that begin in gaps from to to-1. Returns false
-   if the slabs have failed; then all must be undone. The list of due gaps
-   is made without a branch: each number is written, but the index advances
-   only if the gap is due. Branches would be mispredicted at every
+/* Runs the islands of slab s that begin in the gaps from..to-1. Returns
+   false if the slabs have failed; then all must be undone. The list of due
+   gaps is made without a branch: each number is written, but the index
+   advances only if the gap is due. Branches would be mispredicted at every
    island. */
 static bool run_block(struct bonkers *b, struct slab *s, size_t from,
                       size_t to)

@@ -21,7 +21,7 @@ enum start_kind {
     START_MIXED,     /* four heavy and four light */
     START_CRADLE,    /* two heavy bodies beside six light ones */
     START_THERMAL,   /* left half near 1 kg, right half near 4 kg */
-    START_PISTON,    /* one of 40 kg among ten of 4/3, all at 1 m/s */
+    START_PISTON,    /* 40 kg among ten of 4/3 kg, all at 1 m/s */
     START_ADIABATIC, /* that piston between two warm gases */
     START_TWO,       /* two bodies */
     START_RANDOM,    /* masses from 1 to 9 kg, all different */

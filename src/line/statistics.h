@@ -52,7 +52,7 @@ struct statistics_histogram {
     uint64_t count[];             /* one for each bin */
 };
 
-/* The Gaussian that fits a histogram best. */
+/* The best Gaussian for a histogram. */
 struct statistics_gaussian {
     double mean, sd, mean_error, sd_error;
     double chi2;    /* of the bins about the fit, divided by g */
@@ -66,7 +66,7 @@ struct statistics_description {
     double least, greatest;
     double mean, mean_error, sd, sd_error, kurtosis, kurtosis_error;
     double naive_error;  /* of the mean, assuming independence */
-    double inefficiency; /* at least 1; of x or of (x - mean)^2 */
+    double inefficiency; /* largest of 1 and those of x, (x - mean)^2 */
     size_t block;        /* longest block in use, in samples */
     bool plateau;        /* false: the errors are only lower bounds */
 };

@@ -6,10 +6,9 @@
 # whose first lines name the mistake, the stage that finds it, which of the
 # functions that the suite hands out it comes to, and whether it never ends.
 #   tests/examiner/projects.sh [PROJECT]...      all, or P1
-set -u
-out=$(mktemp -d) || exit 1
-trap 'rm -rf "$out"' EXIT
-trap 'exit 1' HUP INT TERM
+. tests/programs/common
+out=$work/out
+mkdir "$out"
 root=$(pwd)
 [ $# -gt 0 ] || set -- $(ls solutions | sed -n 's/^\(P[0-9]\)-.*\.c$/\1/p')
 for file in build/check/examine build/grade/flags $(
@@ -23,17 +22,6 @@ for file in build/check/examine build/grade/flags $(
     }
 done
 
-# verdict WHAT COMMAND...: one line of result.
-verdict() {
-    what=$1
-    shift
-    if "$@" >"$out/why" 2>&1; then
-        echo "ok projects: $what"
-    else
-        echo "not ok projects: $what - $(head -c 400 "$out/why" | tr '\n' '~')"
-    fi
-}
-
 # says STATUS PATTERN FILE: what the examiner at home ends with, and says.
 says() {
     build/check/examine --strict --as "$ex" --file "$3" >"$out/said" 2>&1
@@ -42,19 +30,19 @@ says() {
 }
 at_home() {
     points=$(awk '/^test/ { sum += $2 } END { print sum }' build/check/$ex.list)
-    verdict "$ex: the stub is not begun" says 0 "^$ex .* not begun" \
+    holds "$ex: the stub is not begun" says 0 "^$ex .* not begun" \
         $home/stub.c
     { cat $home/stub.c && echo '/* my first line */'; } >"$out/stub.c"
-    verdict "$ex: an empty table earns nothing" \
+    holds "$ex: an empty table earns nothing" \
         says 1 "^$ex .* failed  *0 of $points points" "$out/stub.c"
-    verdict "$ex: its story is what was run, and the files" \
+    holds "$ex: its story is what was run, and the files" \
         grep -q "^  input .*$ex \([a-z]* \)\{0,1\}[a-z]*\.txt " "$out/said"
-    verdict "$ex: the book has the equations that it names" sh -c "
+    holds "$ex: the book has the equations that it names" sh -c "
         grep -o '\"eq:[a-z0-9-]*\"' $home/suite.c | tr -d '\"' | sort -u |
             while read -r label; do
                 grep -q \"^\$label \" tests/equations.txt || echo \$label
             done | grep . && exit 1; exit 0"
-    verdict "$ex: the solution passes at home" \
+    holds "$ex: the solution passes at home" \
         says 0 "^$ex .* passed  *$points of $points" "$solution"
 }
 
@@ -78,22 +66,22 @@ own_folder() {
         ln -s "$root/$file" "$out/kit/$file"
     done
     sed -f $home/wrong-clock.sed solutions/P1-bonkers.c >"$out/clock.c"
-    verdict 'the stub has the hint of the first stage' \
+    holds 'the stub has the hint of the first stage' \
         gives 0 'Stage 1\. .*' $home/stub.c --hint P1
-    verdict 'who fails in stage 3 has its hint' \
+    holds 'who fails in stage 3 has its hint' \
         gives 0 'Stage 3\. .*' "$out/clock.c" --hint P1
-    verdict 'and no other' sh -c "! grep -e 'Stage [^3]' '$out/said' &&
+    holds 'and no other' sh -c "! grep -e 'Stage [^3]' '$out/said' &&
         grep -x 'P1, Bonkers, upright: hint 1 of 1' '$out/said'"
-    verdict 'what was given there is remembered' \
+    holds 'what was given there is remembered' \
         gives 0 '.*, the last one again; there are no more' "$out/clock.c" --hint P1
-    verdict 'and does not count in another stage' \
+    holds 'and does not count in another stage' \
         gives 0 '.*: hint 1 of 1' $home/stub.c --hint P1
-    verdict 'who passes is sent on to a person' \
+    holds 'who passes is sent on to a person' \
         gives 0 'What is left is for a person: P1.gp and P1.txt\.' \
         solutions/P1-bonkers.c P1
-    verdict 'and has no hint' gives 0 'P1 passes; there is nothing to hint at\.' \
+    holds 'and has no hint' gives 0 'P1 passes; there is nothing to hint at\.' \
         solutions/P1-bonkers.c --hint P1
-    verdict 'who does not pass is not' sh -c "cd '$out/kit' &&
+    holds 'who does not pass is not' sh -c "cd '$out/kit' &&
         cp '$out/clock.c' exercises/P1-bonkers.c && build/check/examine P1 \
         >'$out/said'; ! grep 'for a person' '$out/said'"
 }
@@ -183,7 +171,7 @@ in_the_grader() {
     $cc -o "$out/box" "$box" -lm -Wl,-u,sandbox_main,--defsym=main=sandbox_main || exit 1
     quickly=
     for file in $home/right-*.c; do
-        verdict "$file passes, and what is hidden too" all_stages "$file"
+        holds "$file passes, and what is hidden too" all_stages "$file"
     done
     for file in "$home"/wrong-*.sed; do
         about=$(sed -n '1s/^# mistake: //p' "$file")
@@ -192,15 +180,15 @@ in_the_grader() {
         ends=$(echo "$about" | sed -n 's/.*, never ends$/never/p')
         n=$(echo "$about" | sed 's/.*, stage \([1-9]\).*/\1/')
         sed -f "$file" "$solution" >"$out/wrong.c"
-        verdict "$file is [$name]" recognised "$name" "$n" "$which" "$ends"
+        holds "$file is [$name]" recognised "$name" "$n" "$which" "$ends"
     done
     if [ "$ex" = P4 ]; then
-        verdict 'P4: the calls of its pick are no count of all' \
+        holds 'P4: the calls of its pick are no count of all' \
             forges '(long)price(best.order, (double)best.steps)' CALLS
-        verdict 'P4: nor is a number below zero' \
+        holds 'P4: nor is a number below zero' \
             forges -20000 '1 if force was called at all'
     fi
-    verdict "$ex: every mistake that the suite knows has a wrong program" sh -c "
+    holds "$ex: every mistake that the suite knows has a wrong program" sh -c "
         for name in \$(tr -d '\n' <$home/suite.c |
             grep -o '\"[a-z]*-[a-z-]*\" *[,:]\|\[[a-z]*-[a-z-]*\]' |
             tr -d '\", :[]'); do

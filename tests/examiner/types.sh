@@ -4,24 +4,11 @@
 # its types and points to the line of the student's file. Every exercise's
 # functions are tried with each of their types changed; and files that are right
 # are not refused.
-set -u
-topic=types
-out=$(mktemp -d) || exit 1
-trap 'rm -rf "$out"' EXIT
-trap 'exit 1' HUP INT TERM
+. tests/programs/common
+out=$work/out
+mkdir "$out"
 root=$(pwd)
 here=tests/examiner/types
-
-# verdict WHAT COMMAND...: one line of result; the command says why.
-verdict() {
-    what=$1
-    shift
-    if "$@" >"$out/why" 2>&1; then
-        echo "ok $topic: $what"
-    else
-        echo "not ok $topic: $what - $(head -c 400 "$out/why" | tr '\n' '~')"
-    fi
-}
 
 # ---- each type of each function, by the compiler alone ----
 
@@ -93,12 +80,12 @@ count=0 tried=0
 for compiler in 'gcc -fmax-errors=0' 'clang -ferror-limit=0'; do
     for header in build/check/[0-9]*.types.h; do
         ex=${header##*/} ex=${ex%%.*}
-        verdict "$ex: each changed type is an error with ${compiler%% *}" \
+        holds "$ex: each changed type is an error with ${compiler%% *}" \
             all_noticed "$compiler" "$header"
         count=$((count + 1)) tried=$((tried + $(wc -l <"$out/wrong")))
     done
 done
-verdict "every exercise has such a header, and most functions many types" \
+holds "every exercise has such a header, and most functions many types" \
     [ "$count" -eq $((2 * $(ls -d tests/exercises/[0-9]* | grep -c '[a-z]$'))) \
     -a "$tried" -gt 800 ]
 
@@ -137,8 +124,8 @@ done
 build/grade/grade --hidden 1 --output "$out/graded" "$out/in" >"$out/grading" 2>&1
 for file in "$here"/*.c; do
     ex=$(head_of '\1') state=$(head_of '\2') name=$(basename "$file" .c)
-    verdict "$name $state at home" at_home "$file"
-    verdict "$name $state in the grader" in_the_grader "$file"
+    holds "$name $state at home" at_home "$file"
+    holds "$name $state in the grader" in_the_grader "$file"
 done
 echo "1..$((2 * $(ls -d tests/exercises/[0-9]* | grep -c '[a-z]$') + 1 + \
     2 * $(ls "$here"/*.c | wc -l)))"

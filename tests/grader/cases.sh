@@ -4,23 +4,11 @@
 # of the public tests, which its first line gives: /* 01a crashed: why */, and in
 # a line `earns:` the points, or none. And the judge has no rights that it does
 # not need.
-set -u
-topic=cases
+. tests/programs/common
 here=tests/grader/cases
-out=$(mktemp -d) || exit 1
-trap 'rm -rf "$out"' EXIT
-trap 'exit 1' HUP INT TERM
+out=$work/out
+mkdir "$out"
 
-# verdict WHAT COMMAND...: one line of result; the command says why.
-verdict() {
-    what=$1
-    shift
-    if "$@" >"$out/why" 2>&1; then
-        echo "ok $topic: $what"
-    else
-        echo "not ok $topic: $what - $(head -c 400 "$out/why" | tr '\n' '~')"
-    fi
-}
 head_of() { sed -n "1s/^\/\* \([0-9][0-9][a-z]\) \([a-z ]*\): .*/$1/p" "$file"; }
 earns() { sed -n 's/^\/\* earns: \([0-9]*\) \*\/$/\1/p' "$file" | grep . || echo 0; }
 
@@ -49,8 +37,8 @@ in_the_grader() {
 }
 for file in "$here"/*.c; do
     ex=$(head_of '\1') state=$(head_of '\2')
-    verdict "$(basename "$file" .c) $state at home" at_home
-    verdict "$(basename "$file" .c) $state in the grader" in_the_grader
+    holds "$(basename "$file" .c) $state at home" at_home
+    holds "$(basename "$file" .c) $state in the grader" in_the_grader
 done
 
 once() {
@@ -59,7 +47,7 @@ once() {
     cat "$out/names"
     [ "$(grep -c '^\[' "$out/names")" -eq 1 ] && grep -q '^An earlier' "$out/names"
 }
-verdict 'one mistake is named for each answer, and later tests refer to it' once
+holds 'one mistake is named for each answer, and later tests refer to it' once
 
 # Who looks at two ticks is asked about that, too, and not only about what passes.
 short() {
@@ -68,7 +56,7 @@ short() {
     grep -o 'input .*' "$out/said"
     grep -q 'each bounce loses .* and how long do you look' "$out/said"
 }
-verdict 'who does not look for long is asked how long he looks' short
+holds 'who does not look for long is asked how long he looks' short
 
 # ---- the judge's rights ----
 
@@ -89,9 +77,9 @@ confined() {
     cat "/proc/$judge/status"
     kill $judge
     wait $judge
-    grep -q '^Seccomp:.*2$' "$out/why" && grep -q '^NoNewPrivs:.*1$' "$out/why" &&
-        grep -q '^CapEff:.*\<0*$' "$out/why" &&
-        { [ $user -eq 0 ] || grep -q "^Uid:[^0-9]*$user[^0-9]*$user" "$out/why"; }
+    grep -q '^Seccomp:.*2$' "$work/said" && grep -q '^NoNewPrivs:.*1$' "$work/said" &&
+        grep -q '^CapEff:.*\<0*$' "$work/said" &&
+        { [ $user -eq 0 ] || grep -q "^Uid:[^0-9]*$user[^0-9]*$user" "$work/said"; }
 }
 rights='a judge has neither the rights nor the calls of who started it'
 # While a file is graded that never ends, its judge can be looked at.
@@ -114,15 +102,15 @@ graded_so() {
         [ "$(grep -c '"state": "timed out"' "$out"/looped/marks/one/01a.json)" -gt 1 ]
 }
 if [ -r /proc/self/status ]; then
-    verdict "$rights" confined
+    holds "$rights" confined
 else
     echo "# note: no /proc here, so nobody looks at the judge's rights"
-    echo "ok $topic: $rights"
+    echo "ok $suite: $rights"
 fi
 if [ $user -ne 0 ]; then
-    verdict 'nor has the one that grades' graded_so
+    holds 'nor has the one that grades' graded_so
 else
     echo "# note: who is not root grades as himself"
-    echo "ok $topic: nor has the one that grades"
+    echo "ok $suite: nor has the one that grades"
 fi
 echo "1..$((2 * $(ls "$here"/*.c | wc -l) + 4))"

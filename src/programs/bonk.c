@@ -609,7 +609,7 @@ static const char *mean_model(const struct run *r)
     return name;
 }
 
-/* Writes one row, with each average beside its error. */
+/* Writes one row, with each average and its error. */
 static bool write_means(struct run *r)
 {
     double row[2 * MEANS_MOST];

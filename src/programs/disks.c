@@ -1112,7 +1112,7 @@ static void summarise(struct run *r, struct table *out)
 }
 
 /* Warns that an average changed during the run by more than its error
-   explains, if averages are asked for and not just states. */
+   explains, if the run writes averages and not just states. */
 static void report_drift(const struct run *r)
 {
     const bool averages =

@@ -26,7 +26,7 @@ static const struct gallery_scene *find_scene(const char *name)
     return g;
 }
 
-static char text[8192]; /* what --help says when no scene is named */
+static char text[8192]; /* the text of --help without a scene */
 
 /* Appends to the text of --help. */
 static void append(const char *format, ...)

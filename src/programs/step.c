@@ -110,7 +110,7 @@ struct run {
     size_t *tracked, tracks, columns;
     double *row;
     struct table *out, *summary, *save;
-    bool kept; /* rows go to FILE.rows beside the checkpoint */
+    bool kept; /* rows go to FILE.rows, for a checkpoint */
     struct checkpoint checkpoint;
     uint64_t every, last, rows; /* steps to a row, steps to the end */
     double last_step;     /* s: length of a shorter last step; 0: none */
@@ -269,7 +269,8 @@ static void track(struct run *r, const char *text)
 }
 
 /* Finds the columns of a row: time, observables, and the states of the
-   bodies tracked, all of them if nothing else was asked for. */
+   bodies of --track, or of all bodies if there is neither --track nor
+   --observe. */
 static void choose_columns(struct run *r)
 {
     char message[OBSERVABLES_MESSAGE];
@@ -713,9 +714,9 @@ static void explain(const struct run *r, enum ending end)
 }
 
 /* Opens all outputs before the run, so that an hour of computing does not
-   end at a folder that cannot be written. A table whose rows are kept
-   beside a checkpoint is discarded again, and opened at the end: a killed
-   process would leave its temporary file behind. */
+   end at a folder that cannot be written. A table whose rows are kept in
+   FILE.rows is discarded again, and opened at the end: a killed process
+   would leave its temporary file behind. */
 static void open_outputs(struct run *r)
 {
     r->out = program_table(PROGRAM, given.output);

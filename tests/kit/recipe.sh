@@ -40,7 +40,7 @@ sh -eu "$work/steps" >"$work/out" 2>&1
 holds 'the recipe runs to its end' sh -c "[ $? -eq 0 ] ||
     { tail -5 '$work/out'; false; }"
 holds 'the change of the chapter is in src/' \
-    grep -q 'whether this collision has an' src/line/collide.c
+    grep -q 'whether the result of this' src/line/collide.c
 holds 'and the text of the exercise in the chapter' sh -c '
     grep -A 6 "^.begin{exercise}{01f}" chapters/01-collide.nw |
         grep -q "^.solutions{01}"'

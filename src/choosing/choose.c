@@ -219,11 +219,10 @@ static void compare(const struct task *t)
     race(t, true);
 }
 
-/* Divisor of the tolerance. Two references may agree by chance although
-   rounding errors are almost as large as the tolerance. If their errors
-   were that large, they would differ by less than this part of the
-   tolerance once in pi/2 seldom = 630 cases (the book's P_1 of one twin).
-   is_near_floor leaves no smaller differences, so this is not tested. */
+/* Divisor of the tolerance. Two references that agree this well need no
+   further test: if their errors were as large as the tolerance, they would
+   do so by chance once in pi/2 seldom = 630 cases (the book's P_1 of one
+   twin), which is no worse than the chance that is_near_floor is wrong. */
 static const double seldom = 400;
 
 /* Returns whether a twin of the chosen run differs from it by a 300th of

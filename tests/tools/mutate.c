@@ -13,8 +13,8 @@
    With --more before these, numbers outside functions are changed as well,
    numbers with a point, from 1e-4 on, are multiplied by 1.2 and by .8, and
    fmin and fmax are exchanged. What changes nothing is then left out: more
-   room than is asked for, and the other order of the arguments of fmin,
-   fmax, hypot and calloc.
+   room than is asked for or in an array, and the other order of the
+   arguments of fmin, fmax, hypot and calloc.
 
    U is a number between 0 and 1, drawn by SEED, the file's name without its
    folders, FUNCTION, OPERATOR, BEFORE and AFTER: it stays the same when the
@@ -643,6 +643,34 @@ static bool asks_for_room(size_t i)
     return more && is_argument_of(i, names);
 }
 
+/* Whether two tokens have the same text. */
+static bool are_alike(size_t i, size_t k)
+{
+    const size_t length = end_of(i) - start_of(i);
+    return end_of(k) - start_of(k) == length &&
+           memcmp(file.text + start_of(i), file.text + start_of(k),
+                  length) == 0;
+}
+
+/* Whether token i is the length of an array of a C file, declared in one
+   dimension, whose size nobody asks for. */
+static bool is_length(size_t i)
+{
+    if (!more || i < 3 || !is(i - 1, "[") || !is_name(i - 2) ||
+        is(i + 2, "[") || file.path[strlen(file.path) - 1] != 'c')
+        return false;
+    for (size_t k = 0; k < file.count; ++k)
+        if (is(k, "sizeof") &&
+            (are_alike(k + 1, i - 2) || are_alike(k + 2, i - 2)))
+            return false;
+    size_t first = i - 2;
+    while (first > 0 && !is(first - 1, ";") && !is(first - 1, "{") &&
+           !is(first - 1, "}") && !is(first - 1, "("))
+        first =
+            is_close(first - 1) ? file.tokens[first - 1].mate : first - 1;
+    return is_type(first);
+}
+
 /* Multiplies a number that is no whole one. Of very small ones, which allow
    for rounding, it is the order of magnitude that counts. */
 static void scale_constant(size_t i, const char *text, double factor)
@@ -664,7 +692,7 @@ static void change_constant(size_t i)
     const bool hexadecimal = text[0] == '0' && strchr("xX", text[1]);
     const bool floating = strpbrk(text, hexadecimal ? ".pP" : ".eE");
     for (size_t k = 0; k < sizeof changes / sizeof *changes; ++k)
-        if (changes[k] > 0 && asks_for_room(i))
+        if (changes[k] > 0 && (asks_for_room(i) || is_length(i)))
             continue;
         else if (floating)
             change_floating(i, text, changes[k]);

@@ -961,6 +961,15 @@ TEST(test_text_errors, "what is no plan")
         UNIT_TRUE(!models_read(&p, wrong[i][0], message));
         UNIT_SAYS(message, wrong[i][1]);
     }
+    for (int longer = 0; longer < 2; ++longer) { /* than there is room */
+        char text[MODELS_TEXT + 1], message[MODELS_MESSAGE];
+        struct models_plan p;
+        size_t used = (size_t)sprintf(text, longer ? "rk4:12" : "rk4:2");
+        while (used + 5 <= MODELS_TEXT)
+            used += (size_t)sprintf(text + used, ",rods");
+        UNIT_EQUAL(used, MODELS_TEXT - 1 + longer);
+        UNIT_EQUAL(models_read(&p, text, message), !longer);
+    }
     check_list("");
     check_list("keppler");
     make("sun-earth", NULL);

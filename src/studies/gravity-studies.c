@@ -568,7 +568,7 @@ static void study_ellipses(struct study *s)
         }
         table_print(s->out, "\n\n");
     }
-    for (int i = 0; i < ALONG; ++i) {
+    for (size_t i = 0; i < ALONG; ++i) {
         double error[7];
         for (int n = 0; n < 7; ++n) {
             const double factor = pow(10, 0.5 * n - 2);

@@ -414,9 +414,9 @@ static void study_cost(struct study *s)
             next_try(DYNAMICS, &p, own.step[0], &r);
             add_places(&p, reference);
         }
-        for (int method = 0; method < METHODS; ++method) {
+        for (unsigned method = 0; method < METHODS; ++method) {
             const double radius = p.disks.disk[0].radius;
-            double sum[TIMES] = {0}, until = first_time;
+            double until = first_time, sum[TIMES] = {0};
             for (int seed = -1; seed < SEEDS; ++seed) {
                 if (seed == 0)
                     memset(sum, 0, sizeof sum); /* the first one warms up */

@@ -1,8 +1,8 @@
 # Bonkers: a book that is a program. `make help` lists what can be made.
 #
-# Everything made goes under build/. Only `make tangle` writes into src/ (the files
+# What make produces goes under build/. Only `make tangle` writes into src/ (the files
 # whose first line names a chapter), and only `make reset` writes exercises/. The rules
-# are in the files that are included below; src/compile.mk says what is made again when.
+# are in the files included below; src/compile.mk explains what is rebuilt, and when.
 
 all: first
 
@@ -13,7 +13,7 @@ SHELL = /bin/sh
 CC ?= cc
 STANDARD = -std=c11 -D_POSIX_C_SOURCE=200809L -Wall -Wextra -pedantic
 # -fno-math-errno: without it gcc computes the square roots of a loop one at a time,
-# because each of them may have to set errno. Results keep every bit.
+# because each of them may have to set errno. It does not change a bit of the results.
 PORTABLE = -O2 -ffp-contract=off -fno-math-errno
 SANITIZED = -g -O0 -ffp-contract=off $(sanitizers)
 
@@ -24,7 +24,7 @@ given = EX SUBMISSIONS REPORT JOBS HIDDEN RESULTS SECONDS TEXTS PRESET SCENE \
 	EDITION WITH_CHAPTERS COMMANDS SEED FIRST SYSTEMS
 $(foreach v,$(given),$(if $(filter-out undefined,$(origin $v)),\
 	$(eval override $v := $$(value $v))$(eval export $v)))
-# Recipes read it as "$$seconds", since bash counts in a variable SECONDS of its own.
+# Recipes read SECONDS as "$$seconds": bash has a variable SECONDS that counts by itself.
 export seconds := $(value SECONDS)
 
 # `make V=1' prints every command; otherwise a short line stands for it.
@@ -35,8 +35,8 @@ say = $(if $(V),,@echo '  $(1)')
 need = @command -v $(1) >/dev/null 2>&1 || { echo "make: $(1) is missing;\
  install it with: apt-get install --no-install-recommends $(2)" >&2; exit 1; }
 
-# A students' course (make handout) lacks some files. $(call only_with,FILE,GOALS) makes
-# GOALS fail with a message where FILE is missing; make help leaves them out.
+# The students' copy of the kit (make handout) lacks some files. $(call only_with,FILE,GOALS)
+# makes GOALS fail with a message where FILE is missing; make help leaves them out.
 define only_with
 ifeq ($(wildcard $(1)),)
 absent += $(2)
@@ -54,7 +54,7 @@ $(eval $(call only_with,tests/fuzz,fuzz fuzz-scenes fuzz-commands hunt))
 # $(call help_for,GOAL) TEXT prints a line of the help, unless GOAL cannot be made here.
 help_for = @$(if $(filter $(1),$(absent)),: ||) echo
 
-# The files of the second line are not part of a students' course.
+# The files of the second include are not in the students' copy.
 include src/compile.mk src/examiner/check.mk plots/plots.mk
 include src/studies/bench.mk $(wildcard src/jobs.mk src/examiner/grade.mk \
 	chapters/press/book.mk tests/tests.mk)
@@ -121,8 +121,8 @@ help:
 	@echo 'make compile_commands.json   for editors'
 	@echo 'make clean        remove build/'
 
-# Stamps (src/compile.mk): a file depends on its stamp, with a recipe that does nothing, but
-# runs under make -n (+). The stamp of a missing file is removed, so both are made again.
+# Stamps (see src/compile.mk). Each file depends on its stamp through an empty recipe, which
+# + runs even under make -n. If a file is missing, its stamp is deleted, so both are rebuilt.
 $(kept): build/%: build/made/%
 	@+:
 lost := $(filter-out $(wildcard $(kept)),$(kept))

@@ -21,7 +21,8 @@ has-gsl:
 	$(if $(gsl),,@echo 'make: GSL is missing; install it with: apt-get install\
  --no-install-recommends libgsl-dev' >&2; exit 1)
 
-# QUALITY=lecture makes the longer runs that figures name, and draws slides, too.
+# With QUALITY=lecture, takes the longer runs that the figures' scripts name, and draws
+# slides, too.
 figures: has-gnuplot has-gsl programs $(FIGURES_PDF) $(FIGURES_SVG) \
 		$(if $(filter lecture,$(QUALITY)),$(FIGURES_LECTURE))
 	@echo 'Figures: build/figures/' \
@@ -62,10 +63,10 @@ inspect: has-gnuplot build/bin/step build/bin/scene
 chart: has-gnuplot build/bin/bonk build/bin/scene
 	@plots/show chart
 
-# Makes the maps of chapter 12 anew, with the reference runs behind them; it takes some
-# minutes. Each scene's map is a file in a folder that is named after the checksum of the
-# program, so that it is made once. Joined they are build/data/12-atlas.dat, which
-# the figures read.
+# Makes the maps of chapter 12, with the reference runs behind them; this takes some
+# minutes. Each scene's map is a file in a folder named after the checksum of the
+# program, so that it is made only once for each version of the program. The maps are
+# joined into build/data/12-atlas.dat, which the figures read.
 .PHONY: atlas jobs-atlas
 maps = at=build/atlas/$$(cksum <build/bin/bonk-studies | tr ' ' -) && \
 	mkdir -p $$at && scenes=$$(build/bin/bonk-studies --study scenes | \

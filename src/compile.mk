@@ -1,19 +1,19 @@
-# How src/ is compiled: when a file is made again, what the compiler can do, and the two
+# How src/ is compiled: when a file is rebuilt, what the compiler can do, and the two
 # builds, portable and with sanitizers.
 
-# How make decides what to make again
+# How make decides what to rebuild
 #
-# make makes a file again when something that it depends on is newer. Taken literally
-# that makes too much: a change in a comment of random.c leaves its object the same, byte
-# for byte, but all programs would be linked and all figures drawn again. So most files
-# have a stamp. For the program disks there are
+# make rebuilds a file when something that it depends on is newer. Taken literally, this
+# rebuilds too much: a changed comment in random.c leaves its object the same, byte for
+# byte, and yet every program would be linked and every figure drawn again. So most
+# files have a stamp, which is an empty file. For the program disks there are
 #
 #   build/bin/disks          the file itself; its time says when its bytes last changed
 #   build/made/bin/disks     its stamp, an empty file; its time says when the rule last ran
 #   build/made/bin/disks.d   for what is compiled: the headers that the compiler read
 #
-# A rule has the stamp as its target, and three words do the rest; $(made) is
-# build/bin/disks:
+# A rule has the stamp as its target and uses the variables $(begin), $(take) and
+# $(made), which here is build/bin/disks:
 #
 #   build/made/bin/disks: build/obj/programs/disks.o build/obj/libbonkers.a
 #   	$(begin)                          makes the folders
@@ -21,10 +21,10 @@
 #   	@$(take)                          keeps the old file if the new one equals it
 #
 # The name of the file is added to $(kept), and the end of the Makefile makes each file
-# in $(kept) depend on its stamp. So make compares the stamp with the sources of the file,
-# and the file itself with all that is made from it. A rule that compiles has $(reads)
-# among the compiler's flags, which writes the .d, and ends with $(take_compiled), which
-# keeps it.
+# in $(kept) depend on its stamp. So make compares the stamp with the sources of the
+# file, and the file itself with all that is made from it. A rule that compiles passes
+# $(reads) to the compiler, which makes the compiler write the .d file, and ends with
+# $(take_compiled), which keeps that file.
 made = $(@:build/made/%=build/%)
 begin = @mkdir -p $(@D) $(dir $(made))
 reads = -MMD -MP -MT $@ -MF $@.new
@@ -47,10 +47,10 @@ endif
 unless_dry = $(if $(strip $(foreach f,n q t,$(findstring $f,$(filter-out -%,\
 	$(firstword $(MAKEFLAGS)))))),exit; )
 
-# Tests of the compiler. build/compiler/key has the compiler, its version and the flags,
-# and every object depends on it, so that everything is compiled anew when one of them
-# changes. build/compiler.mk tells whether a program with GSL and one with OpenMP could be
-# compiled, linked and run.
+# Tests of the compiler. build/compiler/key records the compiler, its version and the
+# flags. Every object depends on it, so that everything is recompiled when one of them
+# changes. build/compiler.mk records whether a program with GSL and one with OpenMP
+# could be compiled, linked and run.
 FLAGS = $(CPPFLAGS) $(CFLAGS)
 GSL_LIBS = -lgsl -lgslcblas
 asked = build/compiler
@@ -83,8 +83,8 @@ include build/compiler.mk
 endif
 
 # The programs, and the files of the library. A file that includes laws.h or a header of
-# GSL, the GNU Scientific Library, is left out where there is no GSL. A file that includes
-# reference.h is linked with GSL where there is one, and works without.
+# GSL, the GNU Scientific Library, is left out where GSL is not installed. A file that
+# includes reference.h is linked with GSL if it is installed, and works without it.
 gsl_sources = src/*/*.c tests/library/*.c tests/stability/*.c
 gsl_files := $(filter-out src/forces/reference.c,$(shell grep -lE \
 	'^.include ("line/laws.h"|<gsl/)' $(gsl_sources) 2>/dev/null))

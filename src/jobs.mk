@@ -1,9 +1,10 @@
-# Lists of independent jobs, one command a line, for engines that run such lists on
-# several machines (see README).
+# Lists of independent jobs, one command a line, for batch systems that run such lists
+# on several machines (see README).
 
-# `make jobs OF=grade' (or figures, atlas, hunt) writes the list build/jobs/grade, with the
-# variables of `make grade'. Jobs may run in any order, or twice, or be killed: a file that
-# they make is whole or absent, and jobs whose files exist already are not listed.
+# `make jobs OF=grade' (or figures, atlas, hunt) writes the list build/jobs/grade. It
+# takes the same variables as `make grade'. Jobs may run in any order, run twice, or be
+# killed, for the files that they make are always whole or absent. Jobs whose files
+# exist are not listed.
 .PHONY: jobs
 # $(call list,COMMAND) is the recipe of the goal jobs-NAME; COMMAND prints the list.
 list = @$(unless_dry)mkdir -p build/jobs && { $(1); } >build/jobs/$(@:jobs-%=%).new && \

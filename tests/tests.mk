@@ -39,9 +39,9 @@ kept += $(unit_tests) $(examiner_tests) $(tools) build/tests/grader/reports \
 	build/tests/grader/schema build/tests/mutants/outlive \
 	$(unit_tests:build/tests/%=build/memcheck/%)
 
-# The book is the first of the tests. Scripts that neither read the book nor call make run
-# beside it ($(beside)); the others wait until it is made. The longest begin first, so that
-# at the end no processor waits for a single long test.
+# The book is made first. Scripts that need neither the book nor make ($(beside)) run at
+# the same time; the others wait until it is made. The longest tests begin first, so
+# that no processor is idle at the end while one long test runs.
 longest = $(addprefix tests/,exercises/all.sh examiner/projects.sh \
 	programs/bytes.sh grader/hostile.sh site/browser.sh kit/handout.sh \
 	kit/movie.sh site/live.sh exercises/nothing.sh grader/figures.sh)
@@ -86,17 +86,16 @@ build/made/tests/grader/%: tests/grader/%.c build/compiler/key
 		-o $(made).new $(filter %.c %.o,$^) $(LDFLAGS) -ljansson -lxml2
 	$(take_compiled)
 
-# Counts the small mistakes, planted in the solutions, that the suites notice. EX=01a does
-# so for one exercise; RECORD=1 keeps the table for the book.
+# Mutation testing: plants small mistakes in the solutions and counts how many the
+# suites detect. EX=01a tries one exercise; RECORD=1 keeps the table for the book.
 .PHONY: mutants mutants-exercises mutants-library
 mutants: $(if $(filter library,$(value OF)),mutants-library,mutants-exercises)
 mutants-exercises: build/check/examine $(CHECK_BUILT) build/tests/mutate \
 		build/tests/mutants/outlive
 	@export RECORD='$(if $(RECORD),1)'; $(split) tests/mutants/run $$EX
 
-# Counts the small mistakes, planted in the library, that its tests notice: make mutants
-# OF=library COUNT=100. They are drawn with the hash of the commit as the seed; SEED=text
-# draws others.
+# Mutation testing of the library: make mutants OF=library COUNT=100. The mistakes are
+# drawn at random, with the hash of the commit as the seed; SEED=text draws others.
 mutants-library: $(unit_tests) $(unit_tests:build/tests/%=build/memcheck/%) \
 		programs build/tests/mutate build/tests/mutants/library-flags
 	@tests/mutants/library
@@ -113,9 +112,9 @@ build/made/tests/mutants/outlive: tests/mutants/outlive.c \
 		-o $(made).new $(filter %.c %.o,$^) $(LDFLAGS)
 	$(take_compiled)
 
-# The library's tests under the sanitizers, which take up to ten times as long;
-# a test that asks for too much memory gets NULL, as it does without them. make test runs a
-# part of them: tests/kit/memcheck.sh.
+# The library's tests under the sanitizers, with which they take up to ten times as
+# long. A test that asks for too much memory gets NULL, as it does without sanitizers.
+# make test runs some of these tests (tests/kit/memcheck.sh).
 memcheck: $(patsubst build/tests/%,build/memcheck/%,$(unit_tests))
 	@mkdir -p build/tests
 	@ASAN_OPTIONS=allocator_may_return_null=1 tests/run -t 3600 -j 2 $^
@@ -127,8 +126,9 @@ build/made/memcheck/%: tests/%.c build/sanitized/obj/libbonkers.a
 		$(LDFLAGS) -lcunit $(if $(gsl),$(GSL_LIBS)) -lm
 	$(take_compiled)
 
-# Fuzzes the reader of scenes: it must read or refuse any text. TEXTS=1e7 takes longer.
-# With clang libFuzzer chooses the texts; with other compilers tests/fuzz/alone.c does.
+# Fuzzes the parser of scenes, which must accept or refuse any text. TEXTS=1e7 tries
+# more texts. libFuzzer generates them if the compiler is clang, and tests/fuzz/alone.c
+# otherwise.
 TEXTS = 200000
 export TEXTS
 .PHONY: fuzz fuzz-scenes fuzz-commands
@@ -142,8 +142,8 @@ fuzz-scenes: build/fuzz/scene
 		-dict=tests/fuzz/scene.dict build/fuzz/corpus tests/fuzz/seeds \
 		2>build/fuzz/log || { cat build/fuzz/log; exit 1; }
 	@echo "Fuzzed: $$TEXTS texts, all of them read or refused"
-# With clang the reader is compiled anew: libFuzzer follows only code that is compiled
-# with -fsanitize=fuzzer.
+# With clang the parser is compiled separately: libFuzzer follows only code that is
+# compiled with -fsanitize=fuzzer.
 scene_files = tests/fuzz/scene.c tests/fuzz/alone.c src/scenes/scene.c \
 	src/scenes/decimal.c src/toolbox/random.c src/toolbox/aligned.c
 build/made/fuzz/scene: $(scene_files) build/compiler/key
@@ -175,10 +175,10 @@ build/made/fuzz/commands: tests/fuzz/commands.c build/obj/toolbox/random.o \
 		-o $(made).new $(filter %.c %.o,$^) $(LDFLAGS) -lm
 	$(take_compiled)
 
-# Compares what bonk finds for random scenes with paths from extrapolation, which is none
-# of its methods: REQUESTS=3000 for more scenes, SEED=7 for others, KIND=springs for one
-# kind; KIND=floor asks for tolerances near the smallest that bonk grants. The results are
-# kept in build/hunt/.
+# Compares bonk's results for random scenes with paths computed by extrapolation, a
+# method that bonk does not use. REQUESTS=3000 tries more scenes, SEED=7 others,
+# KIND=springs one kind; KIND=floor asks for tolerances near the smallest that bonk
+# grants. The results are kept in build/hunt/.
 REQUESTS = 100
 export REQUESTS
 .PHONY: hunt jobs-hunt
@@ -210,8 +210,9 @@ test-cluster: has-gsl programs grade-parts build/check/examine $(CHECK_BUILT) \
 	$(call need,/usr/sbin/sshd,openssh-server)
 	@$(unless_dry)RECORD='$(RECORD)' MAKE='$(MAKE)' tests/run -t 3600 tests/cluster/cluster.sh
 
-# Runs both commands of README.md in minimal systems of Debian (debootstrap): see
-# tests/systems/run. SYSTEMS=trixie for one of them.
+# Runs the two commands of README.md, that for the book and that for the tests, in
+# minimal Debian systems (made by debootstrap; see tests/systems/run). SYSTEMS=trixie
+# runs them in one.
 SYSTEMS = bookworm trixie
 export SYSTEMS
 .PHONY: test-systems

@@ -27,8 +27,9 @@ CHECK_BUILT = $(runner) $(exercises:%=build/check/%.suite.o) $(lists) \
 	$(projects:%=build/check/%.given.o)
 
 # The exercises to be checked are those in EX (01a,02b or '01a 02b'), or else those that
-# are begun, that is, whose file differs from the stub. Only their suites are built. When
-# a student begins another one under make watch, examine builds its suite by make.
+# have been begun, that is, whose file differs from the stub. Only their suites are
+# built. If a student begins another exercise while make watch is running, examine calls
+# make to build its suite.
 comma = ,
 named := $(subst $(comma), ,$(EX))
 asked_for = $(filter $(named:=%),$(exercises))
@@ -100,14 +101,14 @@ kept += build/check/flags build/check/libcheck.a build/check/examine \
 	src/toolbox/*.c)) $(exercises:%=build/check/%.suite.o) \
 	$(projects:%=build/check/%.given.o)
 
-# The suite of an exercise in one object, with both sides of its remote calls: remote.c
-# is compiled for the side of the suite and, with -DREMOTE_SERVER, for that of the
-# student's function (src/examiner/remote.h). Both sides have functions of the same names;
-# so those of the suite are called suite_NAME. A students' course has calls.c,
-# which is remote.c without comments. Nothing here is optimized: the compiler then
-# needs a third of the time, and checks run a twentieth longer. (The grader's judge is
-# optimized, for the warnings that only an optimizer can give.) If an exercise has a
-# call.h, remote.c is made from it (tests/remote.awk).
+# The suite of an exercise and both sides of its remote calls, in one object. remote.c,
+# which tests/remote.awk makes if the exercise has a call.h, is compiled twice: for the
+# suite and, with -DREMOTE_SERVER, for the student's function (src/examiner/remote.h).
+# Both define functions of the same names, so those of the suite are renamed suite_NAME.
+# The students' copy has calls.c instead, which is remote.c without comments. Nothing
+# here is optimized: the compiler then takes a third of the time, and checks take 5 %
+# longer. (The grader's judge is optimized, for the warnings that only an optimizer can
+# give.)
 remote_file = $(or $(wildcard $(addprefix tests/exercises/$(1)/,remote.c calls.c)),\
 	$(patsubst tests/exercises/%/call.h,build/check/remote/%/remote.c,\
 	$(wildcard tests/exercises/$(1)/call.h)))
@@ -131,9 +132,9 @@ build/made/check/%.suite.o: tests/exercises/%/suite.c build/check/flags
 		build/check/obj/suite/$*.outside.o build/check/obj/suite/$*.inside.o)
 	$(take_compiled)
 $(foreach e,$(exercises),$(eval build/made/check/$(e).suite.o: $(call remote_file,$(e))))
-# The functions that a project's program is linked with, right ones and wrong ones, in
-# place of the one in its header. They have no sanitizers, so that they can be linked
-# with a program that has them and with one that does not.
+# Right and wrong versions of the function that the header of a project declares. The
+# student's program is linked with one of them at a time. They have no sanitizers, so
+# that they can be linked with a program that has them and with one that does not.
 build/made/check/%.given.o: $(addprefix tests/exercises/%/,suite.c) \
 		build/check/flags
 	$(begin)

@@ -15,8 +15,8 @@ GRADE_BUILT = build/grade/grade build/grade/flags \
 	$(patsubst %,build/grade/%.types.h,$(filter-out P%,$(graded)))
 
 .PHONY: grade grade-parts grade-bench has-submissions hostile-programs jobs-grade
-# Runs each hostile submission of the tests in a project as well, from the main of a
-# right answer.
+# Runs each hostile submission of the tests in the form of a project, too: its code is
+# called from the main function of a right answer.
 hostile-programs: grade-parts
 	@ALL=1 tests/grader/programs.sh
 grade-bench: grade-parts
@@ -59,15 +59,16 @@ build/made/grade/grade: $(patsubst %,build/grade/obj/grade/%.o,grade grading \
 		-ljansson -lxml2
 	@$(take)
 
-# build/grade/flags has six lines: the compiler for students' files without sanitizers;
-# the compiler with them; its flag that omits source lines in messages; the command that
-# links without sanitizers; the flag for line numbers without variables in debugging
-# information; the command that links with sanitizers.
+# build/grade/flags has six lines: 1. the compiler for students' files, without
+# sanitizers; 2. the compiler with sanitizers; 3. its flag that omits source lines from
+# messages; 4. the command that links without sanitizers; 5. the flag for debugging
+# information with line numbers but no variables; 6. the command that links with
+# sanitizers.
 #
-# A linker is tried with these flags before it is used, and has failed if it prints
-# anything. gold takes a third of the usual linker's time with sanitizers; a flag keeps
-# it from mapping whole libraries. Debian 13 has LLVM's linker instead. If neither works
-# the line is empty, and the compiler links as usual.
+# Linkers are tried before they are used, and rejected if they print anything. gold
+# links with sanitizers in a third of the usual linker's time; a flag keeps it from
+# mapping whole libraries. Debian 13 has LLVM's linker instead. If neither works, lines
+# 4 and 6 are empty, and the compiler links as usual.
 build/made/grade/flags: build/check/flags src/examiner/grade.mk
 	$(begin)
 	@echo 'int main(void) { return 0; }' >build/grade/probe.c; \
@@ -136,9 +137,10 @@ build/made/grade/%.inside.o: $(patsubst %,build/grade/obj/examiner/%.o,sandboxed
 	@ld -r -S -o $(made).new build/grade/obj/remote/$*.o $(filter %.o,$^)
 	$(take_compiled)
 $(projects:%=build/made/grade/%.judge): build/made/check/year
-# For a project EX.inside.o is an archive. It has the program in the sandbox that runs the
-# student's (its main is renamed, since the student's has one; its time() stays local),
-# and the functions that the student's program is linked with.
+# For a project EX.inside.o is an archive. It contains the program that runs the
+# student's program in the sandbox, and the functions that the student's program is
+# linked with. The main of the former is renamed, because the student's program has one,
+# too; its time() is a local symbol.
 $(foreach e,$(projects),$(eval build/made/grade/$(e).inside.o: \
 	build/check/$(e).given.o))
 build/made/grade/P%.inside.o: tests/exercises/P%/remote.c $(patsubst %,\

@@ -1,4 +1,4 @@
-# Measures the speed tables of the chapters on this machine.
+# Measures, on this machine, the times in the speed tables of the chapters.
 bench: programs
 	build/bin/collide-forms --study cost --collisions 10000000
 	build/bin/bonkers-studies --study speed --summary build/ratios

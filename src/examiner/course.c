@@ -103,9 +103,8 @@ struct course course_learn(void)
     glob_t found = {0};
     glob("tests/exercises/[0-9][0-9][a-z]", 0, NULL, &found);
     glob("tests/exercises/P[0-9]", GLOB_APPEND, NULL, &found);
-    course.exercises = calloc(found.gl_pathc + 1, sizeof *course.exercises);
-    if (!course.exercises)
-        text_fail("out of memory");
+    course.exercises =
+        text_must(calloc(found.gl_pathc + 1, sizeof *course.exercises));
     for (size_t i = 0; i < found.gl_pathc; ++i)
         if (read_about(&course.exercises[course.count],
                        strrchr(found.gl_pathv[i], '/') + 1))

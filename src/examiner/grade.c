@@ -692,9 +692,7 @@ static size_t first_alike(struct batch *b, uint64_t sum,
     if (i == b->alikes) {
         struct alike *a = &b->alike[b->alikes++];
         *a = (struct alike){sum, job->student, job->length,
-                            malloc(job->length + 1)};
-        if (!a->bytes)
-            text_fail("out of memory");
+                            text_must(malloc(job->length + 1))};
         memcpy(a->bytes, job->bytes, job->length);
     }
     return b->alike[i].student;
@@ -781,9 +779,7 @@ static void grade_round(struct batch *b, enum round round)
    again earns nothing. */
 static void grade_all(struct batch *b)
 {
-    b->alike = calloc(b->count + 1, sizeof *b->alike);
-    if (!b->alike)
-        text_fail("out of memory");
+    b->alike = text_must(calloc(b->count + 1, sizeof *b->alike));
     grade_round(b, TRIED);
     if (!b->settings.job || !b->begun)
         grade_round(b, RETRIED);
@@ -798,9 +794,8 @@ static void grade_all(struct batch *b)
 static struct marks *read_results(const struct batch *b)
 {
     char path[4400];
-    struct marks *marks = calloc(b->count * b->kit_count, sizeof *marks);
-    if (!marks)
-        text_fail("out of memory");
+    struct marks *marks =
+        text_must(calloc(b->count * b->kit_count, sizeof *marks));
     for (size_t i = 0; i < b->count * b->kit_count; ++i) {
         struct job job = {.student = i / b->kit_count,
                           .exercise = i % b->kit_count};
@@ -822,9 +817,7 @@ static void publish_all(struct batch *b)
     char word[64], when[32];
     const time_t now = time(NULL);
     strftime(when, sizeof when, "%Y-%m-%dT%H:%M:%SZ", gmtime(&now));
-    const char **notes = calloc(b->count + 1, sizeof *notes);
-    if (!notes)
-        text_fail("out of memory");
+    const char **notes = text_must(calloc(b->count + 1, sizeof *notes));
     for (size_t s = 0; s < b->count; ++s)
         notes[s] = b->submissions[s].notes;
     notes[b->count] = b->handed.nobody.notes;
@@ -867,9 +860,7 @@ static void publish_all(struct batch *b)
    thousand. */
 static void find_submissions(struct batch *b)
 {
-    const char **usual = calloc(b->kit_count + 1, sizeof *usual);
-    if (!usual)
-        text_fail("out of memory");
+    const char **usual = text_must(calloc(b->kit_count + 1, sizeof *usual));
     for (size_t i = 0; i < b->kit_count; ++i)
         usual[i] = b->kits[i].file;
     const char *job = b->settings.job ? b->settings.job : "";

@@ -357,9 +357,7 @@ static void name_once(char *mistake, size_t room, char **text, size_t *size)
     if (!other)
         return;
     char *fresh = NULL;
-    FILE *story = open_memstream(&fresh, size);
-    if (!story)
-        text_fail("out of memory");
+    FILE *story = text_stream(&fresh, size);
     fprintf(story, "%.*s", (int)(hint - *text), *text);
     text_field(story, "question",
                "An earlier test has named a mistake. Is it the cause here, "
@@ -402,9 +400,7 @@ static void keep_prints(struct marks *marks)
         marks->prints = marks_text(bytes, got, PRINTS_KEPT);
         if (about.st_size > PRINTS_KEPT) {
             const size_t length = strlen(marks->prints);
-            char *longer = realloc(marks->prints, length + 64);
-            if (!longer)
-                text_fail("out of memory");
+            char *longer = text_must(realloc(marks->prints, length + 64));
             snprintf(longer + length, 64, "\n... (%lld bytes in all)",
                      (long long)about.st_size);
             marks->prints = longer;
@@ -439,9 +435,7 @@ static void run_tests(struct job *job)
     for (int i = 0; i < job->kit->count && !process_signal(); ++i) {
         char *text = NULL;
         size_t size;
-        FILE *story = open_memstream(&text, &size);
-        if (!story)
-            text_fail("out of memory");
+        FILE *story = text_stream(&text, &size);
         const double start = process_clock() - job->marks->build_seconds;
         const enum state state = try_test(job, i, story);
         fclose(story);
@@ -475,9 +469,7 @@ static void ask_about(struct job *job, int i)
 {
     char *text = NULL;
     size_t size;
-    FILE *story = open_memstream(&text, &size);
-    if (!story)
-        text_fail("out of memory");
+    FILE *story = text_stream(&text, &size);
     const enum state state = run_test(job, &job->kit->tests[i], story);
     chmod("prints", 0600);
     const bool leaks = state == PASSED && !*job->marks->advice &&
@@ -658,9 +650,7 @@ void grading_run(const struct grading *grading, const struct kit *kit,
     job.order.types = types;
     char *text = NULL;
     size_t size;
-    FILE *story = open_memstream(&text, &size);
-    if (!story)
-        text_fail("out of memory");
+    FILE *story = text_stream(&text, &size);
     marks->state = open_box(&job, story);
     fclose(story);
     free(marks->story);

@@ -46,9 +46,7 @@ static void remember(const char *name, int count)
 {
     char *text = text_read(path), *rest = text, *fresh = NULL;
     size_t size;
-    FILE *out = open_memstream(&fresh, &size);
-    if (!out)
-        text_fail("out of memory");
+    FILE *out = text_stream(&fresh, &size);
     for (char *line; (line = text_line(&rest));)
         if (!text_after(line, name))
             fprintf(out, "%s\n", line);

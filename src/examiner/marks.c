@@ -47,9 +47,7 @@ char *marks_text(const char *bytes, size_t length, size_t most)
     if (kept == length)
         return text;
     const size_t end = strlen(text);
-    char *longer = realloc(text, end + 80);
-    if (!longer)
-        text_fail("out of memory");
+    char *longer = text_must(realloc(text, end + 80));
     sprintf(longer + end, "\n... (%zu bytes in all)", length);
     return longer;
 }

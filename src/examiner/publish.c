@@ -89,9 +89,7 @@ static char *compose(const char *format, ...)
     va_copy(again, arguments);
     const int length = vsnprintf(NULL, 0, format, again);
     va_end(again);
-    char *raw = length < 0 ? NULL : malloc((size_t)length + 1);
-    if (!raw)
-        text_fail("out of memory");
+    char *raw = text_must(length < 0 ? NULL : malloc((size_t)length + 1));
     vsnprintf(raw, (size_t)length + 1, format, arguments);
     va_end(arguments);
     char *text = marks_text(raw, (size_t)length, (size_t)length);
@@ -400,10 +398,7 @@ static void join_note(void *to, const char *student, const char *exercise,
 static void put_notes(FILE *out, const struct course *c, size_t s)
 {
     char *text = NULL;
-    size_t length;
-    FILE *notes = open_memstream(&text, &length);
-    if (!notes)
-        text_fail("out of memory");
+    FILE *notes = text_stream(&text, NULL);
     tell_notes(c, s, join_note, notes);
     for (size_t e = 0; e < c->exercises; ++e)
         tell_marks(marks_of(c, s, e), join_note, notes);
@@ -559,11 +554,8 @@ static void tell_rest(FILE *out, const struct marks *m)
 static json_t *sum_up(const struct course *c, size_t s)
 {
     char *text = NULL;
-    size_t length;
     int hidden = 0;
-    FILE *out = open_memstream(&text, &length);
-    if (!out)
-        text_fail("out of memory");
+    FILE *out = text_stream(&text, NULL);
     for (size_t e = 0; e < c->exercises; ++e) {
         sum_up_one(out, marks_of(c, s, e));
         hidden += marks_possible(marks_of(c, s, e), true);
@@ -614,11 +606,6 @@ static json_t *gradescope(const struct course *c, size_t s)
     put(json, "tests", tests);
     put(json, "extra_data", gradescope_extra(c, s));
     return json;
-}
-
-static void report_gradescope(const struct course *c, const char *folder)
-{
-    write_json(c, folder, "gradescope", gradescope);
 }
 
 enum { CLASSROOM_NAME = 100, CLASSROOM_OUTPUT = 4000 };
@@ -701,11 +688,6 @@ static json_t *classroom(const struct course *c, size_t s)
     return json;
 }
 
-static void report_classroom(const struct course *c, const char *folder)
-{
-    write_json(c, folder, "classroom50", classroom);
-}
-
 /* Returns a test for GitHub Classroom. A test without a verdict is in
    error, not failed. */
 static json_t *github_test(const struct marks *m, int test)
@@ -752,11 +734,6 @@ static json_t *github(const struct course *c, size_t s)
     return json;
 }
 
-static void report_github(const struct course *c, const char *folder)
-{
-    write_json(c, folder, "github", github);
-}
-
 /* A report in JUnit's XML, being written. The format has no standard;
    GitLab and Jenkins have to read it. GitLab drops the second of two cases
    with the same class and name, so a case's name has the student and the
@@ -787,9 +764,7 @@ static void junit_open(struct junit *j, const char *folder)
     draft_open(&j->draft, folder, "junit.xml", false);
     xmlOutputBufferPtr out =
         xmlOutputBufferCreateIO(write_bytes, NULL, j, NULL);
-    j->xml = out ? xmlNewTextWriter(out) : NULL;
-    if (!j->xml)
-        text_fail("out of memory");
+    j->xml = text_must(out ? xmlNewTextWriter(out) : NULL);
     xmlTextWriterSetIndent(j->xml, 1);
     checked(xmlTextWriterStartDocument(j->xml, NULL, "UTF-8", NULL));
 }
@@ -1148,14 +1123,17 @@ static void report_table(const struct course *c, const char *folder)
         text_fail("cannot write the table: %s", strerror(errno));
 }
 
+/* The reports: each is written by a function, or is a JSON file for each
+   student, built by another. */
 static const struct {
     const char *name;
     void (*write)(const struct course *course, const char *folder);
+    json_t *(*build)(const struct course *course, size_t student);
 } reports[] = {
-    {"table", report_table},           {"csv", report_csv},
-    {"notes", report_notes},           {"gradescope", report_gradescope},
-    {"classroom50", report_classroom}, {"github", report_github},
-    {"junit", report_junit},
+    {"table", report_table, NULL},    {"csv", report_csv, NULL},
+    {"notes", report_notes, NULL},    {"gradescope", NULL, gradescope},
+    {"classroom50", NULL, classroom}, {"github", NULL, github},
+    {"junit", report_junit, NULL},
 };
 
 const char publish_names[] = "gradescope, classroom50, github, junit";
@@ -1183,5 +1161,8 @@ void publish(const char *report, const struct course *course,
     if (i == REPORTS)
         text_fail("there is no report '%s'; there are table, csv, %s",
                   report, publish_names);
-    reports[i].write(course, folder);
+    if (reports[i].build)
+        write_json(course, folder, report, reports[i].build);
+    else
+        reports[i].write(course, folder);
 }

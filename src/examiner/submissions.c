@@ -85,9 +85,7 @@ static char *compose(const char *format, ...)
     vsnprintf(raw, sizeof raw, format, arguments);
     va_end(arguments);
     text = marks_text(raw, strlen(raw), sizeof raw);
-    line = end = malloc(4 * strlen(text) + 1);
-    if (!line)
-        text_fail("out of memory");
+    line = end = text_must(malloc(4 * strlen(text) + 1));
     for (const char *c = text; *c; ++c)
         end += sprintf(end, *c == '\n' ? "\\x0a" : "%c", *c);
     *end = '\0';
@@ -109,9 +107,7 @@ static void note(struct submission *s, const char *what, const char *path)
         free(line);
         return;
     }
-    s->notes = malloc(strlen(all) + strlen(line) + 16);
-    if (!s->notes)
-        text_fail("out of memory");
+    s->notes = text_must(malloc(strlen(all) + strlen(line) + 16));
     sprintf(s->notes, "%s%s\n", all,
             s->noted > NOTES ? "... and more" : line);
     free(line);
@@ -332,9 +328,8 @@ static void add_answer(struct submission *s, const char *path,
     const size_t length = strlen(folder);
     const bool home = before >= length &&
                       strncmp(path + before - length, folder, length) == 0;
-    s->answers = realloc(s->answers, (s->count + 1) * sizeof *s->answers);
-    if (!s->answers)
-        text_fail("out of memory");
+    s->answers =
+        text_must(realloc(s->answers, (s->count + 1) * sizeof *s->answers));
     struct answer *answer = &s->answers[s->count++];
     const long long again =
         s->canvas && strlen(its) > 3 ? canvas_attempt(ex, its) : 0;
@@ -424,9 +419,8 @@ static void walk(struct submission *s, const char *const usual[],
     }
     const size_t count = list_folder(folder, &names);
     for (size_t i = 0; i < count; ++i) {
-        char *below = malloc(strlen(path) + strlen(names[i]) + 2);
-        if (!below)
-            text_fail("out of memory");
+        char *below =
+            text_must(malloc(strlen(path) + strlen(names[i]) + 2));
         sprintf(below, "%s/%s", path, names[i]);
         const mode_t mode = mode_of(folder, names[i]);
         if (!S_ISDIR(mode) || ends(names[i], c_endings))
@@ -448,9 +442,8 @@ static struct submission *student(struct submissions *all,
     for (size_t i = 0; i < all->count; ++i)
         if (strcmp(all->list[i].entry, entry) == 0)
             return &all->list[i];
-    all->list = realloc(all->list, (all->count + 1) * sizeof *all->list);
-    if (!all->list)
-        text_fail("out of memory");
+    all->list =
+        text_must(realloc(all->list, (all->count + 1) * sizeof *all->list));
     all->list[all->count] = (struct submission){
         .entry = strdup(entry),
         .name = compose("%s", name),

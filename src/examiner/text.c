@@ -21,6 +21,19 @@ void text_fail(const char *format, ...)
     exit(2);
 }
 
+void *text_must(void *memory)
+{
+    if (!memory)
+        text_fail("out of memory");
+    return memory;
+}
+
+FILE *text_stream(char **text, size_t *size)
+{
+    static size_t ignored;
+    return text_must(open_memstream(text, size ? size : &ignored));
+}
+
 /* Returns the length of the UTF-8 character that begins here and sets
  *code to it; returns 0 if there is none. */
 static size_t character(const unsigned char *s, size_t left,
@@ -68,9 +81,7 @@ static bool is_seen(unsigned long code)
 char *text_escaped(const char *bytes, size_t length)
 {
     const unsigned char *s = (const unsigned char *)bytes;
-    char *text = malloc(4 * length + 1), *end = text;
-    if (!text)
-        text_fail("out of memory");
+    char *text = text_must(malloc(4 * length + 1)), *end = text;
     for (size_t i = 0; i < length;) {
         unsigned long code;
         const size_t whole = character(s + i, length - i, &code);

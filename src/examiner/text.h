@@ -56,4 +56,13 @@ extern const char *text_program;
 /* Prints an error message, as printf does, and exits with 2. */
 _Noreturn void text_fail(const char *format, ...);
 
+/* Returns its argument, which a function has allocated, or ends with an
+   error message if it is NULL. */
+void *text_must(void *memory);
+
+/* Opens a stream that writes into memory. When it is closed, *text is what
+   was written, for the caller to free, and *size (which may be NULL) its
+   number of bytes. Ends with an error message if there is no memory. */
+FILE *text_stream(char **text, size_t *size);
+
 #endif

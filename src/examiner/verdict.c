@@ -51,10 +51,7 @@ static bool tell_leak(const struct exercise *e, const struct trial *trial,
                       FILE *story)
 {
     char path[4096], *text = NULL;
-    size_t size;
-    FILE *told = open_memstream(&text, &size);
-    if (!told)
-        text_fail("out of memory");
+    FILE *told = text_stream(&text, NULL);
     snprintf(path, sizeof path, "%s/output", trial->folder);
     const bool leaks =
         e->state == PASSED && trial_leak(path, e->file, told);
@@ -82,10 +79,7 @@ static bool run_tests(struct exercise *e, const struct trial *trial,
     trial_open(trial);
     while (run < e->count && last != TIMED_OUT && !process_signal()) {
         char *text = NULL;
-        size_t size;
-        FILE *told = open_memstream(&text, &size);
-        if (!told)
-            text_fail("out of memory");
+        FILE *told = text_stream(&text, NULL);
         struct trial now = *trial;
         now.leaks = run + 1 == e->count && e->state == PASSED;
         last = states[run] = trial_run(&now, run + 1, told);
@@ -165,15 +159,6 @@ static void tell_missing(struct exercise *e)
     e->story = strdup(text);
 }
 
-static FILE *open_story(char **story)
-{
-    static size_t size;
-    FILE *stream = open_memstream(story, &size);
-    if (!stream)
-        text_fail("out of memory");
-    return stream;
-}
-
 void verdict_from_cache(struct exercise *e,
                         const struct verdict_rules *rules)
 {
@@ -201,7 +186,7 @@ void verdict_reach(struct exercise *e, const struct verdict_rules *rules)
         return;
     build_suite(e->name);
     const uint64_t key = cache_key(e, rules->strict, rules->seconds);
-    FILE *story = open_story(&e->story);
+    FILE *story = text_stream(&e->story, NULL);
     const bool certain = build_and_test(e, rules, story);
     fclose(story);
     e->judged = !process_signal();

@@ -119,9 +119,7 @@ static void judge_saved(struct course *course,
 
 void watch_files(struct course *course, const struct verdict_rules *rules)
 {
-    struct seen *seen = calloc(course->count, sizeof *seen);
-    if (!seen)
-        text_fail("out of memory");
+    struct seen *seen = text_must(calloc(course->count, sizeof *seen));
     take_terminal();
     for (size_t i = 0; i < course->count; ++i)
         seen[i].judged = sum_file(0, course->exercises[i].file);

@@ -56,9 +56,8 @@ static size_t list_folder(int folder, char ***names)
     for (struct dirent *entry; (entry = readdir(list));) {
         if (!is_ours(entry->d_name))
             continue;
-        *names = realloc(*names, (count + 1) * sizeof **names);
-        if (!*names || !((*names)[count++] = strdup(entry->d_name)))
-            text_fail("out of memory");
+        *names = text_must(realloc(*names, (count + 1) * sizeof **names));
+        (*names)[count++] = text_must(strdup(entry->d_name));
     }
     closedir(list);
     qsort(*names, count, sizeof **names, compare_names);
@@ -605,9 +604,11 @@ static const struct answer *choose(const struct submission *s,
             second = a;
         }
     }
-    *note = compose("");
-    if (!best)
+    if (!best) {
+        *note = compose("");
         return NULL;
+    }
+    const bool tie = count > 1 && prefer(best, second) == 0;
     const char *slash = strrchr(best->path, '/');
     const char *name = slash ? slash + 1 : best->path;
     const char *its = find_exercise(name);
@@ -617,31 +618,26 @@ static const struct answer *choose(const struct submission *s,
                      strcmp(name + strlen(name) - 2, ".c") != 0;
     const bool whole = second && !together(best->path, second->path);
     const char *its_path = whole ? best->path : below(best->path);
-    const char *other = second ? second->path : "";
-    if (!whole)
-        other = below(other);
-    char *said = NULL;
+    const char *other = !second ? ""
+                        : whole ? second->path
+                                : below(second->path);
     if (best->rank >= MISNAMED)
-        said = compose("not graded, since its name does not end in .c: %s",
-                       its_path);
-    else if (count > 1 && prefer(best, second) == 0)
-        said =
+        *note = compose("not graded, since its name does not end in .c: %s",
+                        its_path);
+    else if (tie)
+        *note =
             compose("%d files could be it: %s, %s", count, its_path, other);
     else if (count > 1 && best->attempt != second->attempt)
-        said = compose("of %d attempts the last was taken: %s, not %s",
-                       count, its_path, other);
+        *note = compose("of %d attempts the last was taken: %s, not %s",
+                        count, its_path, other);
     else if (count > 1)
-        said = compose("of %d files was taken %s, not %s", count, its_path,
-                       other);
+        *note = compose("of %d files was taken %s, not %s", count, its_path,
+                        other);
     else if (odd)
-        said = compose("taken in spite of its name: %s", its_path);
-    if (said) {
-        free(*note);
-        *note = said;
-    }
-    if (best->rank >= MISNAMED || (count > 1 && prefer(best, second) == 0))
-        return NULL;
-    return best;
+        *note = compose("taken in spite of its name: %s", its_path);
+    else
+        *note = compose("");
+    return best->rank >= MISNAMED || tie ? NULL : best;
 }
 
 /* Opens the file of a path below a folder, one name after the other, none

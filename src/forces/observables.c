@@ -148,42 +148,6 @@ static void collisions(const struct motion *m, const size_t body[],
     out[0] = (double)m->collisions;
 }
 
-static void place_x(const struct motion *m, const size_t body[],
-                    double out[])
-{
-    out[0] = m->scene->position[body[0]];
-}
-
-static void place_y(const struct motion *m, const size_t body[],
-                    double out[])
-{
-    out[0] = m->scene->position[m->scene->bodies + body[0]];
-}
-
-static void place_z(const struct motion *m, const size_t body[],
-                    double out[])
-{
-    out[0] = m->scene->position[2 * m->scene->bodies + body[0]];
-}
-
-static void velocity_x(const struct motion *m, const size_t body[],
-                       double out[])
-{
-    out[0] = m->scene->velocity[body[0]];
-}
-
-static void velocity_y(const struct motion *m, const size_t body[],
-                       double out[])
-{
-    out[0] = m->scene->velocity[m->scene->bodies + body[0]];
-}
-
-static void velocity_z(const struct motion *m, const size_t body[],
-                       double out[])
-{
-    out[0] = m->scene->velocity[2 * m->scene->bodies + body[0]];
-}
-
 static void speed(const struct motion *m, const size_t body[], double out[])
 {
     const double *v = m->scene->velocity + body[0];
@@ -210,57 +174,36 @@ struct observables_kind {
     const char *name;
     size_t bodies, width; /* numbers of bodies in its arguments, and of
                              columns */
-    const char *symbol[4], *unit, *meaning;
+    const char *symbols, *unit, *meaning; /* a symbol for each column */
     void (*values)(const struct motion *m, const size_t body[],
-                   double out[]);
+                   double out[]); /* NULL: component */
 };
 
 #define ENERGY "mass length^2/time^2"
 #define SPEED "length/time"
 
 static const struct observables_kind kinds[] = {
-    {"t", 0, 1, {"t"}, "time", "time", time_now},
-    {"energy", 0, 1, {"E"}, ENERGY, "energy", energy},
-    {"kinetic", 0, 1, {"K"}, ENERGY, "kinetic energy", kinetic},
-    {"potential", 0, 1, {"U"}, ENERGY, "potential energy", potential},
-    {"parts",
-     0,
-     4,
-     {"K", "U_gravity", "U_springs", "U_weight"},
-     ENERGY,
-     "part of the energy",
-     parts},
-    {"momentum",
-     0,
-     3,
-     {"px", "py", "pz"},
-     "mass " SPEED,
-     "momentum",
-     momentum},
-    {"angular-momentum",
-     0,
-     3,
-     {"Lx", "Ly", "Lz"},
-     "mass length^2/time",
-     "angular momentum about the origin",
-     angular_momentum},
-    {"centre", 0, 3, {"X", "Y", "Z"}, "length", "centre of mass", centre},
-    {"temperature",
-     0,
-     1,
-     {"kT"},
-     ENERGY,
-     "2 K/free coordinates, relative to a drift",
-     temperature},
-    {"collisions", 0, 1, {"n"}, "", "collisions so far", collisions},
-    {"x", 1, 1, {"x"}, "length", "coordinate of a body", place_x},
-    {"y", 1, 1, {"y"}, "length", "coordinate of a body", place_y},
-    {"z", 1, 1, {"z"}, "length", "coordinate of a body", place_z},
-    {"vx", 1, 1, {"vx"}, SPEED, "velocity of a body", velocity_x},
-    {"vy", 1, 1, {"vy"}, SPEED, "velocity of a body", velocity_y},
-    {"vz", 1, 1, {"vz"}, SPEED, "velocity of a body", velocity_z},
-    {"speed", 1, 1, {"v"}, SPEED, "speed of a body", speed},
-    {"distance", 2, 1, {"d"}, "length", "distance of two bodies", distance},
+    {"t", 0, 1, "t", "time", "time", time_now},
+    {"energy", 0, 1, "E", ENERGY, "energy", energy},
+    {"kinetic", 0, 1, "K", ENERGY, "kinetic energy", kinetic},
+    {"potential", 0, 1, "U", ENERGY, "potential energy", potential},
+    {"parts", 0, 4, "K U_gravity U_springs U_weight", ENERGY,
+     "part of the energy", parts},
+    {"momentum", 0, 3, "px py pz", "mass " SPEED, "momentum", momentum},
+    {"angular-momentum", 0, 3, "Lx Ly Lz", "mass length^2/time",
+     "angular momentum about the origin", angular_momentum},
+    {"centre", 0, 3, "X Y Z", "length", "centre of mass", centre},
+    {"temperature", 0, 1, "kT", ENERGY,
+     "2 K/free coordinates, relative to a drift", temperature},
+    {"collisions", 0, 1, "n", "", "collisions so far", collisions},
+    {"x", 1, 1, "x", "length", "coordinate of a body", NULL},
+    {"y", 1, 1, "y", "length", "coordinate of a body", NULL},
+    {"z", 1, 1, "z", "length", "coordinate of a body", NULL},
+    {"vx", 1, 1, "vx", SPEED, "velocity of a body", NULL},
+    {"vy", 1, 1, "vy", SPEED, "velocity of a body", NULL},
+    {"vz", 1, 1, "vz", SPEED, "velocity of a body", NULL},
+    {"speed", 1, 1, "v", SPEED, "speed of a body", speed},
+    {"distance", 2, 1, "d", "length", "distance of two bodies", distance},
 };
 
 enum { KINDS = sizeof kinds / sizeof kinds[0] };
@@ -337,13 +280,14 @@ bool observables_read(struct observables *o, const char *text,
 static void symbol_of(const struct observable *o, size_t k, char *symbol,
                       size_t size)
 {
-    const char *name = o->kind->symbol[k];
-    if (o->kind->bodies == 0)
-        snprintf(symbol, size, "%s", name);
-    else if (o->kind->bodies == 1)
-        snprintf(symbol, size, "%s:%zu", name, o->body[0]);
-    else
-        snprintf(symbol, size, "%s:%zu:%zu", name, o->body[0], o->body[1]);
+    const char *name = o->kind->symbols;
+    for (; k > 0; --k)
+        name = strchr(name, ' ') + 1;
+    int length =
+        snprintf(symbol, size, "%.*s", (int)strcspn(name, " "), name);
+    for (size_t i = 0; i < o->kind->bodies; ++i)
+        length += snprintf(symbol + length, size - (size_t)length, ":%zu",
+                           o->body[i]);
 }
 
 void observables_head(const struct observables *o, struct table *t)
@@ -365,12 +309,26 @@ struct observables_sort observables_sort(const struct observable *o)
         k->width, k->name[1] == '\0' && axis < 3 ? axis : 3, k->unit};
 }
 
+/* Returns a coordinate or a velocity of a body, as the name says: x, y, z,
+   vx, vy or vz. */
+static double component(const struct scene *s, const struct observable *o)
+{
+    const bool moves = o->kind->name[0] == 'v';
+    const size_t axis = (size_t)(o->kind->name[moves] - 'x');
+    const double *x = moves ? s->velocity : s->position;
+    return x[axis * s->bodies + o->body[0]];
+}
+
 void observables_values(const struct observables *o, const struct motion *m,
                         double values[])
 {
     for (size_t i = 0; i < o->count; ++i) {
-        o->list[i].kind->values(m, o->list[i].body, values);
-        values += o->list[i].kind->width;
+        const struct observable *one = &o->list[i];
+        if (one->kind->values)
+            one->kind->values(m, one->body, values);
+        else
+            values[0] = component(m->scene, one);
+        values += one->kind->width;
     }
 }
 

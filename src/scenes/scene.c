@@ -237,10 +237,12 @@ static bool fail(struct reader *r, struct piece found, const char *format,
 struct line {
     const char *word, *fields;
     int pass; /* the number of the pass over the text that reads it */
-    /* Stores the values. NULL: they are copied into the scene, `offset`
-       bytes from its beginning. */
+    /* Stores the values. NULL: they are copied into the member of the scene
+       `offset` bytes from its beginning, or into the list that this member
+       points to, as coordinates of a body. */
     bool (*store)(struct reader *r, const double value[], size_t count);
     size_t offset;
+    bool list;
 };
 
 struct field {
@@ -368,31 +370,39 @@ static bool read_fields(struct reader *r, const char *fields,
     return rest.length == 0 || fail(r, rest, "the end of the line");
 }
 
-/* Stores value[1], value[2], ... as coordinates of body value[0]. */
-static void store_axes(double *to, const struct reader *r,
-                       const double value[], size_t count)
+/* Fails with a message that quotes no word. */
+static bool fail_text(struct reader *r, const char *what)
+{
+    r->error->line = r->line;
+    snprintf(r->error->text, sizeof r->error->text, "%s", what);
+    return false;
+}
+
+/* Stores value[1], value[2], ... as coordinates of body value[0]. Makes a
+   list that most scenes lack at its first line, of zeros. */
+static bool store_axes(double **to, struct reader *r, const double value[],
+                       size_t count)
 {
     const size_t n = r->scene->bodies, i = (size_t)value[0];
+    if (!*to)
+        *to = calloc(n, (count - 1) * sizeof **to);
+    if (!*to)
+        return fail_text(r, "no memory for the scene");
     for (size_t k = 0; k + 1 < count; ++k)
-        to[k * n + i] = value[k + 1];
+        (*to)[k * n + i] = value[k + 1];
+    return true;
 }
 
 static bool store_pos(struct reader *r, const double value[], size_t count)
 {
     const size_t i = (size_t)value[0];
-    store_axes(r->scene->position, r, value, 4);
+    store_axes(&r->scene->position, r, value, 4);
     r->scene->mass[i] = value[4];
     r->scene->charge[i] = value[5];
     r->scene->radius[i] = value[6];
     const double colour[] = {value[0], value[7], value[8], value[9]};
     if (count == 10)
-        store_axes(r->scene->colour, r, colour, 4);
-    return true;
-}
-
-static bool store_vel(struct reader *r, const double value[], size_t count)
-{
-    store_axes(r->scene->velocity, r, value, count);
+        store_axes(&r->scene->colour, r, colour, 4);
     return true;
 }
 
@@ -427,33 +437,6 @@ static bool store_dis(struct reader *r, const double value[], size_t count)
     return true;
 }
 
-/* Fails with a message that quotes no word. */
-static bool fail_text(struct reader *r, const char *what)
-{
-    r->error->line = r->line;
-    snprintf(r->error->text, sizeof r->error->text, "%s", what);
-    return false;
-}
-
-/* Stores coordinates as store_axes does, in a list that most scenes lack:
-   its first line makes the list, of zeros. */
-static bool store_rare(double **to, struct reader *r, const double value[],
-                       size_t count)
-{
-    if (!*to)
-        *to = calloc(r->scene->bodies, (count - 1) * sizeof **to);
-    if (!*to)
-        return fail_text(r, "no memory for the scene");
-    store_axes(*to, r, value, count);
-    return true;
-}
-
-static bool store_carry(struct reader *r, const double value[],
-                        size_t count)
-{
-    return store_rare(&r->scene->carry, r, value, count);
-}
-
 /* Stores the acceleration that a body continues with. Requires a line
    "kept" for each body if there is one: a body without it would feel no
    force for half a step, unnoticed. check_once refuses two for one body. */
@@ -465,7 +448,7 @@ static bool store_kept(struct reader *r, const double value[], size_t count)
                     "one for each of the %zu bodies, or none (lines kept: "
                     "%zu)",
                     bodies, lines);
-    return store_rare(&r->scene->kept, r, value, count);
+    return store_axes(&r->scene->kept, r, value, count);
 }
 
 /* Stores the values of a kind of spring, which prepare has allocated. */
@@ -536,35 +519,26 @@ static bool store_dashpot(struct reader *r, const double value[],
 }
 
 /* Stores contacts that act as springs, also without a line "contact". */
-static bool store_linear(struct reader *r, const double value[],
-                         size_t count)
+static bool store_law(struct reader *r, const double value[], size_t count)
 {
-    r->scene->law = SCENE_LINEAR;
+    const bool hertz = is_word(r->first, "hertz");
+    r->scene->law = hertz ? SCENE_HERTZ : SCENE_LINEAR;
     r->scene->stiffness = value[0];
     r->scene->dashpot = count > 1 ? value[1] : 0;
     return r->scene->contact = true;
 }
 
-static bool store_hertz(struct reader *r, const double value[],
-                        size_t count)
-{
-    (void)count;
-    r->scene->law = SCENE_HERTZ;
-    r->scene->stiffness = value[0];
-    r->scene->dashpot = 0;
-    return r->scene->contact = true;
-}
-
-#define TO(field) NULL, offsetof(struct scene, field)
-#define BY(function) function, 0
+#define TO(field) NULL, offsetof(struct scene, field), false
+#define AXES(list) NULL, offsetof(struct scene, list), true
+#define BY(function) function, 0, false
 static const struct line forms[LINES] = {
     [POS] = {"pos", "@body x y z +mass charge +radius ;%red %green %blue",
              1, BY(store_pos)},
-    [VEL] = {"vel", "@body vx vy vz", 1, BY(store_vel)},
+    [VEL] = {"vel", "@body vx vy vz", 1, AXES(velocity)},
     [VFIX] = {"vfix", "@body !x !y !z", 1, BY(store_vfix)},
     [DIS] = {"dis", "@body dx dy dz", 3, BY(store_dis)},
     [SPECIES] = {"species", "@body #species", 1, BY(store_species)},
-    [CARRY] = {"carry", "@body x y z vx vy vz", 1, BY(store_carry)},
+    [CARRY] = {"carry", "@body x y z vx vy vz", 1, AXES(carry)},
     [KEPT] = {"kept", "@body ax ay az", 1, BY(store_kept)},
     [S] = {"s", "&kind +D +c ;%red %green %blue", 1, BY(store_kind)},
     [SL] = {"sl", "@body @body &kind ;+rest", 2, BY(store_spring)},
@@ -577,8 +551,8 @@ static const struct line forms[LINES] = {
     [TIME] = {"time", "time", 1, TO(time)},
     [CONTACT] = {"contact", "", 1, BY(store_contact)},
     [RESTITUTION] = {"restitution", "%restitution", 1, TO(restitution)},
-    [LINEAR] = {"linear", ">stiffness ;+dashpot", 1, BY(store_linear)},
-    [HERTZ] = {"hertz", ">stiffness", 1, BY(store_hertz)},
+    [LINEAR] = {"linear", ">stiffness ;+dashpot", 1, BY(store_law)},
+    [HERTZ] = {"hertz", ">stiffness", 1, BY(store_law)},
     [BOX] = {"box", "xlow xhigh ylow yhigh zlow zhigh", 1, BY(store_box)},
     [WALLS] = {"walls", "|x |y |z", 2, BY(store_walls)}};
 
@@ -636,7 +610,10 @@ static bool read_values(struct reader *r, size_t sort)
     ++r->read[sort];
     if (form->store)
         return form->store(r, value, count);
-    memcpy((char *)r->scene + form->offset, value, count * sizeof value[0]);
+    void *member = (char *)r->scene + form->offset;
+    if (form->list)
+        return store_axes(member, r, value, count);
+    memcpy(member, value, count * sizeof value[0]);
     return true;
 }
 

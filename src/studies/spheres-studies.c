@@ -1,4 +1,4 @@
-/* Measures gases, cradles and a break, by steps and by events. */
+/* Measures gases, cradles and a billiard break by steps and by events. */
 #include "box/blocks.h"
 #include "line/bonkers.h"
 #include "box/cells.h"
@@ -19,13 +19,13 @@
 enum { MOST_RUNS = 1000 };
 
 static struct {
-    uint64_t runs; /* with different starts */
-    double until;  /* of the study of the law, s */
+    uint64_t runs; /* number of runs with different seeds */
+    double until;  /* duration of the run of --study law, s */
 } own = {.runs = 8, .until = 600};
 
-static const double usual_length = 60; /* of all other studies, s */
+static const double usual_length = 60; /* of runs in other studies, s */
 
-/* Makes a scene of the list for chapter 11 with these keys. */
+/* Makes the named scene of chapter 11 with chosen values of its keys. */
 static void make_scene(struct scene *s, const char *name,
                        const struct gallery_choice chosen[])
 {
@@ -34,21 +34,21 @@ static void make_scene(struct scene *s, const char *name,
         program_give_up("%s", wrong);
 }
 
-/* Three ways to resolve a step: all pairs that overlap collide (as in the
-   paper), only those that approach do, and those with time turned back to
-   the contact. */
+/* The ways to resolve the overlaps after a step: all overlapping pairs
+   collide (as in the paper); only approaching pairs collide; approaching
+   pairs collide and are moved back to the contact. */
 enum { PAPER, APPROACHING, BACK, WAYS };
 
 static const char *const ways[WAYS] = {"paper", "approaching", "back"};
 
-/* A scene that is stepped, by dt (s). */
+/* A scene, its contacts, and the step dt (s). */
 struct run {
     struct scene scene;
     struct spheres spheres;
     double dt;
 };
 
-/* Prepares the scene in r for steps of dt. */
+/* Prepares the scene in r for steps of dt that are resolved in this way. */
 static void begin(struct run *r, int way, double dt)
 {
     r->dt = dt;
@@ -66,7 +66,7 @@ static void end(struct run *r)
     scene_free(&r->scene);
 }
 
-/* Steps for a time. There are no forces, so a step is straight flight. */
+/* Steps r for this time. No force acts during a step. */
 static void steps(struct run *r, double time)
 {
     struct scene *s = &r->scene;
@@ -88,9 +88,9 @@ static double energy(const struct scene *s)
 
 enum { Z_X, Z_Y, RATE, RECEDING, VIRIAL, FOURTH, ENERGY, MEASURED };
 
-static const double warm_time = 20; /* s, before anything is counted */
+static const double warm_time = 20; /* before anything is counted, s */
 
-/* Sets all that the spheres have counted to zero. */
+/* Sets the counts and sums of p that are measured here to zero. */
 static void reset_counts(struct spheres *p)
 {
     p->collisions = p->receding = p->wall_collisions = 0;
@@ -111,8 +111,8 @@ static double fourth_power(const struct scene *s)
     return sum / (double)n;
 }
 
-/* Runs a scene of disks by steps, and measures it; E is N kT. The mean of
-   v^4 is taken from a hundred samples. */
+/* Runs a scene of disks by steps, and sets value[] to its results. The
+   energy E is N kT; the mean of v^4 comes from a hundred samples. */
 static void gas_by_steps(struct run *r, double until, double value[])
 {
     enum { LOOKS = 100 };
@@ -141,8 +141,8 @@ static void as_disks(struct disks *d, const struct scene *s)
     program_memory(hard_disks(d, s), "for the disks");
 }
 
-/* Measures a gas with the event-driven engine of chapter 7: the values come
-   from the sums that the engine keeps. */
+/* Sets value[] to the results of a gas, from the sums that the event-driven
+   engine of chapter 7 keeps; RECEDING and FOURTH are set to 0. */
 static void gas_by_events(struct disks *d, double until, double value[])
 {
     struct cells c;
@@ -161,10 +161,10 @@ static void gas_by_events(struct disks *d, double until, double value[])
     cells_free(&c);
 }
 
-/* Sets mean[] and error[] to the averages over runs and their errors, but
-   mean[ENERGY] to the worst error of the energy. Runs have starts of their
-   own, so they are independent, and their scatter gives the error. The way
-   WAYS is by events. */
+/* Sets mean[] and error[] to the averages over runs and their standard
+   errors, but mean[ENERGY] to the largest error of the energy. Each run has
+   its own seed, so the runs are independent, and their scatter gives the
+   error. If way is WAYS, the runs are event-driven. */
 static void average(const struct study *s, int way, double dt,
                     double mean[], double error[])
 {
@@ -203,12 +203,13 @@ enum { DTS = 7, FITTED = 5 };
 static const double dts[DTS] = {0.0025, 0.005, 0.01, 0.02,
                                 0.04,   0.08,  0.16};
 
-/* The points to which the parabolas are fitted, with their errors. */
+/* The values to which the parabolas are fitted, and their errors. */
 struct points {
     double y[3][DTS], error[3][DTS];
 };
 
-/* Writes a row with all ways, and stores the points of the parabolas. */
+/* Writes the row of step dt, or of the events if dt is 0, for all ways.
+   Stores the values to be fitted at index `at` unless points is NULL. */
 static void pressure_row(struct study *s, double dt, int at,
                          struct points points[])
 {
@@ -231,12 +232,13 @@ static void pressure_row(struct study *s, double dt, int at,
     table_row(s->out, n, row);
 }
 
+/* The coefficients a and b of a + b t + c t^2, with their errors. */
 struct parabola {
-    double a, b, a_error, b_error; /* a + b t + c t^2 */
+    double a, b, a_error, b_error;
 };
 
-/* Fits a parabola by least squares; with the five shortest steps it gives
-   the value at no step at all and the slope there, both with errors. */
+/* Fits a parabola by weighted least squares. Returns its value and slope at
+   t = 0 with their standard errors. */
 static struct parabola fit(size_t n, const double t[], const double y[],
                            const double error[])
 {
@@ -260,7 +262,7 @@ static struct parabola fit(size_t n, const double t[], const double y[],
         sqrt(c[3] / det)};
 }
 
-/* Writes a row for each step (0: by events), then the parabolas. */
+/* Writes a row by events (dt = 0), one for each step, and the parabolas. */
 static void study_pressure(struct study *s)
 {
     static struct points points[WAYS];
@@ -297,8 +299,8 @@ static void study_pressure(struct study *s)
 
 enum { SHELLS = 25, MOST_DISKS = 250 };
 
-/* Adds the pairs of d to shells of width 0.01 diameters from the contact
-   on. */
+/* Adds to each shell[k] the number of pairs whose gap is k to k + 1 per
+   cent of the diameter. */
 static void count_pairs(const struct disks *d, double shell[])
 {
     const double touching = 2 * d->disk[0].radius;
@@ -318,8 +320,8 @@ static void count_pairs(const struct disks *d, double shell[])
     }
 }
 
-/* Counts the pairs of the gas by events, ten times a second; the counting
-   takes longer than the run. Returns the virial over N kT. */
+/* Adds the pairs of a gas by events to the shells ten times a second, which
+   takes longer than the run. Returns Z - 1, from the virial. */
 static double fill_shells(const struct study *s, double shell[])
 {
     const double seed = (double)s->seed;
@@ -343,9 +345,9 @@ static double fill_shells(const struct study *s, double shell[])
     return virial;
 }
 
-/* Returns the slope d ln g / d ln r at contact, and in *error its error. A
-   parabola is fitted to the logarithm of the density of pairs, which is the
-   count of a shell over its area. */
+/* Returns the slope d ln g / d ln r at contact, and sets *error to its
+   standard error. A parabola is fitted to the logarithm of the pair
+   density, which is the count in a shell divided by its area. */
 static double contact_slope(const double shell[], double *error)
 {
     double t[SHELLS], y[SHELLS], e[SHELLS];
@@ -359,8 +361,8 @@ static double contact_slope(const double shell[], double *error)
     return p.b;
 }
 
-/* Writes the parts of the law of first order (11.5, eq:step-law), for which
-   the slope is measured. */
+/* Writes the terms of the first-order law (11.5, eq:step-law), whose slope
+   is measured. */
 static void study_law(struct study *s)
 {
     const double pi = 3.14159265358979324, eta = 250 * pi * 0.01 / 37.5;
@@ -409,7 +411,7 @@ static const char *const checks[CHECKS] = {"energy", "identity", "speeds",
                                            "rate",   "pressure", "near",
                                            "centre", "spin",     "back"};
 
-/* Returns the sum of m x v about the middle of the box. */
+/* Returns the sum of m x v, x being measured from the middle of the box. */
 static double moment(const struct scene *s)
 {
     const size_t n = s->bodies;
@@ -437,7 +439,7 @@ static double near_pairs(const struct scene *s)
     return count;
 }
 
-/* Returns the mean number of near pairs in two hundred samples. */
+/* Returns the mean number of near pairs in 200 samples, by events. */
 static double near_by_events(struct run *r)
 {
     struct disks d;
@@ -471,8 +473,8 @@ static double near_by_steps(struct run *r)
     return near;
 }
 
-/* Returns the error of (7.6, eq:gas-walls), the sum of its terms on one
-   side, in units of 2 K t. */
+/* Returns the error of (7.6, eq:gas-walls) after 20 s: the absolute value
+   of all its terms brought to one side, in units of 2 K t. */
 static double identity(struct run *r)
 {
     const double time = 20, radius = 0.1;
@@ -495,8 +497,8 @@ static void begin_gas(struct run *r, const char *name, uint64_t seed,
     begin(r, way, dt);
 }
 
-/* Returns the mean of x[] along x weighted by mass: the centre, or its
-   velocity. */
+/* Returns the mean of x[], weighted by mass: the coordinate of the centre
+   of mass, or its velocity if x[] is a list of velocities. */
 static double centre(const struct scene *s, const double x[])
 {
     double sum = 0, mass = 0;
@@ -507,8 +509,8 @@ static double centre(const struct scene *s, const double x[])
     return sum / mass;
 }
 
-/* Returns by how much the centre of mass misses its straight path after 2 s
-   in a periodic box, in radii of the light disks. */
+/* Returns the displacement along x, after 2 s in a periodic box, of the
+   centre of mass from its uniform motion, in radii of a light disk. */
 static double moved_centre(uint64_t seed, int way, double dt)
 {
     struct run r;
@@ -532,10 +534,9 @@ static double spin(const struct scene *s)
     return sum;
 }
 
-/* Returns the angular momentum that a gas without a box loses in 2 s, over
-   its diameter and the square root of the number of collisions. The gas
-   expands: after 2 s there are a quarter as many collisions as at the
-   start. */
+/* Returns the change of the angular momentum of a gas without a box in 2 s,
+   divided by the diameter and the square root of the number of collisions.
+   The gas expands: the rate of collisions falls to a quarter in 2 s. */
 static double lost_spin(uint64_t seed, int way, double dt)
 {
     struct run r;
@@ -548,8 +549,8 @@ static double lost_spin(uint64_t seed, int way, double dt)
     return lost / sqrt(collisions) / 0.2;
 }
 
-/* Returns by how much disks miss their positions when their velocities are
-   reversed after 0.2 s, the median in units of the diameter. */
+/* Returns the median displacement of the disks, in diameters, after 0.2 s
+   forwards and 0.2 s with reversed velocities. */
 static double missed_way_back(uint64_t seed, int way, double dt)
 {
     enum { DISKS = 250 };
@@ -569,8 +570,8 @@ static double missed_way_back(uint64_t seed, int way, double dt)
     return bench_median(miss, DISKS) / 0.2;
 }
 
-/* Makes all checks of one way and step. Results with an exact value are
-   compared with it, the others with the runs by events. */
+/* Sets found[] to the results of all checks of one way and step. Results
+   with an exact value are compared with it, the others with events. */
 static void do_checks(struct study *s, int way, double dt,
                       const double truth[], double near, double found[])
 {
@@ -593,7 +594,7 @@ static void do_checks(struct study *s, int way, double dt,
     }
 }
 
-/* Checks the paper's way and that which goes back, with two steps each. */
+/* Checks the ways PAPER and BACK, each with two steps. */
 static void study_checks(struct study *s)
 {
     double truth[MEASURED], error[MEASURED];
@@ -617,8 +618,8 @@ static void study_checks(struct study *s)
         }
 }
 
-/* Starts of a row of five balls: the numbers that move at the left and the
-   right, and the masses (kg) of the first, the last and the middle ball. */
+/* Initial states of five balls: the numbers that move at the left and at
+   the right, and the masses (kg) of the first, last and middle ball. */
 static const struct {
     const char *name;
     double left, right, first, last, middle;
@@ -641,7 +642,7 @@ static void make_row(struct scene *s, int row, double gap,
                    {"restitution", restitution}));
 }
 
-/* Begins a row by events, with the engine of chapter 2. */
+/* Prepares the event-driven engine of chapter 2 for a row. */
 static void begin_events(struct bonkers *b, const struct scene *s)
 {
     struct start start;
@@ -653,9 +654,9 @@ static void begin_events(struct bonkers *b, const struct scene *s)
     start_free(&start);
 }
 
-/* Sets x[] and v[] to the positions and velocities of the balls at a time,
-   by events; returns the number of collisions. There are no walls, so that
-   a ball that leaves is not sent back. */
+/* Sets x[] and v[] to the positions and velocities of the balls at the time
+   `until`, by events. Returns the number of collisions. The row has no
+   walls, so that a ball that leaves it does not come back. */
 static uint64_t row_by_events(int row, double gap, double until, double x[],
                               double v[])
 {
@@ -675,15 +676,15 @@ static uint64_t row_by_events(int row, double gap, double until, double x[],
     return collisions;
 }
 
-/* A way to step a row. */
+/* How a row is stepped, with its gaps (m) at the start and dt (s). */
 struct stepped {
     int way;
     enum spheres_order order;
     double gap, dt;
 };
 
-/* Sets x[] and v[] to the positions and velocities of the balls at a time,
-   by steps in a chosen order. */
+/* Sets x[] and v[] to the positions and velocities of the balls at the time
+   `until`, by steps. */
 static void row_by_steps(int row, struct stepped how, double until,
                          double x[], double v[])
 {
@@ -698,12 +699,12 @@ static void row_by_steps(int row, struct stepped how, double until,
     end(&r);
 }
 
-/* Sets v[] to the velocities if all contacts happen at one time: a
-   tridiagonal system for the impulses, solved by elimination. */
+/* Sets v[] to the velocities after simultaneous collisions at all contacts.
+   The impulses J[c + 1] at contact c solve a tridiagonal system. */
 static void row_at_once(int row, double v[])
 {
     struct scene s;
-    double diagonal[BALLS], J[BALLS + 1] = {0}; /* J[c + 1] of contact c */
+    double diagonal[BALLS], J[BALLS + 1] = {0};
     make_row(&s, row, 0, 1);
     for (size_t c = 0; c + 1 < BALLS; ++c) {
         const double before = c > 0 ? 1 / s.mass[c] / diagonal[c - 1] : 0;
@@ -721,7 +722,7 @@ static void row_at_once(int row, double v[])
     scene_free(&s);
 }
 
-/* Writes the five velocities to the summary. */
+/* Writes the velocities of the five balls to the summary. */
 static void write_velocities(struct study *s, const char *kind, int row,
                              const double v[])
 {
@@ -741,8 +742,9 @@ static const struct {
     {"up", {APPROACHING, SPHERES_ASCENDING, 0, 0.001}},
     {"down", {APPROACHING, SPHERES_DESCENDING, 0, 0.001}}};
 
-/* Fills a line of the table: a row by events, whose velocities are exact,
-   by steps, and with all contacts at one time. */
+/* Sets line[] to the number of the row, its collisions, and the largest
+   velocity error of each kind, the events being exact. Writes all
+   velocities, also those of simultaneous contacts, to the summary. */
 static void compare_row(struct study *s, int row, double line[2 + KINDS])
 {
     double x[BALLS], exact[BALLS], v[BALLS];
@@ -760,9 +762,9 @@ static void compare_row(struct study *s, int row, double line[2 + KINDS])
     write_velocities(s, "once", row, v);
 }
 
-/* Writes the collisions of nine starts of the row, with wide gaps, with
-   gaps that a ball crosses ten times in a step, and without gaps. The worst
-   difference of each kind leaves out the last start, which is a special
+/* Compares steps with events for nine initial states of the row: with wide
+   gaps, with gaps of a tenth of a ball's path in a step, and without gaps.
+   The summary's largest differences exclude the last state, a special
    case. */
 static void study_rows(struct study *s)
 {
@@ -782,8 +784,8 @@ static void study_rows(struct study *s)
         table_real(s->summary, kinds[k].name, worst[k]);
 }
 
-/* Follows the row with the double ball for 3 s, with longer and longer
-   steps. */
+/* Writes the errors of the row with the double ball after 3 s, with longer
+   and longer steps. */
 static void study_late(struct study *s)
 {
     const double until = 3;
@@ -806,8 +808,8 @@ static void study_late(struct study *s)
     }
 }
 
-/* Runs a row with e = 0.9 between two walls, by events and by steps side by
-   side. */
+/* Runs a row with a restitution of 0.9 between two walls, by events and by
+   steps, and writes the energies every 0.05 s. */
 static void study_rest(struct study *s)
 {
     const double every = 0.05, until = usual_length;
@@ -847,9 +849,9 @@ static void make_break(struct scene *s, double jitter, uint64_t seed)
                GALLERY_CHOICES({"jitter", jitter}, {"seed", (double)seed}));
 }
 
-static const double usual_break = 0.5; /* s */
+static const double usual_break = 0.5; /* duration of a break, s */
 
-/* Sets x[] to the positions after a break by steps that go back. */
+/* Sets x[] to the positions after a break by steps in the way BACK. */
 static void break_by_steps(enum spheres_order order, double dt, double x[])
 {
     struct run r;
@@ -862,8 +864,8 @@ static void break_by_steps(enum spheres_order order, double dt, double x[])
 }
 
 /* Sets x[] to the positions after a break by events, in a box so large that
-   its walls have no effect. The box has its corner at the origin, the table
-   has its middle there. */
+   its walls have no effect. Positions in the box are measured from its
+   corner, those on the table from the middle. */
 static void break_by_events(double jitter, uint64_t seed, double x[])
 {
     const double far = 50; /* m */
@@ -888,7 +890,7 @@ static void break_by_events(double jitter, uint64_t seed, double x[])
     scene_free(&scene);
 }
 
-/* Returns the largest distance of any ball between two outcomes. */
+/* Returns the largest displacement of a ball between two outcomes. */
 static double distance(const double x[], const double y[])
 {
     double most = 0;
@@ -897,8 +899,8 @@ static double distance(const double x[], const double y[])
     return most;
 }
 
-/* Counts the outcomes that differ by more than a millimetre from all
-   before. */
+/* Returns the number of outcomes that differ by more than a millimetre from
+   every earlier outcome. */
 static size_t distinct(double outcome[][2 * RACK], size_t n)
 {
     size_t count = 0;
@@ -911,7 +913,7 @@ static size_t distinct(double outcome[][2 * RACK], size_t n)
     return count;
 }
 
-/* Returns the distance of x from the outcome that is most like it. */
+/* Returns the distance from x to the nearest outcome. */
 static double nearest(const double x[], double outcome[][2 * RACK])
 {
     double least = INFINITY;
@@ -922,7 +924,7 @@ static double nearest(const double x[], double outcome[][2 * RACK])
 
 enum { BREAKS = 4 };
 
-/* Breaks the rack four times by steps and a hundred times by events. */
+/* Compares four breaks by steps and a hundred breaks by events. */
 static void study_break(struct study *s)
 {
     static double stepped[BREAKS][2 * RACK], outcome[OUTCOMES][2 * RACK];
@@ -941,7 +943,7 @@ static void study_break(struct study *s)
         TABLE_ROW(s->out, stepped[0][i], stepped[0][RACK + i],
                   stepped[1][i], stepped[1][RACK + i], stepped[3][i],
                   stepped[3][RACK + i]);
-    /* A cloud of points: the outcomes of a hundred racks. */
+    /* A cloud of points: the positions after a hundred breaks. */
     table_print(s->out, "\n\n");
     for (size_t k = 0; k < OUTCOMES; ++k)
         for (size_t i = 0; i < RACK; ++i)
@@ -954,7 +956,7 @@ static void study_break(struct study *s)
     table_count(s->summary, "outcomes", distinct(outcome, OUTCOMES));
 }
 
-/* Makes bodies for contacts under gravity, without walls. */
+/* Makes bodies with contacts and gravity, but without walls. */
 static void make_bodies(struct scene *s, size_t bodies, double radius)
 {
     program_memory(scene_create(s, bodies), "for the balls");
@@ -971,7 +973,7 @@ static void set_walls(struct scene *s, size_t k, double low, double high)
     s->high[k] = high;
 }
 
-/* Makes three balls in a box, which attract each other if k2 > 0. */
+/* Makes three balls in a box that attract each other if k2 > 0. */
 static void make_three(struct scene *s, double k2)
 {
     static const double start[] = {-0.6,  0.1, 0.7, 0,  0.05,
@@ -989,8 +991,8 @@ static void make_three(struct scene *s, double k2)
     s->softening = 0.2;
 }
 
-/* Begins a motion with all forces of a scene, its contacts located or
-   not. */
+/* Prepares a motion with all forces of a scene. If located is true, its
+   contacts are found inside the steps. */
 static void move(struct motion *m, struct scene *s, const char *method,
                  double dt, bool located)
 {
@@ -1001,8 +1003,8 @@ static void move(struct motion *m, struct scene *s, const char *method,
     m->spheres.shift = SPHERES_BACK;
 }
 
-/* Sets x[] to the positions of the three after 1 s; returns the
-   collisions. */
+/* Sets x[] to the positions of the three balls after 1 s. Returns the
+   number of collisions. */
 static uint64_t move_three(const char *method, double k2, bool located,
                            uint64_t steps, double x[9])
 {
@@ -1018,9 +1020,10 @@ static uint64_t move_three(const char *method, double k2, bool located,
     return met;
 }
 
-/* Drops a ball by 1 m. Returns its largest error up to 2001 s if e is 1
-   (the closed form is z = t (2 - t), t being the time since the last
-   bounce), else the bounces until it rests. */
+/* Drops a ball from 1 m above its contact with the floor. If e is 1,
+   returns its largest error up to 2001 s; at a time t after a bounce, the
+   exact height is t (2 - t). Otherwise returns the number of bounces until
+   the ball rests. */
 static double drop_ball(double e)
 {
     struct scene s;
@@ -1045,7 +1048,7 @@ static double drop_ball(double e)
 static const struct {
     const char *name, *method;
     bool located;
-    uint64_t coarse; /* fewest steps for its order */
+    uint64_t coarse; /* steps of the coarser run that gives its order */
 } moments[] = {{"stepwise", "leapfrog", false, 64},
                {"leapfrog", "leapfrog", true, 64},
                {"rk4", "rk4", true, 64},
@@ -1060,8 +1063,8 @@ static double moment_error(int way, uint64_t steps, const double exact[9])
     return largest_difference(x, exact, 9);
 }
 
-/* Returns the order from the errors of two steps a factor of 16 apart, or
-   of 8 for the method of order eight. */
+/* Returns the order of convergence, from the errors at two steps that
+   differ by a factor of 16, or of 8 for the method of order eight. */
 static double moment_order(int way, const double exact[9])
 {
     const uint64_t n = moments[way].coarse;
@@ -1071,9 +1074,9 @@ static double moment_order(int way, const double exact[9])
     return log2(coarse / fine) / log2(times);
 }
 
-/* Writes the errors of three balls after 1 s against the step, for each
-   way, then the orders of all ways, and the errors of three balls without
-   attraction and of one ball. */
+/* Writes, for each way, the errors of three balls after 1 s against the
+   step. Writes to the summary the orders, the errors of three balls without
+   attraction, and the results of a single ball. */
 static void study_moment(struct study *s)
 {
     double exact[9], row[1 + MOMENTS];
@@ -1104,17 +1107,19 @@ static void study_moment(struct study *s)
 
 enum { TOUCHING = 3 };
 
+/* Laws of contact: the stiffness is in N/m, or in N/m^1.5 by Hertz's law;
+   the gap between balls is in m. */
 static const struct {
     const char *name;
     enum scene_law law;
-    double stiffness, gap; /* N/m or N/m^1.5, m */
+    double stiffness, gap;
 } touchings[TOUCHING] = {{"linear", SCENE_LINEAR, 5000, 0},
                          {"hertz", SCENE_HERTZ, 50000, 0},
                          {"gaps", SCENE_LINEAR, 5000, 0.03}};
 
-static const double pair_omega = 100; /* of the linear ones, 1/s */
+static const double pair_omega = 100; /* of a linear contact, 1/s */
 
-/* Makes a row of balls of 1 kg; the first one moves at 1 m/s. */
+/* Makes a row of balls of 1 kg, the first of which moves at 1 m/s. */
 static void make_touching(struct scene *s, int way, size_t balls)
 {
     make_bodies(s, balls, 0.1);
@@ -1126,8 +1131,8 @@ static void make_touching(struct scene *s, int way, size_t balls)
     s->velocity[0] = 1;
 }
 
-/* Returns the speed at which two balls separate that approached each other
-   at 1 m/s, with a gap between them at the start. */
+/* Returns the speed (m/s) at which two balls separate that approached each
+   other at 1 m/s. They start `gap` metres further apart than in the row. */
 static double parting_speed(int way, double dashpot, double gap, double dt)
 {
     struct scene s;
@@ -1143,8 +1148,8 @@ static double parting_speed(int way, double dashpot, double gap, double dt)
     return parting;
 }
 
-/* Returns the duration of the contact of Hertz's balls, s: until the gap,
-   on a straight line within the last step, is zero again. */
+/* Returns the duration, in s, of a contact of two balls by Hertz's law. The
+   time at which the gap is zero again is interpolated linearly. */
 static double hertz_time(void)
 {
     struct scene s;
@@ -1163,7 +1168,7 @@ static double hertz_time(void)
     return time;
 }
 
-/* Writes the velocities of a row every tenth of 1 / omega. */
+/* Writes the velocities of a row every 0.1/pair_omega. */
 static void touch_row(struct study *s, int way)
 {
     struct scene scene;
@@ -1188,8 +1193,8 @@ static void touch_row(struct study *s, int way)
     scene_free(&scene);
 }
 
-/* Sets *least and *most to the range of the energy that comes back, of 1,
-   which depends on the place in a step at which the contact begins. */
+/* Sets *least and *most to the range of the fraction of the energy that a
+   contact returns. It depends on the phase of the step at its start. */
 static void energy_range(double omega_dt, double *least, double *most)
 {
     *least = INFINITY;
@@ -1203,10 +1208,10 @@ static void energy_range(double omega_dt, double *least, double *most)
     }
 }
 
-/* Returns the worst error of the speed, which has to be e, if a contact of
-   this time (s) takes `steps` steps, give or take half a step. With whole
-   steps a contact would begin and end at equal places in a step, and errors
-   would cancel that do not cancel otherwise. */
+/* Returns the largest error of the parting speed, which should be e, over
+   contacts of duration `time` (s) in `steps` steps, give or take half a
+   step. In whole steps, contacts would begin and end at the same phase of a
+   step, and errors would cancel that otherwise do not. */
 static double worst_parting_speed(int way, double dashpot, double time,
                                   int steps, double e)
 {
@@ -1234,7 +1239,7 @@ static void write_worst_speeds(struct study *s, double linear, double hertz,
 }
 
 /* Writes the velocities of rows whose contacts are stiff springs, and the
-   errors of such contacts against the steps that they take. */
+   errors of such contacts against the number of steps they take. */
 static void study_touch(struct study *s)
 {
     const double pi = 3.141592653589793, zeta = 0.2;
@@ -1260,18 +1265,18 @@ static void study_touch(struct study *s)
                        exp(-pi * zeta / sqrt(1 - zeta * zeta)));
 }
 
-enum { LOCATED = WAYS + 1 }; /* WAYS: by events */
+enum { LOCATED = WAYS + 1 }; /* the way WAYS is by events */
 
-/* Returns the length of a run. Located contacts take so long that they are
-   run for a fifth of the others' time, and not at the packing 0.7. Between
-   them nothing acts, so that leapfrog's steps have no error of their
-   own. */
+/* Returns the duration of a run in this way, s. To locate contacts takes so
+   long that such runs last a fifth as long as the others, and are left out
+   at the packing 0.7. */
 static double length_of(int way, double usual)
 {
     return way == LOCATED ? usual / 5 : usual;
 }
 
-/* Returns the virial of a gas over N kT, with contacts located. */
+/* Returns Z - 1 of a gas, from its virial, with located contacts. Between
+   contacts there is no force, so that leapfrog is exact. */
 static double gas_located(struct scene *s, double dt, double until)
 {
     struct motion m;
@@ -1287,7 +1292,8 @@ static double gas_located(struct scene *s, double dt, double until)
     return virial;
 }
 
-/* Runs a gas, and times that alone; returns its virial. */
+/* Runs a gas. Sets *seconds to the processor time of the run alone, and
+   returns Z - 1, from the virial. */
 static double time_run(struct scene *scene, int way, double dt,
                        double until, double *seconds)
 {
@@ -1309,8 +1315,8 @@ static double time_run(struct scene *scene, int way, double dt,
     return value[VIRIAL];
 }
 
-/* Sets *virial to the virial over N kT, and *cost to the processor time for
-   a second of the gas, warm-up included. */
+/* Sets *virial to the average of Z - 1 over runs, and *cost to the median
+   processor time for a second of the gas, including the warm-up. */
 static void cost_of(const struct study *s, double packing, int way,
                     double dt, struct blocks_average *virial, double *cost)
 {
@@ -1318,7 +1324,7 @@ static void cost_of(const struct study *s, double packing, int way,
     const double until = length_of(way, usual_length);
     for (uint64_t i = 0; i < own.runs; ++i) {
         struct scene scene;
-        /* The gas starts on a lattice. */
+        /* The gas starts on a lattice in a box of this packing. */
         const double area = 250 * 3.14159265358979324 * 0.01 / packing;
         const double height = sqrt(area / 1.5);
         make_scene(&scene, "gas",
@@ -1343,10 +1349,9 @@ static const struct {
 
 enum { COSTS = 14 };
 
-/* Writes a row, whose first numbers, those of the events, are given.
-   Contacts that are located have no error that could depend on the step,
-   and are computed at every other step only. A row begins with a name by
-   which the book quotes it. */
+/* Completes and writes a row whose results by events are given. The error
+   of located contacts does not depend on the step, so they are run only if
+   `all` is true. A row begins with a name by which the book quotes it. */
 static void compare_step(struct study *s, double dt, bool all,
                          double row[COSTS])
 {
@@ -1367,7 +1372,7 @@ static void compare_step(struct study *s, double dt, bool all,
     table_print(s->out, "\n");
 }
 
-/* Writes error against processor time, at four packings and seven steps. */
+/* Writes the error of Z and the cost, at four packings and seven steps. */
 static void study_cost(struct study *s)
 {
     static const double packings[] = {0.1, 0.3, 0.5, 0.7};

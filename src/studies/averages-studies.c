@@ -1,4 +1,4 @@
-/* Compares means over a time with the errors predicted for them. */
+/* Compares time averages with the errors predicted for them. */
 #include "choosing/averages.h"
 #include "choosing/models.h"
 #include "scenes/gallery.h"
@@ -8,7 +8,7 @@
 
 #define PROGRAM "averages-studies"
 
-/* Makes two disks in the scene of chapter 5. */
+/* Makes the scene of chapter 5 with two disks. */
 static void make_disks(struct scene *s, double seed)
 {
     const char *wrong =
@@ -18,8 +18,8 @@ static void make_disks(struct scene *s, double seed)
         program_give_up("%s", wrong);
 }
 
-/* Returns the mean pressure over a time T, as Z, from the virial of a whole
-   run (7.5, eq:virial). */
+/* Returns the time average of the pressure over a time T, as Z, from the
+   virial of the whole run (7.5, eq:virial). */
 static double measure_pressure(const struct scene *s, double T)
 {
     const struct models_plan plan = {.model = models_find("disks")};
@@ -38,7 +38,8 @@ static double measure_pressure(const struct scene *s, double T)
     return 1 + virial / (2 * energy * T);
 }
 
-/* Finds the mean pressure over T, to a hundredth. */
+/* Returns the mean pressure over T that averages_find gives, with the
+   tolerance 0.01. */
 static struct averages_found find_pressure(const struct scene *s, double T)
 {
     const struct averages_request q = {
@@ -52,10 +53,10 @@ static struct averages_found find_pressure(const struct scene *s, double T)
     return f;
 }
 
-/* Writes a row. The answer and the run are independent of each other: the
-   velocities of their starts differ by a part in 1e12, so that the runs
-   differ after a few dozen collisions. A refusal has no answer, and no
-   error is written. */
+/* Writes a row with the mean over all of T and the answer of
+   averages_find. The two are independent: the starting velocities differ by
+   some parts in 1e12, so that the paths separate after a few dozen
+   collisions. If there is no answer, its value and its error are nan. */
 static void study_pair(struct study *s, double T, double seed)
 {
     struct scene pair;
@@ -70,7 +71,7 @@ static void study_pair(struct study *s, double T, double seed)
     scene_free(&pair);
 }
 
-/* Writes, for two disks, twenty starts and ever longer times T, the mean
+/* Writes, for two disks, twenty starts and increasing times T, the mean
    over all of T and the answer, which simulates only a part of T. */
 static void study_disks(struct study *s)
 {

@@ -1,4 +1,4 @@
-/* Maps cost against true error for all scenes; measures unit prices. */
+/* Maps cost against true error for all scenes; measures the price list. */
 #include "choosing/choose.h"
 #include "scenes/gallery.h"
 #include "choosing/models.h"
@@ -18,7 +18,7 @@ static struct {
 
 enum { ROWS = 16, KEYS = 4 };
 
-/* A scene of the atlas: how it is made, and how long it runs. */
+/* A scene of the atlas: how to make it, and how long it runs. */
 struct subject {
     const char *name, *scene;
     double until; /* s */
@@ -28,11 +28,12 @@ struct subject {
     } set[KEYS];
 };
 
-/* The name on a map comes first, then the name in the gallery. The break is
-   shifted a little off its symmetry, since three balls that touch at once
-   have no unique outcome. Times of celestial scenes are days; a comet that
-   starts at its farthest point with sqrt(0.1) of the circular speed has the
-   eccentricity 0.9. */
+/* The scenes of the atlas: the name on the map, the name in the gallery,
+   the duration, and the values that differ from the gallery's defaults. The
+   cue ball of the break is shifted slightly, since a ball that touches two
+   others at the same time has no unique outcome. Times of celestial scenes
+   are in days. The comet starts at aphelion with sqrt(0.1) times the
+   circular speed, so that its orbit has the eccentricity 0.9. */
 static const struct subject subjects[] = {
     {"cradle", "cradle", 20, {{0}}},
     {"equal-line",
@@ -70,13 +71,14 @@ static const struct subject subjects[] = {
     {"cantilever", "cantilever", 8, {{0}}},
     {0}};
 
-/* Prints why and ends the program, since half an atlas is of no use. */
+/* Prints the reason and ends the program, since an incomplete atlas is of
+   no use. */
 _Noreturn static void fail(const char *why)
 {
     program_give_up("%s", why);
 }
 
-/* Returns a scene of the gallery from one of its three lists. */
+/* Returns the scene of this name from the three lists of the gallery. */
 static const struct gallery_scene *find_scene(const char *name)
 {
     static const struct gallery_scene *const lists[] = {
@@ -89,7 +91,8 @@ static const struct gallery_scene *find_scene(const char *name)
     return g;
 }
 
-/* Makes a scene with its default values, apart from those that t sets. */
+/* Makes a scene with the gallery's default values, except those that t
+   sets. */
 static void make_scene(struct scene *s, const struct subject *t)
 {
     double value[GALLERY_KEYS + 1];
@@ -102,12 +105,12 @@ static void make_scene(struct scene *s, const struct subject *t)
         fail(why);
 }
 
-/* Positions of all bodies, row by row. Velocities are not kept: an error in
-   them shows in the positions of the next row. */
+/* The positions of all bodies in all rows. Velocities are not stored, since
+   an error in them shows in the positions of the next row. */
 struct path {
     size_t size; /* coordinates: three for each body */
     double *x;   /* [ROWS * size] m */
-    double cost; /* s by the price list; INFINITY: the run did not begin */
+    double cost; /* s by the price list; INFINITY: it could not begin */
 };
 
 static void make_path(struct path *p, const struct scene *s)
@@ -117,9 +120,9 @@ static void make_path(struct path *p, const struct scene *s)
     program_memory(p->x, "for a path");
 }
 
-/* Runs the plan for at most `limit` seconds by the price list, and fills p
-   with the run, as far as it came, and its cost. Returns false if it did
-   not reach its end. */
+/* Runs a plan until it has cost `limit` seconds by the price list. Fills p
+   with the rows that the run has reached and with its cost. Returns false
+   if the run did not reach its end. */
 static bool run_plan(struct path *p, const struct models_plan *plan,
                      const struct scene *s, double every, double limit)
 {
@@ -140,8 +143,8 @@ static bool run_plan(struct path *p, const struct models_plan *plan,
     return end == MODELS_DONE;
 }
 
-/* Returns the largest difference of any coordinate of two paths in their
-   first rows, m; INFINITY if one is not finite. */
+/* Returns the largest difference between the coordinates of two paths in
+   their first rows, m, or INFINITY if a difference is not finite. */
 static double distance(const struct path *a, const struct path *b,
                        size_t rows)
 {
@@ -155,10 +158,9 @@ static double distance(const struct path *a, const struct path *b,
     return most;
 }
 
-/* Returns the scale of position errors: the diagonal of the box that
-   contains all bodies and the walls. It is computed here and not by the
-   module under examination, so that a mistake in one shows against the
-   other. */
+/* Returns the scale of position errors, m: the diagonal of the box that
+   contains all bodies and walls. It does not use the function of the module
+   under test, so that a mistake in either shows as a disagreement. */
 static double size_of(const struct scene *s)
 {
     double square = 0;
@@ -175,29 +177,29 @@ static double size_of(const struct scene *s)
     return sqrt(square);
 }
 
-/* The next collision of a body: its time and its partner. */
+/* The next collision of a body. */
 struct meeting {
     quad t;
-    size_t with; /* a body; a wall: bodies + 2 * axis + side */
+    size_t with; /* body; wall: bodies + 2 * axis + side */
 };
 
-/* Hard bodies that move straight between events, in 113-bit arithmetic: the
-   truth for scenes in which only contacts act. The program is as simple as
-   possible: all positions belong to one time, and there is no calendar and
-   no grid, only the next collision of each body. Lines, disks and walls are
-   treated alike; on a line the square root of (5.3, eq:pair-time) is exact
-   by itself. */
+/* Hard bodies that move in straight lines between events, in 113-bit
+   arithmetic: they give the true path of scenes in which only contacts act.
+   The simulation is as simple as possible: all positions refer to the same
+   time, and there is no calendar and no grid, only the next collision of
+   each body. Lines and disks need no separate code: on a line the square
+   root of (5.3, eq:pair-time) is exact. */
 struct flight {
     size_t bodies;
     const struct scene *scene;
     quad now, *x, *v; /* [3 * bodies] */
-    quad *inverse;    /* [bodies] 1/kg, 0: held */
+    quad *inverse;    /* [bodies] 1/kg; 0: fixed */
     struct meeting *next;
 };
 
-/* Returns the scalar product of two differences between bodies i and j, of
-   positions or velocities; all equations of a collision consist of
-   these. */
+/* Returns the scalar product of the differences in a and in b between
+   bodies i and j; a and b are positions or velocities. All equations of a
+   collision consist of such products. */
 static quad scalar_product(const struct flight *f, const quad a[],
                            const quad b[], size_t i, size_t j)
 {
@@ -209,8 +211,8 @@ static quad scalar_product(const struct flight *f, const quad a[],
     return sum;
 }
 
-/* Returns when i and j collide, INFINITY if they do not
-   (5.3, eq:pair-time). */
+/* Returns the time at which bodies i and j collide, or INFINITY if they do
+   not (5.3, eq:pair-time). */
 static quad pair_time(const struct flight *f, size_t i, size_t j)
 {
     const struct scene *s = f->scene;
@@ -226,8 +228,9 @@ static quad pair_time(const struct flight *f, size_t i, size_t j)
     return f->now + (c > 0 ? c / (quad_root(square) - b) : 0);
 }
 
-/* Returns the first wall that body i reaches (5.1, eq:wall-time). A body
-   that is behind a wall by rounding reaches it now, not in the past. */
+/* Returns the first collision of body i with a wall (5.1, eq:wall-time). A
+   body that rounding has put behind a wall collides with it now, not in the
+   past. */
 static struct meeting wall_time(const struct flight *f, size_t i)
 {
     const struct scene *s = f->scene;
@@ -247,8 +250,8 @@ static struct meeting wall_time(const struct flight *f, size_t i)
     return first;
 }
 
-/* Finds the next collision of body i. If it comes before the one that its
-   partner expects, it replaces that one as well. */
+/* Finds the next collision of body i. The partner's next collision is
+   replaced as well if this one comes before it. */
 static void predict(struct flight *f, size_t i)
 {
     f->next[i] = wall_time(f, i);
@@ -270,9 +273,9 @@ static void move_to(struct flight *f, quad t)
     f->now = t;
 }
 
-/* Exchanges the impulse of a collision along the line of centres
-   (1.10, eq:impulse). A held body has the inverse mass 0 and is not
-   moved. */
+/* Applies the impulse of a collision of i and j along the line of centres
+   (1.10, eq:impulse). A fixed body has the inverse mass 0 and stays at
+   rest. */
 static void collide(struct flight *f, size_t i, size_t j)
 {
     const size_t n = f->bodies;
@@ -287,9 +290,9 @@ static void collide(struct flight *f, size_t i, size_t j)
     }
 }
 
-/* Moves all bodies to the next event, that of body i, and predicts again
-   for all bodies that took part in it or expected to collide with one of
-   these. */
+/* Moves all bodies to the next event, that of body i, carries it out, and
+   predicts the next collisions of the bodies that took part in it and of
+   those that expected to collide with one of them. */
 static void handle_event(struct flight *f, size_t i)
 {
     const size_t n = f->bodies, j = f->next[i].with;
@@ -316,7 +319,7 @@ static size_t find_next(const struct flight *f)
 }
 
 /* Starts a flight. The doubles of the scene are taken as exact, since their
-   rounding is no error of a method. */
+   rounding is not an error of a method. */
 static void begin_flight(struct flight *f, const struct scene *s)
 {
     const size_t n = s->bodies;
@@ -338,8 +341,8 @@ static void begin_flight(struct flight *f, const struct scene *s)
         predict(f, i);
 }
 
-/* Fills p with the true path. Positions are rounded to double only here,
-   once in each row. */
+/* Fills p with the true path. Positions are rounded to double only when a
+   row is stored. */
 static void run_events(struct path *p, const struct scene *s, double every)
 {
     struct flight f;
@@ -356,17 +359,16 @@ static void run_events(struct path *p, const struct scene *s, double every)
     free(f.next);
 }
 
-/* The true path, and how well it is known. */
+/* The true path and its uncertainty. */
 struct truth {
     struct path path;
-    double scale; /* of positions, m */
-    double
-        unsure; /* difference of the two ways to find it over the scale */
+    double scale;  /* length by which errors are divided, m */
+    double unsure; /* difference of two computed paths, over scale */
 };
 
-/* Runs a plan with sums that carry their rounding errors. A scene with
-   `carry` lines is stepped in this way, so the copy of the scene gets
-   carries of zero. */
+/* Runs a plan with compensated summation, which carries rounding errors
+   along. A scene with `carry` lines is stepped in this way; if s has none,
+   its copy gets carries of zero. */
 static bool run_with_carries(struct path *p, struct models_plan plan,
                              const struct scene *s, double every)
 {
@@ -381,20 +383,21 @@ static bool run_with_carries(struct path *p, struct models_plan plan,
 
 enum { LEVELS = 3, FIRST = 8, HALVINGS = 20 };
 
-/* A column of Richardson's table: entry 0 is the run itself, and each
-   further entry has one more term of its error removed. */
+/* A column of Richardson's table. Entry 0 is the run itself; each further
+   entry has one more term of the error removed. */
 struct column {
     struct path entry[LEVELS];
 };
 
-/* Fills a column from its run and the column before, whose steps are twice
-   as long. A run with steps h of a method of order p ends at x(h) = x + a
-   h^p + b h^q + ..., so
+/* Fills a column from its run and from the column before, whose steps are
+   twice as long. A run with steps h of a method of order p ends at x(h) = x
+   + a h^p + b h^q + ..., so
 
    x(h/2) + (x(h/2) - x(h)) / (2^p - 1) = x + b' h^q + ...
 
-   (Richardson's extrapolation), and once more with q. q is p + 1, but p + 2
-   if the method is symmetric, since its error cannot tell h from -h. */
+   (Richardson's extrapolation). The next entry removes the term in h^q in
+   the same way. q is p + 2 if the method is symmetric, since the error is
+   then the same for h and -h, and p + 1 otherwise. */
 static void fill_column(struct column *now, const struct column *before,
                         size_t levels, const struct stepping_method *m)
 {
@@ -409,11 +412,12 @@ static void fill_column(struct column *now, const struct column *before,
     }
 }
 
-/* Halves the steps until the result no longer changes, or a run costs more
-   than the budget, s; fills best, and returns its last change. A run that
-   breaks because its steps are too long begins the table anew. Once the
-   result is good to nine digits, a change larger than the one before is
-   caused by rounding, and ends the search. */
+/* Fills best with the extrapolated path and returns its last change, m. The
+   steps are halved until the result no longer changes, or until a run costs
+   more than the budget, s. If a run fails because its steps are too long,
+   the table starts again with the next run. Once the result is good to nine
+   digits, a change larger than the one before is caused by rounding and
+   ends the search. */
 static double converge(struct path *best, const char *method,
                        const struct scene *s, double every, double budget)
 {
@@ -451,8 +455,9 @@ static double converge(struct path *best, const char *method,
     return change;
 }
 
-/* Fills best with radau15, which chooses its step lengths; returns the
-   difference that a tolerance ten times finer makes. */
+/* Fills best with a run of radau15, which chooses its step lengths. Returns
+   the difference between the results with the two tolerances 1e-14 and
+   1e-15, m. */
 static double refine_lengths(struct path *best, const struct scene *s,
                              double every)
 {
@@ -477,12 +482,13 @@ static bool only_contacts(const struct scene *s)
     return a.contact && !(a.gravity || a.springs || a.weight || a.friction);
 }
 
-/* Finds the true path. Where only contacts act, events with 113 bits are
-   the truth. Elsewhere the path is found in two ways that have little in
-   common: by extrapolated steps of equal length (kahan-li8, or gauss4 where
-   there is friction, which kahan-li8 cannot follow; both are symmetric) and
-   by steps of variable length. The path that changed less is taken, and the
-   difference of the two is its uncertainty. */
+/* Finds the true path. If only contacts act, it comes from events in
+   113-bit arithmetic. Otherwise it is computed by two methods that have
+   little in common: by extrapolated steps of equal length (kahan-li8, or
+   gauss4 if there is friction, which kahan-li8 cannot integrate; both are
+   symmetric) and by steps of variable length. The path that changed less
+   when it was refined is used; the difference between the two is its
+   uncertainty. */
 static void find_truth(struct truth *t, const struct scene *s, double every,
                        double budget)
 {
@@ -511,18 +517,18 @@ static void find_truth(struct truth *t, const struct scene *s, double every,
 enum { TOLERANCES = 3, MOST_POINTS = 4000 };
 static const double tolerances[TOLERANCES] = {1e-3, 1e-6, 1e-9};
 
-/* A plan and how it went. */
+/* A plan with its cost and its error. */
 struct point {
     struct models_plan plan;
     double cost, error; /* s by the price list; fraction of the scale */
-    bool front;         /* no other is both as cheap and as accurate */
+    bool front;         /* no other point is better (is_front) */
 };
 
-/* All points of a scene, with its truth. */
+/* The points of a scene, with its true path. */
 struct map {
     const struct subject *subject;
     struct scene scene;
-    double every; /* from row to row, s */
+    double every; /* time between two rows, s */
     double limit; /* cost at which a run is stopped, s by the price list */
     struct truth truth;
     struct path path; /* of the last run */
@@ -530,9 +536,9 @@ struct map {
     size_t points;
 };
 
-/* Runs a plan and adds its point. Returns its error, or INFINITY if the run
-   did not come to its end. An error of 0 cannot be drawn on a logarithmic
-   map; it is set to the lower edge, 1e-17. */
+/* Runs a plan and adds its point to the map. Returns its error, or INFINITY
+   if the run did not reach its end. An error of less than 1e-17, the lower
+   edge of the map, is raised to it: a logarithmic axis has no zero. */
 static double add_point(struct map *m, struct models_plan plan)
 {
     if (m->points == MOST_POINTS)
@@ -546,12 +552,12 @@ static double add_point(struct map *m, struct models_plan plan)
     return error;
 }
 
-/* Doubles the steps of each row, from one, until two more doublings do not
-   help, because the rest of the error is rounding, or a part that was left
-   out, or the uncertainty of the truth; or until a run costs too much. The
-   cost grows at least as much with each doubling as with the one before, so
-   that a run that would be stopped is not started. Returns the smallest
-   error. */
+/* Runs a plan with 1, 2, 4, ... steps in each row and returns the smallest
+   error. It stops when two doublings have not helped, because the remaining
+   error comes from rounding, from a part that was left out, or from the
+   uncertainty of the truth; or when a run costs too much. Each doubling
+   increases the cost by at least as much as the one before, so a run that
+   would be stopped is not started. */
 static double double_steps(struct map *m, struct models_plan plan)
 {
     double best = INFINITY, cost = 0, next = 0;
@@ -571,7 +577,7 @@ static double double_steps(struct map *m, struct models_plan plan)
 }
 
 /* Lowers the tolerance of a method with steps of variable length from 0.1
-   to 1e-15 by 1, 0.5, 0.2 in each decade, or until that no longer helps. */
+   to 1e-15 by 1, 0.5, 0.2 in each decade, until it stops helping. */
 static void lower_tolerance(struct map *m, struct models_plan plan)
 {
     static const double digit[] = {1, 0.5, 0.2};
@@ -588,8 +594,8 @@ static void lower_tolerance(struct map *m, struct models_plan plan)
     }
 }
 
-/* Finds by bisection the fewest steps that meet the tolerance, between n/2
-   and n, in sixteenths of n. */
+/* Adds points between n/2 and n steps: finds by bisection the fewest steps
+   that meet the tolerance, to a sixteenth of n. */
 static void refine(struct map *m, struct models_plan plan, double tolerance)
 {
     const uint64_t n = plan.steps;
@@ -604,15 +610,15 @@ static void refine(struct map *m, struct models_plan plan, double tolerance)
     }
 }
 
-/* Returns whether two plans differ in their steps at most. */
+/* Returns whether two plans differ only in their steps or tolerances. */
 static bool is_same(const struct models_plan *a,
                     const struct models_plan *b)
 {
     return a->model == b->model && a->cuts == b->cuts;
 }
 
-/* Returns whether a has up to twice the steps of b, or a tolerance finer by
-   up to a factor of ten. */
+/* Returns whether plan a is slightly finer than b: more steps, up to twice
+   as many, or a smaller tolerance, down to a tenth. */
 static bool is_a_little_finer(const struct models_plan *a,
                               const struct models_plan *b)
 {
@@ -622,13 +628,12 @@ static bool is_a_little_finer(const struct models_plan *a,
     return a->steps > b->steps && a->steps <= 2 * b->steps;
 }
 
-/* Returns whether p meets the tolerance by luck, that is, whether a
-   slightly finer run of the same way fails. An error that changes its sign
-   between steps a little too long and a little too short is zero there, so
-   that 144 steps may meet a tolerance that 160 do not. Only a comparison
-   with the true motion shows this; therefore a number of steps is accepted
-   only if all larger ones in the map, up to twice as many, meet the
-   tolerance as well. */
+/* Returns whether p meets the tolerance by luck: whether a slightly finer
+   run of the same model and cuts fails. The error may change sign as steps
+   get shorter and is zero in between, so that 144 steps may meet a
+   tolerance that 160 do not. Only a comparison with the true path shows
+   this. Therefore a number of steps is accepted only if all larger numbers
+   on the map, up to twice as many, meet the tolerance as well. */
 static bool is_luck(const struct map *m, const struct point *p,
                     double tolerance)
 {
@@ -641,9 +646,9 @@ static bool is_luck(const struct map *m, const struct point *p,
     return false;
 }
 
-/* Returns the cheapest point that meets the tolerance, or NULL. If plan is
-   not NULL only points with its model and cuts count, otherwise all but
-   those of the model `without`. */
+/* Returns the cheapest point that meets the tolerance, not by luck, or NULL
+   if there is none. If plan is not NULL, only points with its model and
+   cuts are considered. Points of the model `without` are not. */
 static const struct point *cheapest_of(const struct map *m,
                                        const struct models_plan *plan,
                                        const struct models_model *without,
@@ -659,8 +664,9 @@ static const struct point *cheapest_of(const struct map *m,
     }
     return best;
 }
-/* Lowers the limit of cost once a method has reached 1e-10, or an exact one
-   has run: no other may then cost more than ten times as much. */
+/* Lowers the limit of cost to ten times the cost of this model, once it has
+   reached an error of 1e-10 or is exact. Other models are not run for
+   longer than that. */
 static void lower_limit(struct map *m, const struct models_plan *plan)
 {
     const bool exact = plan->model->family != MODELS_STEPS;
@@ -670,8 +676,8 @@ static void lower_limit(struct map *m, const struct models_plan *plan)
         m->limit = fmin(m->limit, fmax(1e-3, 10 * fine->cost));
 }
 
-/* Adds the points of a method with steps, and refines those near the
-   cheapest. */
+/* Adds the points of a model with steps, and refines its cheapest ones if
+   they cost less than twice the cheapest on the map. */
 static void try_steps(struct map *m, struct models_plan plan)
 {
     if (plan.model->method->adaptive)
@@ -687,8 +693,8 @@ static void try_steps(struct map *m, struct models_plan plan)
     }
 }
 
-/* Returns whether no other point is as cheap and as accurate and better in
-   one of the two. */
+/* Returns whether no other point is at least as cheap and as accurate as p,
+   and better in one of the two. */
 static bool is_front(const struct map *m, const struct point *p)
 {
     for (size_t i = 0; i < m->points; ++i) {
@@ -701,15 +707,16 @@ static bool is_front(const struct map *m, const struct point *p)
 }
 
 /* Returns whether the plan leaves nothing out and its model belongs to this
-   family. A user who does not compare models would take the most accurate
-   of such plans: events if only contacts act, otherwise steps. */
+   family. Such plans are the choice of a user who does not compare models:
+   events if only contacts act, otherwise steps. */
 static bool is_plain(const struct point *p, enum models_family family)
 {
     return p->plan.cuts == 0 && p->plan.model->family == family;
 }
 
-/* Returns the cheapest plain way to 1e-11, or to twice the least error of
-   all plain ways (four disks do not reach 1e-11); NULL: there is none. */
+/* Returns the cheapest plain point with an error of at most 1e-11, or of at
+   most twice the smallest error of all plain points, if that is larger
+   (four disks do not reach 1e-11). Returns NULL if there is none. */
 static const struct point *finest(const struct map *m)
 {
     const struct point *best = NULL;
@@ -729,9 +736,9 @@ static const struct point *finest(const struct map *m)
 }
 
 /* Returns the point of the classic method: events, or leapfrog with its
-   steps halved until the tolerance is met. Where the map ends before that,
-   the error follows from leapfrog's order: twice the steps have a quarter
-   of the error. */
+   steps halved until the tolerance is met. If the map ends before that, the
+   error is extrapolated: leapfrog is of second order, so twice the steps
+   have a quarter of the error. */
 static struct point classic_way(const struct map *m, double tolerance)
 {
     const bool events = only_contacts(&m->scene);
@@ -754,8 +761,8 @@ static struct point classic_way(const struct map *m, double tolerance)
 }
 
 /* Tries all models with steps, or all others, with these cuts. It begins at
-   the end of the table, with the high orders: they soon lower the limit, so
-   that the low orders are not run for too long. */
+   the end of the table, with the high orders: they soon lower the limit of
+   cost, which keeps the runs of low orders short. */
 static void try_models(struct map *m, unsigned cuts, bool steps)
 {
     size_t k = 0;
@@ -774,10 +781,11 @@ static void try_models(struct map *m, unsigned cuts, bool steps)
     }
 }
 
-/* Tries all sets of cuts, the parts that a plan may leave out, as the bits
-   of a number. A set whose error, in the finest plain way, exceeds the
-   largest tolerance is tried only with models without steps. Rods exist
-   only with leapfrog and are always tried. */
+/* Tries all sets of cuts, the parts that a plan may leave out; each set is
+   the bits of a number. If leaving the set out of the finest plain plan
+   makes an error of at least the largest tolerance, only models without
+   steps are tried. Sets with rods are always tried, since only leapfrog can
+   have rods. */
 static void try_cuts(struct map *m)
 {
     const unsigned all = models_cuts(&m->scene);
@@ -794,16 +802,16 @@ static void try_cuts(struct map *m)
     }
 }
 
-/* The choice for a tolerance, and how good it was. */
+/* The chooser's plan for a tolerance, and how it went. */
 struct pick {
-    struct point point; /* cost NAN: refused */
+    struct point point; /* cost NAN: the chooser refused */
     double deciding;    /* cost of choosing, s by the price list */
-    double horizon;     /* of prediction, s; INFINITY: none was met */
+    double horizon;     /* of prediction, s; INFINITY: none found */
 };
 
-/* Lets the chooser choose, with the functions and the limit that bonk uses,
-   and runs its plan. The error that the chooser found for itself is not
-   used, since the map has the truth. */
+/* Lets the chooser choose, with the functions and the budget that bonk
+   uses, and runs its plan. The chooser's own estimate of the error is not
+   used, since the map knows the true path. */
 static void ask_chooser(struct pick *p, struct map *m, double tolerance)
 {
     const struct choose_request q = {.scene = &m->scene,
@@ -827,7 +835,7 @@ static void ask_chooser(struct pick *p, struct map *m, double tolerance)
     choose_free(&c);
 }
 
-/* Writes plan, error and cost; "-" and two nan if there is no such way. */
+/* Writes plan, error and cost; writes "-" and two nan if p is NULL. */
 static void write_way(const struct point *p, struct table *out)
 {
     char text[MODELS_TEXT] = "-";
@@ -839,8 +847,8 @@ static void write_way(const struct point *p, struct table *out)
 
 /* Writes the row of a pick. It begins with a name by which the book quotes
    it: the scene and the digits of the tolerance. After the pick come the
-   cheapest way that meets the tolerance, the cheapest of another model, the
-   finest plain one, and the classic method. */
+   cheapest point that meets the tolerance, the cheapest one of another
+   model, the finest plain point, and the classic method. */
 static void write_pick(const struct map *m, const struct pick *p, int k,
                        struct table *out)
 {
@@ -859,7 +867,8 @@ static void write_pick(const struct map *m, const struct pick *p, int k,
     table_print(out, " %.4g %.4g\n", p->deciding, p->horizon);
 }
 
-/* Orders points by cost for qsort, so that the front is a line. */
+/* Orders points by cost for qsort, so that a plot can join the points of
+   the front by a line. */
 static int cheaper(const void *one, const void *other)
 {
     const struct point *a = one, *b = other;
@@ -868,8 +877,8 @@ static int cheaper(const void *one, const void *other)
                : (a->error > b->error) - (a->error < b->error);
 }
 
-/* Writes the points. A run that is wrong by 30 scales or more is of no use,
-   and is left out. */
+/* Writes the points whose error is less than 30 scales; the others are of
+   no use. */
 static void write_points(const struct map *m, struct table *out)
 {
     enum { OFF = 30 };
@@ -883,8 +892,8 @@ static void write_points(const struct map *m, struct table *out)
     }
 }
 
-/* A run with many units of one kind of work and few of the others, which
-   measures the price of that unit. */
+/* A run that measures the price of a unit of work: it does many units of
+   that kind and few of the others. */
 struct price_run {
     const char *name, *key;
     double value;
@@ -893,15 +902,15 @@ struct price_run {
     uint64_t rows;
 };
 
-/* The runs of the price list. Each takes from half a millisecond to some
-   hundredths of a second: long for a clock of microseconds, short enough
-   when all units are measured six times. On 24 bodies of a circle act 276
-   pairs; most springs of a short beam belong to no band; of a hundred balls
-   in a row hardly a pair comes near, of 250 disks many do. Radau's paths
-   have degree nine: with sixty disks they make curves, and on a line most
-   curves have a root. Two balls have one gap between them and thirty have
-   29; four disks have little to examine for a collision and ninety a
-   lot. */
+/* The runs that measure the price list. Each takes from half a millisecond
+   to some hundredths of a second: long for a clock that counts
+   microseconds, yet short enough to measure every unit six times. The
+   bodies of the choreography have 276 pairs. Most springs of a short beam
+   do not form bands. In a row of a hundred balls hardly any pair comes
+   close, in a gas many do. Radau's paths are polynomials of degree nine:
+   sixty disks need many such curves, and on a line most curves have a root.
+   Two balls have one gap and thirty have 29; a collision of four disks
+   needs few examinations and one of ninety many. */
 static const struct price_run price_runs[MODELS_UNITS] = {
     [MODELS_EVALUATION] = {"sun-earth", NULL, 0, "kahan-li8:1000", 10, 10},
     [MODELS_BODY] = {"ring", "particles", 500, "kahan-li8:40", 1, 10},
@@ -924,9 +933,9 @@ static const struct price_run price_runs[MODELS_UNITS] = {
     [MODELS_MODE] = {"cantilever", "nx", 12, "modes", 1, 2},
     [MODELS_ROW] = {"cradle", "balls", 2, "relabel", 1, 20000},
 };
-/* Makes the run, and returns the time it took, s. The time includes the
-   beginning, which is most of the work for modes. `alone` switches gravity
-   off: bodies on which nothing acts are those of a ring without it. */
+/* Carries out the run and returns the processor time it took, s. This
+   includes the start, which is most of the work for modes. `alone` switches
+   gravity off: the bodies of a ring without gravity move freely. */
 static double time_run(const struct price_run *b, bool alone,
                        double work[MODELS_UNITS])
 {
@@ -952,8 +961,8 @@ static double time_run(const struct price_run *b, bool alone,
     return seconds;
 }
 
-/* Returns the cost of a unit, ns, if the other units of the run have the
-   prices of the list. */
+/* Returns the cost of a unit, ns, if the other units of the run cost what
+   the list says. */
 static double price_in(const struct price_run *b, enum models_unit unit)
 {
     double work[MODELS_UNITS];
@@ -963,8 +972,8 @@ static double price_in(const struct price_run *b, enum models_unit unit)
     return (seconds - models_cost(work)) / units * 1e9;
 }
 
-/* Whole runs, short ones among them, whose predicted cost has to be about
-   right: with many bodies the start and the rows are a part of it. */
+/* Complete runs, some of them short, that test the predicted cost. With
+   many bodies the start and the rows contribute to it. */
 static const struct price_run whole_runs[] = {
     {"gas", "particles", 100, "disks", 1e-4, 16},
     {"gas", "particles", 100, "disks", 0.5, 16},
@@ -977,8 +986,8 @@ static const struct price_run whole_runs[] = {
     {"ring", "particles", 100, "leapfrog:3", 25, 16},
     {0}};
 
-/* Fills the map of a scene. Points are sorted at the end, when no pointer
-   leads to them any more. */
+/* Fills the map of a scene. The points are sorted last, since pointers to
+   them become invalid. */
 static void make_map(struct map *m, const struct subject *t)
 {
     *m = (struct map){.subject = t, .every = t->until / ROWS, .limit = 0.2};
@@ -993,8 +1002,9 @@ static void make_map(struct map *m, const struct subject *t)
     qsort(m->point, m->points, sizeof m->point[0], cheaper);
 }
 
-/* Returns whether nothing on the map meets the tolerance, and the finest
-   run does meet it up to the horizon of the pick. */
+/* Returns whether it was right to refuse: no point on the map meets the
+   tolerance, and the finest run meets it up to the horizon of the pick, if
+   that lies within the run. */
 static bool is_refusal_right(struct map *m, const struct pick *p,
                              double tolerance)
 {
@@ -1010,8 +1020,8 @@ static bool is_refusal_right(struct map *m, const struct pick *p,
 }
 
 /* Returns 0 if the pick is right, 1 if it does not meet the tolerance, 2 if
-   it costs more than 1.13 times the cheapest point that does, 3 if it is a
-   refusal although a point meets the tolerance. */
+   it costs more than 1.13 times the cheapest point that does, and 3 if the
+   chooser refused wrongly. */
 static int judge(struct map *m, const struct pick *p, double tolerance)
 {
     const struct point *best = cheapest_of(m, NULL, NULL, tolerance);
@@ -1022,11 +1032,11 @@ static int judge(struct map *m, const struct pick *p, double tolerance)
     return best && p->point.cost > 1.13 * best->cost ? 2 : 0;
 }
 
-/* Maps all scenes, or the one of --scene, so that the maps can be made on
-   many machines. `make atlas` joins their tables byte for byte to what one
-   run would have written: counts of the last lines are added, and of the
-   errors of the truth the largest is taken. The picks of a scene come
-   first, then all its points. */
+/* Maps all scenes, or only the one that --scene names, so that many
+   machines can share the work. `make atlas` joins their tables byte for
+   byte to what one run would have written: it adds the counts of the last
+   lines and takes the largest error of the truth. The picks of a scene are
+   followed by all its points. */
 static void study_atlas(struct study *s)
 {
     static struct map m;
@@ -1071,8 +1081,8 @@ static void study_scenes(struct study *s)
         table_print(s->out, "%s\n", subjects[i].name);
 }
 
-/* Measures the price list. The first round is discarded; of the others the
-   median counts. */
+/* Measures the price list. Each price is the median of several rounds,
+   after a first round that is discarded. */
 static void study_prices(struct study *s)
 {
     bench_machine(s->out);

@@ -21,9 +21,9 @@ static struct {
          .collisions = 1000000,
          .digits = 5};
 
-/* Returns the next number of collisions, more than n, at which the drift is
-   written: 1, 2 and 5 times each power of ten from a thousand on, a tenth
-   of the run, and its end. */
+/* Returns the next number of collisions after n at which the drift is
+   written: 1, 2 or 5 times a power of ten from a thousand on, a tenth of
+   `last`, or `last`, where the run ends. */
 static uint64_t next_stop(uint64_t n, uint64_t last)
 {
     static const uint64_t steps[] = {1, 2, 5};
@@ -39,10 +39,10 @@ struct rounding {
     double energy_max, energy_square, momentum_max, velocity_max;
 };
 
-/* Compares a collision with (1.5, eq:difference) in 113 bits, and adds its
-   errors to the sums. They follow from the errors of the two velocities:
-   with v off by dv the momentum is off by m dv, and the energy by m (v +
-   dv/2) dv. */
+/* Compares a collision with (1.5, eq:difference) in 113-bit arithmetic and
+   adds its errors to the sums. The errors of energy and momentum follow
+   from those of the two velocities: if v has the error dv, the momentum has
+   the error m dv and the energy m (v + dv/2) dv. */
 static void measure_rounding(struct rounding *all, int form, double u1,
                              double u2, double im1, double im2)
 {
@@ -82,7 +82,7 @@ static void study_rounding(struct study *s)
                    "pairs");
     for (size_t k = 0; k < own.ratio_count; ++k) {
         struct rounding all[COLLIDE_FORMS] = {{0, 0, 0, 0}};
-        random_seed(&r, s->seed); /* equal pairs for every ratio */
+        random_seed(&r, s->seed); /* the same pairs for every ratio */
         for (uint64_t i = 0; i < own.tests && !progress_signal(); ++i) {
             const double im1 = random_between(&r, 0.5, 1.5);
             const double ratio = own.ratios[k];
@@ -112,18 +112,18 @@ static void study_rounding(struct study *s)
     }
 }
 
-/* The drift: four bodies in a row between two walls, and random numbers
-   that decide which gap closes next. Every form uses the same random
-   numbers. */
+/* The system in which the drift is measured: four bodies in a row between
+   two walls. Random numbers, the same for every form, decide which gap
+   closes next. */
 enum { MOVERS = 4, BODIES = MOVERS + 2 };
 
 static const double row_im[BODIES] = {0,         1 / 11.23, 1 / 21.23,
                                       1 / 31.23, 1 / 41.23, 0};
 
-/* Draws a gap that closes; its number is that of its left neighbour. The
-   loop ends because some gap always closes: between two walls at rest the
-   velocities cannot increase from left to right all the way from zero to
-   zero, and the four movers never stop all at once. */
+/* Returns a random gap that closes, by the number of its left neighbour.
+   The loop ends, since some gap always closes: the walls are at rest, so
+   the velocities could increase from left to right only if all were zero,
+   and the four bodies never stop at the same time. */
 static uint64_t row_draw(struct random *r, const double v[BODIES])
 {
     for (;;) {
@@ -141,9 +141,9 @@ static quad row_energy(const double v[BODIES])
     return energy;
 }
 
-/* Returns the energy that the difference form gains in gap i because its
-   two fractions add up to 1 + delta (1.11, eq:bias): 2 delta d^2 / (a + b).
-   Summed up over a run it predicts the drift. */
+/* Returns the energy that the difference form gains in a collision of gap i
+   because its two fractions add up to 1 + delta (1.11, eq:bias): 2 delta
+   d^2 / (a + b). The sum over a run predicts the drift. */
 static double row_bias(uint64_t i, const double v[BODIES])
 {
     const double a = row_im[i], b = row_im[i + 1], sum = a + b;
@@ -152,9 +152,9 @@ static double row_bias(uint64_t i, const double v[BODIES])
     return 2 * delta * d * d / sum;
 }
 
-/* Measures how the energy drifts in each form. Between two rows the forms
-   take turns of a million collisions each, so that an interrupted run ends
-   soon. */
+/* Measures the drift of the energy in each form. Between two rows of the
+   table each form in turn makes a million collisions, so that a run that is
+   interrupted ends soon. */
 static void study_drift(struct study *s)
 {
     double v[COLLIDE_FORMS][BODIES], error[COLLIDE_FORMS + 1];
@@ -206,9 +206,9 @@ static void study_drift(struct study *s)
          fabs(error[COLLIDE_DIFFERENCE + 1] / error[COLLIDE_SMALLER + 1])});
 }
 
-/* Returns how many collisions the heavy ball, the light one and the wall
-   have; stops at limit, since rounding may make the collisions endless. The
-   wall is a body at rest of inverse mass zero, made for each collision. */
+/* Returns the number of collisions of a heavy ball, a light ball and a
+   wall, but at most `limit`, since rounding may make the collisions
+   endless. The wall is a body at rest with the inverse mass zero. */
 static uint64_t count_galperin(int form, double im_heavy, uint64_t limit)
 {
     double heavy = -1, light = 0;
@@ -223,8 +223,8 @@ static uint64_t count_galperin(int form, double im_heavy, uint64_t limit)
     return n;
 }
 
-/* Counts the collisions of Galperin's system in single precision, by the
-   form `smaller`, the most accurate one. */
+/* Returns the number of collisions of Galperin's system in single
+   precision, in the most accurate form, `smaller`. */
 static uint64_t count_galperin_float(float im_heavy, uint64_t limit)
 {
     float heavy = -1, light = 0;
@@ -272,9 +272,10 @@ static void study_galperin(struct study *s)
                          {"count", row[f + 2]});
     table_real(s->summary, "count_float", row[COLLIDE_FORMS + 2]);
 }
-/* Draws states of energy 1/2 in which the bodies approach, and collides
-   them. Such a state is a random direction in the velocities scaled by the
-   roots of the masses. */
+/* Writes velocities before and after a collision, for random states of
+   energy 1/2 in which the bodies approach each other. Such a state is a
+   random direction in the plane of the velocities times the roots of the
+   masses. */
 static void study_map(struct study *s)
 {
     const double im[] = {1, 0.25};
@@ -304,7 +305,7 @@ struct bench {
     double u[PAIRS][2], im[PAIRS][2];
 };
 
-/* Returns the processor time of a collision in ns. */
+/* Returns the mean processor time of a collision, ns. */
 static double time_form(const struct bench *b, int form, uint64_t passes)
 {
     static double v[PAIRS][2];
@@ -318,7 +319,7 @@ static double time_form(const struct bench *b, int form, uint64_t passes)
 }
 
 /* Measures the time of a collision in each form. The forms take turns, so
-   that a machine that slows down for a second slows down all of them. Round
+   that all of them slow down if the machine slows down for a second. Round
    -1 is the warm-up: round 0 overwrites its time. */
 static void study_cost(struct study *s)
 {

@@ -1,4 +1,4 @@
-/* Times how many collisions a second each engine for disks makes. */
+/* Measures the collisions per second of each engine for disks. */
 #include "box/cells.h"
 #include "toolbox/bench.h"
 #include "toolbox/options.h"
@@ -13,17 +13,16 @@
 #define PROGRAM "disks-speed"
 
 enum {
-    SIZES = 16,        /* numbers of disks in a table, at most */
-    PAIRS_MOST = 10000 /* most disks for which all pairs are timed */
+    SIZES = 16,        /* most numbers of disks in a table */
+    PAIRS_MOST = 10000 /* most disks for the engine of all pairs */
 };
 
-/* The command line: a list of numbers of disks, timed at one packing. */
+/* The settings of the command line. */
 static struct {
     size_t dimensions, sizes;
     double packing, particles[SIZES];
     bool steps;
-    uint64_t
-        collisions; /* of a round; 0: as many as in a fifth of a second */
+    uint64_t collisions; /* in a round; 0: for a fifth of a second */
     uint64_t seed;
     const char *output, *summary, *command;
 } own = {.dimensions = 2,
@@ -32,18 +31,18 @@ static struct {
          .packing = 0.3,
          .summary = "/dev/null"};
 
-/* Returns whether the disks have to be a fluid when they are timed: below
-   the packing at which the fluid freezes, unless --collisions sets a short
-   run. A dense lattice does not melt in few collisions, and a crystal is
-   faster than a fluid, whose collisions change the partners. So where there
-   is a fluid, disks start smaller, as a thin gas, and grow (warm_up). */
+/* Returns whether the disks must form a fluid when they are timed. They
+   must at a packing below that of freezing, unless --collisions sets a
+   short run, in which a dense lattice does not melt. A crystal would be
+   faster than a fluid, in which disks change their partners. To become a
+   fluid, the disks start small, as a thin gas, and grow (warm_up). */
 static bool is_fluid(void)
 {
     return own.packing <= (own.dimensions == 2 ? 0.70 : 0.494) &&
            !own.collisions;
 }
 
-/* Returns the diameter at the start, m. */
+/* Returns the diameter of the disks at the start, m. */
 static double first_diameter(void)
 {
     const double thin = fmin(0.3 / own.packing, 1);
@@ -52,8 +51,8 @@ static double first_diameter(void)
     return own.dimensions == 2 ? sqrt(thin) : cbrt(thin);
 }
 
-/* Places disks of mass 1 kg, at kT = 1 J, on a lattice in a periodic
-   box. */
+/* Places disks of mass 1 kg, at kT = 1 J, on a lattice in a periodic box.
+   Ends the program if there is no memory or no room. */
 static void begin_or_exit(struct disks *d, size_t count)
 {
     const double pi = 3.14159265358979324;
@@ -72,7 +71,8 @@ static void begin_or_exit(struct disks *d, size_t count)
     disks_set_temperature(d, 1, &r);
 }
 
-/* Copies all disks for the engine of pairs. */
+/* Copies all disks, to run them with the engine of all pairs. Ends the
+   program if there is no memory. */
 static void copy_or_exit(struct disks *to, const struct disks *from)
 {
     const size_t n = from->count;
@@ -89,11 +89,11 @@ static void copy_or_exit(struct disks *to, const struct disks *from)
 }
 
 struct engines {
-    struct disks pairs, disks; /* for all pairs; for cells */
+    struct disks pairs, disks; /* for the engine of all pairs; for cells */
     struct cells cells;
 };
 
-/* Runs `more` collisions, in pieces after which signals are seen. */
+/* Runs `more` collisions in portions; after each it checks for signals. */
 static void run_collisions(struct engines *e, bool fast, uint64_t more)
 {
     const struct disks *d = fast ? &e->disks : &e->pairs;
@@ -108,9 +108,11 @@ static void run_collisions(struct engines *e, bool fast, uint64_t more)
     }
 }
 
-/* Returns the collisions a second of a round. Without --collisions the
-   clock is read after each piece, which is short enough for a slow engine
-   and long enough for a fast one. */
+/* Returns the collisions per second of one round of measurement. With
+   --collisions the round has that number. Otherwise it consists of
+   portions, after each of which the clock is read, until a fifth of a
+   second has passed; a slow engine gets smaller portions than a fast
+   one. */
 static double speed_of(struct engines *e, bool fast)
 {
     const struct disks *d = fast ? &e->disks : &e->pairs;
@@ -127,8 +129,8 @@ static double speed_of(struct engines *e, bool fast)
     return (double)(d->collisions - before) / seconds;
 }
 
-/* Times both engines. *pairs is NaN if there are too many disks for
-   pairs. */
+/* Sets *pairs and *cells to the collisions per second of both engines.
+ *pairs is NaN if there are too many disks for the engine of all pairs. */
 static void compare(struct engines *e, double *pairs, double *cells)
 {
     const bool both = e->disks.count <= PAIRS_MOST;
@@ -138,8 +140,9 @@ static void compare(struct engines *e, double *pairs, double *cells)
     *pairs = speed[1];
 }
 
-/* Returns the bytes of memory for a disk. Call it at the end, when the
-   lists of cells and neighbours have grown as far as they will. */
+/* Returns the memory per disk, in bytes. Call it at the end of the run,
+   when the lists of cells and neighbours have reached their final
+   length. */
 static double bytes_each(const struct cells *c)
 {
     const struct disks *d = c->d;
@@ -156,9 +159,9 @@ static double bytes_each(const struct cells *c)
            (cell * (double)c->cells + days) / (double)d->count;
 }
 
-/* Writes the head. Two columns, stale events and renewed lists, show that
-   the work for a collision does not depend on N, independently of the
-   clock. */
+/* Writes the head of the table. Two of the columns, the stale events and
+   the renewed lists, show without a clock that the work per collision does
+   not depend on N. */
 static void write_head(struct table *t)
 {
     static const char *const asked[] = {"one by one", "four at a time",
@@ -179,10 +182,10 @@ static void write_head(struct table *t)
                   {"renewed", "", "lists made anew for a collision"});
 }
 
-/* Times the gain of each step of the chapter, by taking the steps away one
-   after the other: first neighbours are examined one at a time, then the
-   calendar has one endless day, so that all events are on one page, which
-   is searched for each event as pairs do. */
+/* Measures what each step of the chapter gains, by removing the steps one
+   by one. First the neighbours are no longer examined several at once. Then
+   the calendar gets one endless day, so that all events are on one page,
+   which is searched for each event, as the engine of all pairs does. */
 static void write_steps(struct engines *e, struct table *out)
 {
     struct calendar *calendar = &e->cells.calendar;
@@ -257,10 +260,10 @@ static void make_cells(struct engines *e)
     program_memory(cells_create(&e->cells, &e->disks), "for the cells");
 }
 
-/* Returns the radius to which disk i grows, m: nine tenths of the way to
-   the nearest of its neighbours. If disks grew the whole way, thousands
-   would touch and collide at one time, and no calendar has days that
-   short. */
+/* Returns the radius to which disk i grows, m: it fills nine tenths of the
+   gap to its nearest neighbour. If disks filled the whole gap, thousands
+   would touch and collide at the same time, for which no calendar has days
+   that are short enough. */
 static double room_of(const struct cells *c, size_t i)
 {
     const struct disk *disk = c->d->disk;
@@ -279,9 +282,9 @@ static double room_of(const struct cells *c, size_t i)
     return fmin(disk[i].radius + 0.9 * gap, 0.5);
 }
 
-/* Lets all disks grow, and returns whether all have their size. The lists
-   must be fresh: disks that are in no list of each other are then two skins
-   apart and more. */
+/* Lets all disks grow. Returns whether all have reached their final size.
+   The neighbour lists must be new: disks that are not in each other's lists
+   are then at least two skins apart. */
 static bool grow(struct engines *e)
 {
     bool whole = true;
@@ -293,12 +296,13 @@ static bool grow(struct engines *e)
     return whole;
 }
 
-/* Runs until nothing is left of the start. The cells do it for both
-   engines, which give the same bits: the pairs would take an hour. Small
-   disks grow, fly for a while, and grow again. Grown disks are too close at
-   first: at the packing 0.70 Z is 11.1 and falls towards the fluid's 10.3
-   for some hundred collisions of each disk, so three million collisions are
-   made at the end. */
+/* Runs until the start has no influence. The engine with cells does this
+   for both engines: the results are equal to the last bit, and the engine
+   of all pairs would take an hour. Small disks grow, move for a while, and
+   grow again. At full size they are too close together at first: at the
+   packing 0.70, Z is 11.1 and falls to 10.3, the value of the fluid, in
+   some hundred collisions per disk. Hence the three million collisions at
+   the end. */
 static void warm_up(struct engines *e)
 {
     const uint64_t n = e->disks.count;
@@ -314,9 +318,9 @@ static void warm_up(struct engines *e)
     }
 }
 
-/* Returns the number of tiles along each axis, 1 if none are laid. A
-   million disks would take minutes to melt; instead some thousands are
-   melted and laid side by side. */
+/* Returns the number of tiles along each axis, or 1 if the box is not
+   tiled. A million disks would take minutes to melt; instead some thousands
+   are melted, and copies of them are laid side by side. */
 static size_t tiles_along(size_t count)
 {
     size_t along = 1;
@@ -329,8 +333,9 @@ static size_t tiles_along(size_t count)
     return along;
 }
 
-/* Replaces the disks by copies of them. Each copy draws velocities of its
-   own, and after five collisions of each disk no two tiles are alike. */
+/* Replaces the disks by copies of them, side by side. Each copy gets its
+   own random velocities; after five collisions per disk no two tiles are
+   alike. */
 static void lay_tiles(struct engines *e, size_t along, size_t count)
 {
     struct disks tile = e->disks, *d = &e->disks;
@@ -348,7 +353,8 @@ static void lay_tiles(struct engines *e, size_t along, size_t count)
     disks_free(&tile);
 }
 
-/* Makes the disks that are timed. The warm-up is short if the run is. */
+/* Makes the disks that are timed. If the run is short, so is the
+   warm-up. */
 static void make_fluid(struct engines *e, size_t count)
 {
     const size_t along = tiles_along(count);

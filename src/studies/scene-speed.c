@@ -13,13 +13,13 @@
 
 #define PROGRAM "scene-speed"
 
-/* The numbers that are read: from 0 to 10, with equal numbers of digits,
-   one every WIDTH bytes. */
+/* The numbers to be read lie between 0 and 10 and have equally many digits.
+   One begins every WIDTH bytes. */
 enum { NUMBERS = 20000, WIDTH = 32, MOST_DIGITS = 19 };
 
-/* Returns the seconds to read a number with decimal_read or strtod, and
-   counts in ways[] the ways that decimal_read took. The sum keeps the
-   compiler from dropping values that are not used. */
+/* Returns the time to read a number with decimal_read or strtod, s. Counts
+   in ways[] which of its methods decimal_read used. The sum keeps the
+   compiler from removing the reading of values that nobody uses. */
 static double time_numbers(char text[][WIDTH], bool ours, size_t ways[])
 {
     const double start = bench_seconds();
@@ -36,8 +36,8 @@ static double time_numbers(char text[][WIDTH], bool ours, size_t ways[])
     return (bench_seconds() - start) / NUMBERS;
 }
 
-/* Times both readers in alternation; the first round, which fills the
-   caches, is discarded. */
+/* Times both readers in turn. The first round fills the caches and is
+   discarded. */
 static void time_digits(int digits, struct table *out, struct random *r)
 {
     static char text[NUMBERS][WIDTH];
@@ -59,7 +59,8 @@ static void time_digits(int digits, struct table *out, struct random *r)
                 (double)ways[DECIMAL_STRTOD] / NUMBERS);
 }
 
-/* Returns the text of a gas, with positions and velocities of 17 digits. */
+/* Returns the text of a scene with a gas whose positions and velocities
+   have 17 digits, or NULL if there is no memory. */
 static char *write_gas(size_t bodies, size_t *length, struct random *r)
 {
     char *text = malloc(256 * bodies), *c = text;
@@ -76,8 +77,8 @@ static char *write_gas(size_t bodies, size_t *length, struct random *r)
     return text;
 }
 
-/* Times the reading of a gas from memory, so that the disk has no
-   influence. */
+/* Times the reading of a scene with a gas. The text is in memory, so that
+   the speed of the disk has no influence. */
 static void time_scene(size_t bodies, struct table *out, struct random *r)
 {
     double seconds[BENCH_ROUNDS];

@@ -15,13 +15,13 @@
 
 #define PROGRAM "bonk"
 
-/* The command line as it was given. */
+/* The settings from the command line. */
 static struct {
     const char *scene;
     double until;     /* time at which to stop, s */
-    double tolerance; /* largest error, a fraction of the scale */
+    double tolerance; /* largest error allowed, a fraction of the scale */
     double every;  /* time from row to row, s; 0: a sixteenth of the run */
-    double budget; /* what choosing and running may cost, s */
+    double budget; /* largest cost of choosing and running, s */
     const char *observe, *model;
     bool explain;
     const char *chart, *output, *summary, *command;
@@ -30,19 +30,18 @@ static struct {
            .tolerance = NAN,
            .summary = "/dev/null"};
 
-/* The number of rows without --every. Sixteen show where a run went wrong,
-   and can still be compared at a glance. Errors are judged at sixteen times
-   at least: two runs that are compared only once can agree because one of
-   them is late by a whole period, and the cheapest run that agrees would
-   often be one of these. */
+/* ROWS is the number of rows without --every. Sixteen rows show where a run
+   went wrong, and can be compared at a glance. Errors are judged at sixteen
+   times or more: two runs that are compared only once may agree because one
+   of them is late by a whole period, and the cheapest run that agrees would
+   often be such a run. */
 enum { ROWS = 16, ROWS_MOST = 1000000 };
 
-/* The prefix of an average in --observe. Each average is found by a request
-   of its own. */
+/* The prefix of an average in --observe. */
 static const char mean_prefix[] = "mean:";
 enum { MEANS_MOST = 16, PREFIX = sizeof mean_prefix - 1 };
 
-/* An average that --observe names, and the result. */
+/* An average requested with --observe, and its result. */
 struct mean {
     struct averages_quantity quantity;
     struct averages_found found;
@@ -53,21 +52,21 @@ struct run {
     struct scene scene;
     struct observables asked;
     struct choose_request request;
-    size_t judged; /* rows that are compared for each row written */
+    size_t judged; /* rows compared for each row written */
     struct choose_choice choice;
-    struct models_plan plan; /* of --model */
+    struct models_plan plan; /* given with --model */
     struct progress progress;
     struct mean mean[MEANS_MOST];
     size_t means; /* averages in --observe; 0: a run is wanted */
     struct table *out, *summary, *chart;
-    FILE *explanation; /* of --explain */
+    FILE *explanation; /* stream for --explain */
 };
 
-/* Sets the rows, which divide the time from the scene's clock to --until
-   into equal parts: errors are taken at rows, the last row is at --until,
-   and a shorter last row would need steps of another length. A row longer
-   than a sixteenth of the run is cut into several rows of the choice, of
-   which only the last is written.
+/* Sets the times of the rows, which divide the time from the scene's clock
+   to --until into equal intervals: the last row is at --until, and a
+   shorter last interval would need steps of another length. An interval
+   longer than a sixteenth of the run is divided, so that errors are also
+   judged between the rows that are written.
 
    The 1e-9 allows for rounding: 0.001 divides 1 although neither it nor the
    quotient is exact in binary, and 0.3 must be refused. */
@@ -91,9 +90,9 @@ static void set_rows(struct run *r)
     r->request.every = every / (double)r->judged;
 }
 
-/* Reads the averages of --observe, mean:NAME,mean:NAME... Averages cannot
-   be mixed with values: a path ends at the horizon of prediction, and
-   averages may lie beyond it. */
+/* Reads the averages of --observe, mean:NAME,mean:NAME... Averages and
+   values cannot be requested together: values cannot be predicted beyond
+   the horizon, whereas averages can. */
 static void read_means(struct run *r)
 {
     char message[AVERAGES_TEXT], name[64];
@@ -119,9 +118,8 @@ static bool asks_for_means(void)
     return given.observe && strstr(given.observe, mean_prefix) != NULL;
 }
 
-/* Reads the scene. Leapfrog can run any scene, so motion_view sets it up
-   with leapfrog: what that complains about is wrong with the scene
-   itself. */
+/* Reads the scene. Leapfrog can run any scene, so if motion_view cannot set
+   up leapfrog for it, the scene itself is wrong. */
 static void read_scene(struct run *r)
 {
     struct motion m;
@@ -135,8 +133,8 @@ static void read_scene(struct run *r)
                        given.scene);
 }
 
-/* Shows the cost that has been spent on choosing; choose() calls it after
-   each run. Progress counts whole numbers, so the unit is a millisecond. */
+/* Shows the cost spent so far on choosing. choose() calls it after each
+   run. Progress is counted in integers, so the unit is a millisecond. */
 static void show_progress(void *with, double spent)
 {
     const uint64_t ms = (uint64_t)(1e3 * spent);
@@ -144,10 +142,10 @@ static void show_progress(void *with, double spent)
 }
 
 /* Checks the command against the scene, and exits with status 2 before any
-   work is done: most settings can be wrong only there, such as a body that
-   does not exist, a time that is over, or a model that does not suit. A
-   --model with its steps is used unchanged; a method's name alone leaves
-   the number of steps to be found. */
+   work is done. Most mistakes can be found only now, such as a body that
+   does not exist, a time that is past, or a model that cannot run the
+   scene. A --model with its number of steps is used unchanged. If it is
+   only the name of a method, the number of steps is chosen. */
 static void begin_run(struct run *r)
 {
     read_scene(r);
@@ -182,7 +180,8 @@ static void begin_run(struct run *r)
     }
 }
 
-/* Prints a piece of the explanation, if --explain asks for it. */
+/* Prints formatted text as part of the explanation, if --explain is
+   given. */
 static void explain(const struct run *r, const char *format, ...)
 {
     va_list values;
@@ -193,8 +192,8 @@ static void explain(const struct run *r, const char *format, ...)
     va_end(values);
 }
 
-/* Explains, part 1: the interactions that act. A scene in which nothing
-   acts is valid: its bodies fly straight on. */
+/* Explains, part 1: the interactions. A scene without any is valid, and its
+   bodies move uniformly. */
 static void explain_interactions(const struct run *r)
 {
     const struct models_acts *a = &r->choice.acts;
@@ -212,9 +211,9 @@ static void explain_interactions(const struct run *r)
 }
 
 /* Explains, part 2: the request, and the reference with which the
-   candidates are compared. The doubt of the reference is its difference
-   from a coarser one. An exact model needs no reference, and has no such
-   line. */
+   candidates are compared. The doubt is the difference between the
+   reference and a coarser one. An exact model is compared with no
+   reference, so there is no line about one. */
 static void explain_request(const struct run *r)
 {
     const struct choose_choice *c = &r->choice;
@@ -232,8 +231,8 @@ static void explain_request(const struct run *r)
 }
 
 /* Explains, part 3: all candidates, with a star at the one taken. A
-   candidate without a cost was never run to its end, and shows a reason
-   instead; one with a cost may still have no error. */
+   candidate without a cost was never run to its end, and a reason is
+   printed instead. A candidate with a cost may still have no error. */
 static void explain_candidates(const struct run *r)
 {
     const struct choose_choice *c = &r->choice;
@@ -271,10 +270,10 @@ static void explain_choice(const struct run *r)
     }
 }
 
-/* Writes the head. Its command has to make the same bytes again, so the
-   plan that was chosen is added to it, unless it came from --model. The
-   default columns are the state of every body, as in the tables of step, so
-   that a movie or plot made for those reads these as well. */
+/* Writes the head. The command in it must reproduce the same bytes, so the
+   chosen plan is added to it unless --model was given. The default columns
+   are the state of every body, as in the tables of step, so that a program
+   that plots those tables can read these as well. */
 static void write_head(struct run *r)
 {
     char plan[MODELS_TEXT], command[8192];
@@ -314,7 +313,7 @@ static bool write_rows(struct run *r)
     return good;
 }
 
-/* Writes a point of the chart: a run whose error is known. */
+/* Writes a point of the chart: the error and cost of one run. */
 static void write_point(const struct run *r, struct models_plan plan,
                         double error, double cost, int taken)
 {
@@ -336,9 +335,9 @@ static void write_chart_head(const struct run *r, const char *refusal)
 }
 
 /* Writes the chart of error against cost. Consecutive runs of a model with
-   the same cuts are one block; two blank lines between blocks make gnuplot
-   begin a new curve. The last block contains only the run that was taken.
-   After a refusal the chart shows how near each model came. */
+   the same simplifications form one block. Two blank lines between blocks
+   make gnuplot begin a new curve. The last block contains only the run that
+   was taken. After a refusal the chart shows how close each model came. */
 static void write_chart(const struct run *r, const char *refusal)
 {
     const struct choose_choice *c = &r->choice;
@@ -357,8 +356,8 @@ static void write_chart(const struct run *r, const char *refusal)
     write_point(r, taken->plan, taken->error, taken->cost, 1);
 }
 
-/* Writes the summary, after a refusal as well: the horizon is then the most
-   useful result. Only the last line depends on the machine. */
+/* Writes the summary. After a refusal the horizon is the most useful
+   result. Only the last line depends on the machine. */
 static void summarise(const struct run *r, const char *refusal)
 {
     const struct choose_choice *c = &r->choice;
@@ -431,9 +430,9 @@ static bool same_file(const char *a, const char *b)
     return a && b && strcmp(a, b) == 0 && strcmp(a, "/dev/null") != 0;
 }
 
-/* Refuses a command that lacks something or contradicts itself. The
-   tolerance has no default on purpose: people would not change it, and only
-   the user knows how wrong an answer may be. */
+/* Refuses a command that is incomplete or contradicts itself. The tolerance
+   has no default, because users would seldom change it, and only they know
+   how large an error they can accept. */
 static void check_settings(struct options *o)
 {
     const char *output = given.output ? given.output : "-";
@@ -453,9 +452,8 @@ static void check_settings(struct options *o)
                         "their own");
 }
 
-/* Reads the command line, after completing model_help from the table of
-   models, which is the only list of them. A time may be negative, since the
-   scene's clock may stand before zero. */
+/* Reads the command line, after appending the names in the table of models
+   to model_help. A time may be negative, as the scene's clock may be. */
 static void read_settings(int argc, char *argv[])
 {
     struct options o;
@@ -494,8 +492,8 @@ static void read_settings(int argc, char *argv[])
     check_settings(&o);
 }
 
-/* Returns the diagonal of the box that contains all bodies in all rows of
-   the run, m, leaving out periodic axes. */
+/* Returns the diagonal (m) of the box that contains all bodies in all rows
+   of the run. Periodic axes are left out. */
 static double size_of_run(const struct run *r)
 {
     const struct choose_choice *c = &r->choice;
@@ -512,10 +510,10 @@ static double size_of_run(const struct run *r)
     return sqrt(sum);
 }
 
-/* Notes that the run becomes much larger than the scene was at the start,
-   as an orbit does that begins at its nearest point: errors of positions
-   are fractions of the size at the start, and the user may have meant a
-   fraction of the larger size. */
+/* Prints a note if the bodies spread much farther than at the start, as on
+   an orbit that begins at its pericentre. Errors of positions are fractions
+   of the size at the start, and the user may have meant a fraction of the
+   larger size. */
 static void warn_of_scale(const struct run *r)
 {
     const struct choose_choice *c = &r->choice;
@@ -529,10 +527,10 @@ static void warn_of_scale(const struct run *r)
                     given.scene, e, c->scale, size, e * size / c->scale);
 }
 
-/* Notes that one body far away has made the scale so large that the
-   tolerance cannot tell two others apart, and which tolerance would. The
-   note is printed without --explain: the answer meets the tolerance as
-   written, but probably not as meant. */
+/* Prints a note if one distant body makes the scale so large that the
+   tolerance cannot distinguish the positions of two others, with a
+   tolerance that would. It is printed without --explain, too: the result
+   meets the tolerance as written, but probably not as meant. */
 static void warn_of_hidden_pair(const struct run *r)
 {
     const struct choose_hidden *h = &r->choice.hidden;
@@ -546,8 +544,8 @@ static void warn_of_hidden_pair(const struct run *r)
                 h->far, h->without, e * h->without / r->choice.scale);
 }
 
-/* Writes the rows of the run, or prints why there are none; a refusal
-   leaves no table behind. */
+/* Writes the rows of the run. After a refusal prints the reason and writes
+   no table. Returns false if the table could not be written. */
 static bool write_run(struct run *r, const char *refusal)
 {
     if (refusal) {
@@ -563,8 +561,8 @@ static bool write_run(struct run *r, const char *refusal)
 static const char *const sure_names[] = {"exact", "bound", "estimate",
                                          "out"};
 
-/* Explains how an average was found: its value, its error, and how certain
-   it is. */
+/* Explains how an average was found: its value, its error, and whether the
+   error is exact, a bound or an estimate. */
 static void explain_mean(const struct run *r, const struct mean *m)
 {
     const struct averages_found *f = &m->found;
@@ -580,10 +578,9 @@ static void explain_mean(const struct run *r, const struct mean *m)
                 f->value, f->error * f->scale, f->error, f->scale);
 }
 
-/* Finds one average; returns NULL, or the reason why there is none. Each
-   average has a request of its own, since two averages of a scene may be
-   found in different ways, the energy by a law and the pressure by
-   events. */
+/* Finds one average. Returns NULL, or the reason why there is none. Each
+   average has its own request, since two averages of a scene may be found
+   in different ways: the energy by a law and the pressure by events. */
 static const char *find_mean(struct run *r, struct mean *m)
 {
     const struct averages_request q = {.scene = &r->scene,
@@ -609,7 +606,7 @@ static const char *mean_model(const struct run *r)
     return name;
 }
 
-/* Writes one row, with each average and its error. */
+/* Writes one row, which contains each average and its error. */
 static bool write_means(struct run *r)
 {
     double row[2 * MEANS_MOST];
@@ -626,16 +623,16 @@ static bool write_means(struct run *r)
                  given.tolerance, f->scale);
         table_column(r->out, error, unit, text);
         row[2 * j] = f->value;
-        /* In the unit of its column; f->error is a fraction of the scale.
-         */
+        /* In the unit of its column, whereas f->error is relative. */
         row[2 * j + 1] = f->error * f->scale;
     }
     const bool good = table_row(r->out, 2 * r->means, row);
     return table_close(r->out) && good;
 }
 
-/* Writes the keys that a run's summary has, so that one script reads both:
-   costs are added, and the largest error is taken. */
+/* Writes the summary of the averages: the sum of their costs and the
+   largest of their errors. Its keys are also in the summary of a run, so
+   that one script can read both kinds of summary. */
 static void summarise_means(const struct run *r, const char *refusal)
 {
     struct table *t = r->summary;
@@ -650,10 +647,9 @@ static void summarise_means(const struct run *r, const char *refusal)
                   {"cost", cost}, {"deciding", 0});
 }
 
-/* Finds all averages, and writes them with a chart of one point for each;
-   writes no row if one of them is refused, since nothing could take its
-   place. Sets *refusal to the reason, and returns false if a file could not
-   be written. */
+/* Finds all averages, and writes them with a chart of one point for each.
+   Writes no row if one of them is refused. Sets *refusal to the reason, and
+   returns false if a file could not be written. */
 static bool answer_means(struct run *r, const char **refusal)
 {
     bool good = true;
@@ -678,8 +674,8 @@ static bool answer_means(struct run *r, const char **refusal)
 }
 
 /* Chooses a model, runs the scene with it, and writes the results. Sets
-   *refusal if there is no run, and returns false if a file could not be
-   written. */
+   *refusal to the reason if there is no run, and returns false if a file
+   could not be written. */
 static bool answer_run(struct run *r, const char **refusal)
 {
     progress_begin(&r->progress, PROGRAM, (uint64_t)(1e3 * given.budget),
@@ -700,7 +696,7 @@ static bool answer_run(struct run *r, const char **refusal)
 }
 
 /* Runs bonk. All outputs are opened before the work begins, so that a
-   folder that does not exist is noticed now and not after ten minutes. */
+   missing folder is noticed at once and not after ten minutes. */
 int main(int argc, char *argv[])
 {
     static struct run r;

@@ -18,12 +18,12 @@
 
 #define PROGRAM "bonkers"
 
-enum { LISTED = 1000 }; /* the largest number of bodies in a list */
+enum { LISTED = 1000 }; /* most bodies in a list */
 
 static struct {
     struct start_request request;
     bool preset;
-    size_t listed; /* bodies in the lists; 0: there are none */
+    size_t listed; /* bodies in the lists; 0: no lists */
     const double *mass, *x, *v, *radius; /* the lists, or NULL */
     double restitution, gravity, every, until;
     uint64_t samples, collisions, members, threads;
@@ -38,8 +38,9 @@ static struct {
            .summary = "/dev/null"};
 
 /* The options. An ensemble needs a preset that draws random numbers. Its
-   members are averaged at common times: no collision can end them, and an
-   inelastic collapse would end one of them early. */
+   members are averaged at common times, so --collisions cannot end them,
+   and --restitution is refused, since inelastic collapse would end a member
+   early. */
 static const struct options_entry entries[] = {
     {"preset", 'p', "NAME",
      "four, mixed, cradle, thermal, piston, adiabatic,\n"
@@ -89,8 +90,8 @@ static const struct table_key keys[] = {
     {"members", "1", "averaged over"},
     {0}};
 
-/* Reads a list into values, each from low to high. The first list decides
-   how many bodies there are. */
+/* Reads a list into values, each of which must be from low to high. The
+   first list determines the number of bodies. */
 static const double *read_list(struct options *o, double values[],
                                double low, double high)
 {
@@ -152,7 +153,7 @@ static void read_settings(int argc, char *argv[])
         case 'e': given.restitution = options_real(&o, 0, 1); break;
         case 'G': given.gravity = options_real(&o, 0, 1e100); break;
         case 'd': given.every = options_positive(&o, INFINITY); break;
-        case 't': /* 0: the start alone */
+        case 't': /* 0: write the start only */
             given.until = options_real(&o, 0, INFINITY);
             break;
         case 'k':
@@ -184,9 +185,10 @@ static void read_settings(int argc, char *argv[])
     program_apart(&o, given.output, given.summary, "table");
 }
 
-/* Makes the start: the preset, whose numbers the lists replace. Without a
-   preset the lists are all there is, in a box from zero to a metre beyond
-   the last body. Returns false if there is no memory. */
+/* Creates the start from the preset, with its numbers replaced by those of
+   the lists. Without a preset all numbers come from the lists, and the box
+   reaches from zero to a metre beyond the last body unless --walls is
+   given. Returns false if there is no memory. */
 static bool make_start(struct start *s, uint64_t seed)
 {
     struct start_request request = given.request;
@@ -223,11 +225,11 @@ static void name_body(char text[], size_t size, size_t i, size_t gaps)
         snprintf(text, size, "mover %zu", i);
 }
 
-/* Begins a run, and sets *until to the usual end of this start. Ends the
-   program if the start is impossible; nothing has been written yet. Speeds
-   are refused whose squares are subnormal numbers, which have fewer digits;
-   but bodies that fall become faster, and bodies that are all at rest have
-   no collision to wait for. */
+/* Begins a run, and sets *until to the default end of a run with this
+   start. Ends the program if the start is impossible, before anything is
+   written. Speeds whose squares are subnormal numbers are refused, since
+   these have fewer digits. There are two exceptions: falling bodies become
+   faster, and bodies that are all at rest never collide. */
 static void begin_or_exit(struct bonkers *b, uint64_t seed, double *until)
 {
     struct start s;
@@ -257,21 +259,21 @@ static void begin_or_exit(struct bonkers *b, uint64_t seed, double *until)
             most, BONKERS_SLOWEST);
 }
 
-/* A run. From row to row the engine runs in bites, so short that a signal
-   is noticed within a second. An engine can be stopped and continued
-   anywhere, so the bites change no bit of the run. */
+/* A run. Between rows the engine runs in bites, which are so short that a
+   signal is noticed within a second. An engine can be stopped and continued
+   anywhere, so the bites do not change the results. */
 struct run {
     struct bonkers b;
     double until, every;
-    uint64_t samples, rows; /* behind the first: at most, and so far */
+    uint64_t samples, rows; /* rows after the first: limit, written */
     double start_energy, seconds;
     enum bonkers_stop stop;
     bool over, timed;
     struct progress *progress; /* or NULL */
 };
 
-/* Begins a run. Its end is the usual one of its start unless it has a limit
-   of its own. The clock is read only for a summary: reading it takes as
+/* Begins a run. It ends at the default time of its start unless the command
+   sets a limit. The clock is read only for a summary: reading it takes as
    long as several collisions, and an ensemble may have ten million rows. */
 static void begin_run(struct run *r, uint64_t seed)
 {
@@ -288,8 +290,9 @@ static void begin_run(struct run *r, uint64_t seed)
 
 enum { PARTS = 1000000 };
 
-/* Shows the fraction of the time that is done, up to its limit or the last
-   sample. If only a number of collisions ends the run, it stays zero. */
+/* Shows the fraction of the run that is done, measured in time up to the
+   time limit or the last sample. If only a number of collisions limits the
+   run, the fraction remains zero. */
 static void show_progress(const struct run *r)
 {
     const double end = fmin(r->until, r->samples < UINT64_MAX
@@ -300,18 +303,19 @@ static void show_progress(const struct run *r)
                     r->b.collisions);
 }
 
-/* Runs to the time or the collision, whichever comes first, in bites that
-   even a slow computer does in a second. naive and scan examine every gap
-   at each collision, the others do not; their term 4 * gaps makes a bite
-   longer than many slabs.
+/* Runs to the given time or number of collisions, whichever comes first, in
+   bites that take even a slow computer less than a second. naive and scan
+   examine every gap at each collision. The other engines do not, and the
+   term 4 * gaps makes their bites longer than many slabs.
 
-   Slabs that have to end at a collision are undone, and the heap runs the
-   last one; to end at a time costs them nothing. So they end at times, once
-   the number of collisions in a time is known, and then twice the bite is
-   the limit. After a bite without a collision the next one has no such
-   time: if there is never another collision, the engine finds that out. The
-   comparison with `most` is written as a difference, which cannot overflow
-   when there is no limit. */
+   When slabs have to stop at a collision, the last slab is undone and run
+   by the heap, whereas stopping at a time costs nothing. So, once the
+   collision rate is known, each bite of slabs ends at an estimated time,
+   and twice the bite limits the number of collisions. After a bite without
+   a collision the next bite has no time limit of its own: if there is never
+   another collision, the engine finds that out. The comparison with `most`
+   is written as a difference, which cannot overflow when there is no
+   limit. */
 static enum bonkers_stop run_bites(struct run *r, double until,
                                    uint64_t collisions)
 {
@@ -347,11 +351,11 @@ static enum bonkers_stop run_bites(struct run *r, double until,
     return stop;
 }
 
-/* Runs to the next row and stops there; r->over if it is the last. Times of
-   rows are multiplied, not added up (2.4, eq:clock): the last one may miss
-   the end of the run by rounding, and is then moved to it. A run that only
-   a number of collisions limits also ends when no collision will come any
-   more, since it would write rows without end. */
+/* Runs to the next row. Sets r->over if it is the last one. The time of a
+   row is a product, not a sum (2.4, eq:clock). Rounding may shift the last
+   row from the end of the run, and it is then moved to the end. A run that
+   is limited only by a number of collisions also ends when no more
+   collisions will come, since it would write rows without end. */
 static void run_to_row(struct run *r, uint64_t collisions)
 {
     const double clock =
@@ -365,7 +369,8 @@ static void run_to_row(struct run *r, uint64_t collisions)
               progress_signal();
 }
 
-/* Names the columns, `per` of them for each body. The walls are L and R. */
+/* Describes the columns, `per` of them for each body. The walls have the
+   letters L and R instead of numbers. */
 static void name_columns(struct table *out, const struct bonkers *b,
                          const char *const symbols[],
                          const char *const units[],
@@ -391,10 +396,11 @@ static void name_columns(struct table *out, const struct bonkers *b,
         }
 }
 
-/* Writes the masses into the head, since a velocity without a mass tells no
-   energy, unless they are too many to be read. Each has as few digits as
-   give its inverse again: the inverse of an inverse is off by a bit or two,
-   and --masses 49 would come back as 49.000000000000007. */
+/* Writes the masses into the head, since energies cannot be computed from
+   velocities alone, unless there are too many to be read. Each is written
+   with as few digits as reproduce its inverse exactly: inverting the
+   inverse is off by a bit or two, and --masses 49 would be written as
+   49.000000000000007. */
 static void name_masses(struct table *out, const struct bonkers *b)
 {
     if (b->gaps > LISTED)
@@ -411,10 +417,10 @@ static void name_masses(struct table *out, const struct bonkers *b)
     table_print(out, "\n");
 }
 
-/* Writes a row, with position and velocity of each body side by side. The
-   engine gives two arrays: the positions go into the second half of the
-   row, from where each moves down before a pair is written over it, the
-   velocities behind the row, which has space for 2 + 3 * bodies numbers. */
+/* Writes a row, with position and velocity of each body side by side. `row`
+   has space for 2 + 3 * bodies numbers. The engine writes the positions
+   into the second half of the row and the velocities after it. Each
+   position is moved to its column before a later one is overwritten. */
 static void write_row(struct table *out, struct bonkers *b, double row[])
 {
     double *x = row + 2 + b->gaps + 1, *v = x + b->gaps + 1;
@@ -448,24 +454,25 @@ static bool write_run(struct table *out, struct run *r)
     return true;
 }
 
-/* The number of members that run at one time. Members of an ensemble differ
-   only in their seeds, and every processor core runs its own. The mean must
-   not depend on the number of cores, and floating-point sums depend on the
+/* The number of members in a batch. Members of an ensemble differ only in
+   their seeds, and each processor core runs its own member. The mean must
+   not depend on the number of cores, but floating-point sums depend on the
    order of their terms. So the cores fill a batch of fixed size, and one of
-   them adds it up in the order of the members. */
+   them sums it in the order of the members. */
 enum { BATCH = 16 };
 
-/* The sums over the members, for each row and body: of x and v, the mean of
-   T, and the sum of its squared deviations. */
+/* Statistics over the members. `mean` contains four numbers for each row
+   and body: the sums of x and v, the mean of the kinetic energy T, and the
+   sum of the squared deviations of T. A batch contains x, v and T. */
 struct ensemble {
     size_t rows, bodies;
     uint64_t members;
-    double *time, *mean;   /* rows; rows * bodies * 4 */
-    double *batch[BATCH];  /* rows * bodies * 3 */
-    struct run run[BATCH]; /* the last that ran there */
+    double *time, *mean;   /* [rows]; [rows * bodies * 4] */
+    double *batch[BATCH];  /* [rows * bodies * 3] each */
+    struct run run[BATCH]; /* members of the latest batch */
 };
 
-/* Runs one member and keeps its rows in its own place of the batch, so that
+/* Runs one member and stores its rows in its own slot of the batch, so that
    no core waits for another. */
 static void run_member(struct ensemble *e, int place, uint64_t seed)
 {
@@ -483,7 +490,7 @@ static void run_member(struct ensemble *e, int place, uint64_t seed)
             to[1] = v[i];
             to[2] = im > 0 ? v[i] * v[i] / im / 2 : 0;
         }
-        if (place == 0) /* the times are those of every member */
+        if (place == 0) /* all members have the same times */
             e->time[row] = r->b.now;
     }
     free(x);
@@ -507,8 +514,9 @@ static void add_member(struct ensemble *e, int place)
     }
 }
 
-/* Runs `count` members at once, then adds them up in order. Returns how
-   many were added: none after a signal, since some may be cut short. */
+/* Runs `count` members in parallel, then adds them to the means in order.
+   Returns how many were added: none after a signal, since some members may
+   be incomplete. */
 static int run_batch(struct ensemble *e, const uint64_t seeds[], int count)
 {
 #ifdef _OPENMP
@@ -522,9 +530,9 @@ static int run_batch(struct ensemble *e, const uint64_t seeds[], int count)
     return added;
 }
 
-/* Allocates an ensemble. All members have the same number of rows, which
-   is known before the first one runs. Returns false if they do not fit
-   into memory. */
+/* Allocates an ensemble. All members have the same number of rows, which is
+   computed from the settings of r. Returns false if they do not fit into
+   memory. */
 static bool make_ensemble(struct ensemble *e, const struct run *r)
 {
     const double until = fmin(r->until, r->samples < UINT64_MAX
@@ -545,8 +553,8 @@ static bool make_ensemble(struct ensemble *e, const struct run *r)
 }
 
 /* Writes the rows of an ensemble. The standard error of the mean of T is
-   sqrt(S / (k - 1) / k), with the sum S of its squared deviations over k
-   members. */
+   sqrt(S / (k - 1) / k), where S is the sum of the squared deviations of T
+   over k members. */
 static void write_ensemble(struct table *out, const struct ensemble *e,
                            double row[])
 {
@@ -566,8 +574,8 @@ static void write_ensemble(struct table *out, const struct ensemble *e,
     }
 }
 
-/* Totals over all members of an ensemble. The error of the energy is that
-   of the worst member. */
+/* Totals over all members of an ensemble. The energy error is the largest
+   of any member. */
 struct totals {
     uint64_t collisions, disorder, rows;
     double time, seconds, energy_error;
@@ -587,8 +595,8 @@ static void add_run(struct totals *t, const struct run *r)
         t->energy_error = error;
 }
 
-/* Writes the summary. If collisions lose energy its change is no error, and
-   has the key energy_change. */
+/* Writes the summary. If collisions lose energy, the change of energy is
+   not an error, and its key is energy_change. */
 static void write_summary(struct table *out, const struct totals *t,
                           enum bonkers_engine engine)
 {
@@ -605,9 +613,9 @@ static void write_summary(struct table *out, const struct totals *t,
         table_count(out, "members", given.members);
 }
 
-/* Runs the members in batches and writes their rows. Their seeds are drawn
-   in order, so that a longer ensemble begins with the members of a shorter
-   one. Returns false if it was interrupted. */
+/* Runs the members in batches and writes the averaged rows. The seeds are
+   drawn in order, so that a longer ensemble begins with the members of a
+   shorter one. Returns false if it was interrupted. */
 static bool run_ensemble(struct table *out, struct ensemble *e,
                          struct totals *t, struct progress *p)
 {
@@ -634,8 +642,8 @@ static bool run_ensemble(struct table *out, struct ensemble *e,
     return done > 0;
 }
 
-/* Makes an ensemble, runs it, writes it and frees it. Returns whether it is
-   complete. */
+/* Creates an ensemble, runs it, writes it and frees it. Returns whether it
+   is complete. */
 static bool average_ensemble(struct table *out, const struct run *first,
                              struct totals *t, struct progress *p)
 {
@@ -661,8 +669,9 @@ static bool average_ensemble(struct table *out, const struct run *first,
     return done;
 }
 
-/* Reports a run that could not reach its end. The exit status is that of a
-   failed run, but the table up to there is right and is kept. */
+/* Reports a run that could not reach its end, and returns whether it did
+   so. The exit status is then that of a failed run, but the table up to
+   that time is correct and is kept. */
 static bool say_collapse(const struct run *r)
 {
     const bool cold = r->stop == BONKERS_COLLAPSE && bonkers_is_cold(&r->b);
@@ -680,8 +689,8 @@ static bool say_collapse(const struct run *r)
 }
 
 /* Ends the program if there would be more than 9e15 rows, which a double
-   cannot count, before the end or, without one, before the first
-   collision. */
+   cannot count, before the end of the run or, if that is not set, before
+   the first collision. */
 static void check_rows(const struct run *r)
 {
     double end = r->until;
@@ -695,9 +704,9 @@ static void check_rows(const struct run *r)
                    r->every, end);
 }
 
-/* Runs bonkers. Even for an ensemble a single run is begun: it goes no
-   further, but shows that the start is possible and how many rows there
-   will be. */
+/* Runs bonkers. Even for an ensemble a single run is begun, but not
+   continued: it shows whether the start is possible, and how many rows
+   there will be. */
 int main(int argc, char *argv[])
 {
     struct run r;

@@ -14,7 +14,7 @@
 
 #define PROGRAM "collide"
 
-enum { SHOWN = 10 }; /* if there are no more tests, each is printed */
+enum { SHOWN = 10 }; /* up to this number of tests, each is printed */
 
 static struct {
     bool velocities_given, masses_given;
@@ -23,7 +23,7 @@ static struct {
     size_t velocity_count, normal_count; /* 0: not given */
     size_t dimensions;
     uint64_t tests, seed;
-    double mass_ratio; /* 0: inverse masses from 0.1 to 1.1 */
+    double mass_ratio; /* 0: draw inverse masses from 0.1 to 1.1 */
     double restitution;
     enum collide_form form;
     const char *output, *summary, *command;
@@ -74,16 +74,16 @@ struct pair {
     double before[2][COLLIDE_DIMENSIONS], after[2][COLLIDE_DIMENSIONS];
 };
 
-/* What a collision conserves, in 113 bits instead of 53, so that any change
-   in the momentum and energy of the rounded velocities comes from collide
-   alone. The momentum and energy of a wall are infinite: it is left out of
-   the sums, and energies are measured in its frame, in which the energy of
-   the ball is conserved. The momentum that the ball loses is what the wall
-   takes. */
+/* The conserved quantities, computed with 113 bits instead of 53, so that
+   any change in the momentum and energy of the rounded velocities comes
+   from collide alone. The momentum and energy of a wall are infinite, so
+   the sums omit it. Energies are then measured in the frame of the wall, in
+   which the energy of the ball is conserved. The wall takes the momentum
+   that the ball loses. */
 struct totals {
-    quad energy;       /* in the frame of a wall, if any */
-    quad energy_scale; /* what its rounding is relative to */
-    quad momentum[COLLIDE_DIMENSIONS]; /* without walls */
+    quad energy;       /* in the frame of the wall, if there is one */
+    quad energy_scale; /* scale of the rounding error of energy */
+    quad momentum[COLLIDE_DIMENSIONS]; /* without a wall's */
     quad scale;                        /* sum of m |v| */
 };
 
@@ -91,7 +91,8 @@ struct errors { /* in units of DBL_EPSILON */
     double energy, momentum;
 };
 
-/* Returns the length of a vector, good enough for a scale. */
+/* Returns the length of a vector in double precision, which suffices for a
+   scale. */
 static double length(size_t dimensions, const double v[])
 {
     double square = 0;
@@ -100,10 +101,10 @@ static double length(size_t dimensions, const double v[])
     return sqrt(square);
 }
 
-/* Returns whether this is the inverse of a mass that can be used, or 0 for
-   a wall. The limits of masses and velocities are far from those of
-   everything that moves. Beyond them the square of a number may overflow or
-   vanish, and the answer would be infinity or NaN. */
+/* Returns whether im is the inverse of an admissible mass, or 0, which
+   stands for a wall. The limits of masses and velocities admit every real
+   body. Beyond them a square may overflow or underflow, and the result
+   would be infinity or NaN. */
 static bool is_inverse_mass(double im)
 {
     return im == 0 || (im >= 1e-290 && im <= 1e290);
@@ -210,8 +211,8 @@ static struct totals totals_of(struct pair *p,
     return sum;
 }
 
-/* Returns the energy that an inelastic collision loses:
-   (1.9, eq:energy-loss). */
+/* Returns the energy that an inelastic collision loses (1.9,
+   eq:energy-loss). */
 static quad expected_loss(struct pair *p, double restitution)
 {
     quad approach = 0, nn = 0;
@@ -224,8 +225,9 @@ static quad expected_loss(struct pair *p, double restitution)
            nn / ((quad)p->im[0] + p->im[1]);
 }
 
-/* Returns the error of the momentum over the sum of m |v|: the total
-   momentum may be zero without anything being wrong. */
+/* Returns the change of the momentum from a to b divided by the sum of m
+   |v|, in machine epsilons. The total momentum itself may be zero, and is
+   no scale. */
 static double momentum_error(struct pair *p, const struct totals *a,
                              const struct totals *b)
 {
@@ -235,7 +237,8 @@ static double momentum_error(struct pair *p, const struct totals *a,
     return length(p->dimensions, change) / DBL_EPSILON;
 }
 
-/* Collides the pair. Returns how rounding changes energy and momentum. */
+/* Collides the pair. Returns the rounding errors of its energy and
+   momentum. */
 static struct errors collide_pair(struct pair *p)
 {
     struct errors error = {0, 0};
@@ -247,7 +250,7 @@ static struct errors collide_pair(struct pair *p)
             : collide_along_by(given.form, p->dimensions, p->normal,
                                p->after[0], p->after[1], p->im[0], p->im[1],
                                given.restitution);
-    assert(collided); /* read_settings has refused the rest */
+    assert(collided); /* read_settings refuses all other input */
     (void)collided;
     const struct totals a = totals_of(p, p->before);
     const struct totals b = totals_of(p, p->after);
@@ -279,8 +282,8 @@ static void print_body(struct table *out, struct pair *p, int body)
     table_print(out, "\n");
 }
 
-/* Prints a collision. The percentages are the true changes of the rounded
-   numbers, and so they are seldom zero. */
+/* Prints a collision. The percentages are computed with 113 bits from the
+   rounded velocities, so they are seldom exactly zero. */
 static void print_collision(struct table *out, struct pair *p,
                             double restitution)
 {
@@ -310,10 +313,10 @@ static void print_collision(struct table *out, struct pair *p,
     table_print(out, "\n");
 }
 
-/* Draws a pair of bodies. Without --mass-ratio the inverse masses are 0.1
-   to 1.1, a mild choice; with it the ratio is drawn from 1/R to R, every
-   factor of two equally likely. The normal points anywhere and has a
-   length from 1/2 to 3/2, so that a forgotten division by n.n shows. */
+/* Draws a pair of bodies. Without --mass-ratio each inverse mass is drawn
+   from 0.1 to 1.1. With it the logarithm of the mass ratio is uniform from
+   log(1/R) to log R. The normal has a random direction and a length from
+   1/2 to 3/2, so that a forgotten division by n.n is noticed. */
 static void draw_pair(struct random *r, struct pair *p)
 {
     p->dimensions = given.dimensions;
@@ -334,8 +337,9 @@ static void draw_pair(struct random *r, struct pair *p)
         p->normal[i] *= length;
 }
 
-/* Finds the worst error of all collisions and the root mean square, which
-   is what adds up in a random walk. Returns false if it was interrupted. */
+/* Collides random pairs, and writes the largest and the root-mean-square
+   error. The latter determines how the errors of many collisions
+   accumulate. Returns false if it was interrupted. */
 static bool run_tests(struct table *out, struct table *summary)
 {
     struct errors worst = {0, 0}, rms = {0, 0};
@@ -380,14 +384,14 @@ static bool run_tests(struct table *out, struct table *summary)
     return complete;
 }
 
-/* Collides the pair of the command line. Warns on standard error of two
-   things that are no errors. Bodies that move apart along the normal have
-   an answer, too (with e = 1 the state before their last collision), but it
-   is probably not the one that was meant. And rounding explains no error
-   beyond 16 machine epsilons: the worst of a million random collisions has
-   2.9 on a line and 7.7 in space. This limit is relative, so that it does
-   not depend on the units; a fixed one, of 1e-4 say, would miss errors of
-   small bodies and warn of large ones that are right. */
+/* Collides the pair given on the command line. Warns on standard error in
+   two cases. Bodies that move apart along the normal do have a result (with
+   e = 1 the state before their last collision), but probably not the one
+   that was meant. And rounding cannot explain an error above 16 machine
+   epsilons: the largest error in a million random collisions is 2.9 on a
+   line and 7.7 in space. The limit is relative, so that it does not depend
+   on the units. An absolute one, such as 1e-4, would miss errors of small
+   bodies and warn of correct results for large ones. */
 static void run_by_hand(struct table *out, struct table *summary)
 {
     struct pair p = {.dimensions = given.dimensions};

@@ -1,4 +1,5 @@
-/* Runs hard disks or spheres in a box, and measures them on the way. */
+/* Simulates hard disks or spheres in a box, and measures their
+   properties. */
 #include "box/blocks.h"
 #include "box/cells.h"
 #include "box/disks.h"
@@ -21,10 +22,11 @@
 
 enum {
     NO_BOUNDARY = DISKS_BOUNDARIES, /* no boundary was given */
-    PARTS = 1000000                 /* parts of a run for its progress */
+    PARTS = 1000000                 /* units in which progress is counted */
 };
 
-/* The command line. An option that was not given is 0, NULL or NaN. */
+/* The settings from the command line. An option that was not given is 0,
+   NULL or NaN, unless a default is set below. */
 static struct {
     size_t disks, dimensions, axes; /* axes: numbers given for the box */
     size_t boundary, engine, measure;
@@ -46,8 +48,9 @@ static struct {
            .seed = 1,
            .summary = "/dev/null"};
 
-/* Returns whether the start is read from a file: "lattice" and "random" are
-   starts that the program makes, every other name is that of a file. */
+/* Returns whether the start is read from a file. The program creates the
+   starts "lattice" and "random" itself; every other name is that of a
+   file. */
 static bool starts_from_file(void)
 {
     return strcmp(given.start, "lattice") != 0 &&
@@ -76,8 +79,8 @@ static void make_sums(struct blocks *b, size_t width)
 
 enum { KINDS = 100 };
 
-/* Disks by kind, in consecutive numbers. Usually there is one kind; a heavy
-   disk is a kind of its own and comes first. */
+/* The kinds of disks; the disks of a kind have consecutive numbers. Usually
+   there is one kind. A heavy disk is a separate kind and comes first. */
 struct mixture {
     size_t kinds, total;
     struct {
@@ -86,8 +89,8 @@ struct mixture {
     } kind[KINDS];
 };
 
-/* Adds a kind; returns false if its numbers, which may come from a file,
-   are not those of disks. */
+/* Adds a kind. Returns false if its numbers, which may come from a file,
+   are not valid. */
 static bool add_kind(struct mixture *m, double count, double mass,
                      double radius)
 {
@@ -102,8 +105,8 @@ static bool add_kind(struct mixture *m, double count, double mass,
     return m->total <= DISKS_MOST;
 }
 
-/* Reads a file of kinds, three numbers in a line. What follows a # is a
-   comment. */
+/* Reads a file of kinds, with three numbers in each line. The text after a
+   # is a comment. */
 static void read_kinds(struct mixture *m, const char *path)
 {
     FILE *file = fopen(path, "r");
@@ -124,9 +127,9 @@ static void read_kinds(struct mixture *m, const char *path)
     fclose(file);
 }
 
-/* Returns the side of a square or cube of this size. Newton's method from
-   above, for as long as it descends, rounds alike on all machines, which
-   cbrt() does not. */
+/* Returns the side of a square of the area `size`, or of a cube of that
+   volume. Newton's method from above, continued for as long as it descends,
+   gives the same rounded result on all machines, which cbrt() does not. */
 static double side_of(double size, size_t dimensions)
 {
     if (dimensions == 2)
@@ -139,8 +142,8 @@ static double side_of(double size, size_t dimensions)
     return x;
 }
 
-/* Sets the box. Of packing, radius and box any two give the third; the size
-   of all disks is their packing in a box of size 1. */
+/* Sets the box. Any two of packing, radius and box determine the third. In
+   a box of size 1, the packing is the total area or volume of the disks. */
 static void choose_box(struct disks *d)
 {
     for (size_t k = 0; k < d->dimensions; ++k)
@@ -153,8 +156,8 @@ static void choose_box(struct disks *d)
         d->box[k] = side;
 }
 
-/* Returns the radius; where packing and box give it, the heavy disk's area
-   or volume is taken off first. */
+/* Returns the radius. If it follows from packing and box, the area or
+   volume of the heavy disk is subtracted first. */
 static double choose_radius(void)
 {
     const double pi = 3.14159265358979324;
@@ -196,8 +199,8 @@ static void fill_box(struct disks *d)
     choose_box(d);
 }
 
-/* Draws velocities. Random velocities have a random temperature, too; a
-   common factor makes it that of --temperature. */
+/* Draws velocities. The temperature of random velocities is random, too, so
+   they are rescaled to that of --temperature. */
 static void set_velocities(struct disks *d, struct random *r)
 {
     if (given.temperature == 0) {
@@ -220,7 +223,8 @@ static double widest(const struct disks *d)
     return most;
 }
 
-/* Draws the places first, then the velocities, both from one seed. */
+/* Creates a start: draws the positions, then the velocities, from one
+   seed. */
 static void make_start(struct disks *d)
 {
     struct random r;
@@ -248,8 +252,8 @@ static void make_start(struct disks *d)
     set_velocities(d, &r);
 }
 
-/* Reads a start, with the box of its file, if it has one; options may put
-   its disks into another box. */
+/* Reads a start and its box from a file. --box and --boundary replace those
+   of the file. */
 static void read_start(struct disks *d)
 {
     char message[STATES_MESSAGE];
@@ -270,32 +274,32 @@ static void read_start(struct disks *d)
                            given.start);
 }
 
-/* The disks, the engine that moves them, the sums of the pressure, and the
-   sampling times that have passed. */
+/* A run: the disks, the engine that moves them, the sums for the pressure,
+   and the progress of sampling. */
 struct run {
     struct disks d;
-    struct cells cells; /* the engine, if fast */
-    bool fast;          /* cells, not all pairs */
+    struct cells cells; /* the engine if fast is true */
+    bool fast;          /* use cells, not all pairs */
     struct table *out;
     double kT, energy;          /* at the start */
-    double common[DISKS_AXES];  /* m/s, the common velocity: no heat */
-    double begin, piece, until; /* s; piece: of time, for the pressure */
+    double common[DISKS_AXES];  /* velocity of the centre of mass, m/s */
+    double begin, piece, until; /* start, piece and end of the run, s */
     struct blocks pressure;
-    double impulse[DISKS_AXES], virial; /* sums before the present piece */
-    uint64_t row, rows; /* the last sampling time's number; samples taken */
+    double impulse[DISKS_AXES], virial; /* before the current piece */
+    uint64_t row, rows; /* number of the sampling time; samples taken */
     double seconds;
     enum disks_stop stop;
     struct progress progress;
-    double drift;         /* the largest of all averages, in errors */
-    const char *drifting; /* the average that has it */
+    double drift;         /* largest drift of an average, in errors */
+    const char *drifting; /* name of the average with that drift */
 };
 
-/* Up to this number of disks examining all pairs is as fast as cells. */
+/* Up to this number of disks, examining all pairs is as fast as cells. */
 enum { FEW = 16 };
 
 /* Chooses the engine. With few disks it is faster to examine all pairs, and
-   a small periodic box has no room for cells. Both engines give the same
-   bytes, so tables do not name the engine. */
+   a small periodic box is too narrow for cells. The results of both engines
+   are identical, so tables do not name the engine. */
 static void choose_engine(struct run *r)
 {
     const bool suit = cells_suit(&r->d);
@@ -306,8 +310,8 @@ static void choose_engine(struct run *r)
                        (given.engine == AUTO && r->d.count > FEW));
 }
 
-/* Prepares the engine from the present state; needed again when the state
-   has been changed from outside. */
+/* Prepares the engine for the current state. This must be repeated when the
+   state has been changed by anything but the engine. */
 static void plan(struct run *r)
 {
     cells_free(&r->cells);
@@ -316,8 +320,8 @@ static void plan(struct run *r)
                    "for the events");
 }
 
-/* Runs to a time or a collision. The cells stop earlier only if there is no
-   memory for longer lists of neighbours. */
+/* Runs to a time or a number of collisions. The cells stop earlier only if
+   there is no memory for longer neighbour lists. */
 static enum disks_stop advance(struct run *r, double until,
                                uint64_t collisions)
 {
@@ -337,9 +341,9 @@ static double shortest(const struct disks *d)
     return least;
 }
 
-/* Returns the length of the first pieces of time in which the pressure is
-   summed: about the time between two collisions anywhere in the box. Pieces
-   get longer when blocks are joined. */
+/* Returns the length (s) of the first pieces of time over which the
+   pressure is averaged: about the time between two collisions in the box.
+   Pieces become longer when blocks are joined. */
 static double first_piece(const struct disks *d)
 {
     double mass = 0;
@@ -349,11 +353,11 @@ static double first_piece(const struct disks *d)
     return shortest(d) / speed / (double)d->count;
 }
 
-/* Returns the time, s, at which the present piece ends; the division into
+/* Returns the time (s) at which the current piece ends. The division into
    pieces does not affect the results. The pressure of disks that lose
    energy is not measured, and the interval between their collisions may
-   double each time: their pieces are made longer as they slow down, and
-   infinitely long when they rest. */
+   double each time. So their pieces become longer as they slow down, and
+   infinitely long when they are at rest. */
 static double end_of_piece(const struct run *r)
 {
     const size_t per = r->pressure.per;
@@ -364,9 +368,9 @@ static double end_of_piece(const struct run *r)
 }
 
 /* Runs to a time or a number of collisions, piece by piece. At the end of
-   each piece its sums are appended to the blocks: the momentum that the
-   walls received along each axis, and the virial. Progress is the fraction
-   of the time or of the collisions, whichever is given. */
+   each piece the blocks receive its sums: the momentum transferred to the
+   walls along each axis, and the virial. Progress is measured as a fraction
+   of the time or, if there is no time limit, of the collisions. */
 static void run_to(struct run *r, double until, uint64_t collisions)
 {
     const double start = bench_seconds();
@@ -401,8 +405,8 @@ static void run_to(struct run *r, double until, uint64_t collisions)
     r->seconds += bench_seconds() - start;
 }
 
-/* Keeps the largest drift of all averages, which is reported if the run was
-   not steady. */
+/* Stores the largest drift of all averages, which is reported if the run
+   was not steady. */
 static void watch_drift(struct run *r, const char *of, double drift)
 {
     if (r->drifting && !(fabs(drift) > fabs(r->drift)))
@@ -411,10 +415,10 @@ static void watch_drift(struct run *r, const char *of, double drift)
     r->drifting = isnan(drift) ? NULL : of;
 }
 
-/* Returns whether collisions can be expected at all. A disk that crosses
-   the box sweeps a fraction of about (4r/L)^(D-1) of it for each of the
-   others; if it had to cross it 1e9 times, a run to a collision is
-   refused. */
+/* Returns whether collisions can be expected. A disk that crosses the box
+   hits each of the others with a probability of about (4r/L)^(D-1). If it
+   would need more than 1e9 crossings for a collision, a run to a collision
+   is refused. */
 static bool can_meet(const struct disks *d)
 {
     const double across = 4 * widest(d) / shortest(d);
@@ -422,10 +426,10 @@ static bool can_meet(const struct disks *d)
     return fraction * (double)(d->count - 1) > 1e-9 && disks_heat(d) > 0;
 }
 
-/* Runs until each disk has had `each` collisions, ends a little after the
-   last of them, at a time when nothing happens, and sets all counts to
-   zero. It runs in slices, so that a signal is noticed even if collisions
-   are rare. */
+/* Runs until the disks have had `each` collisions on average, continues to
+   a time shortly after the last collision, and sets all counts to zero. It
+   runs in slices, so that a signal is noticed even if collisions are
+   rare. */
 static void warm_up(struct run *r, double each)
 {
     const double count = (double)r->d.count;
@@ -456,18 +460,18 @@ static void begin_run(struct run *r)
     r->piece = first_piece(&r->d);
 }
 
-/* Returns P V/(N kT) from the impulse that the walls across axis k took in
-   a time; there are two, of the size V/L each. */
+/* Returns P V/(N kT) from the impulse that the two walls across axis k
+   received during the given time. The area or length of each wall is
+   V/L. */
 static double Z_wall(const struct run *r, size_t k, double impulse,
                      double time)
 {
     return impulse * r->d.box[k] / (2 * time * (double)r->d.count * r->kT);
 }
 
-/* Returns the pressure from the sums of collisions: P V/(N kT) in a
-   periodic box (7.5, eq:virial); with walls the mean of Z_wall (1 - 2R/L),
-   since walls act on centres that stay a radius away (7.6,
-   eq:gas-walls). */
+/* Returns P V/(N kT) in a periodic box from the virial (7.5, eq:virial).
+   With walls the result is the mean of Z_wall (1 - 2R/L), since the centres
+   stay a radius away from the walls (7.6, eq:gas-walls). */
 static double Z_virial(const struct run *r, double virial, double time)
 {
     return 1 +
@@ -492,10 +496,10 @@ enum { BINS = 100 };
 
 static const char *const axis_names[] = {"x", "y", "z"};
 
-static struct blocks counted; /* of positions or speeds */
+static struct blocks counted; /* counts of positions or speeds */
 
 /* Begins the table of positions, which are counted in BINS bins along each
-   axis; their density has the integral 1 over the box. */
+   axis. The integral of each density over the box is 1. */
 static void begin_positions(struct run *r)
 {
     make_sums(&counted, r->d.dimensions * BINS);
@@ -510,8 +514,8 @@ static void begin_positions(struct run *r)
     }
 }
 
-/* Counts the positions in bins; one that rounding has put just outside the
-   box counts in the last bin. */
+/* Counts the positions in bins. A position that rounding has put just
+   outside the box is counted in the first or last bin. */
 static void sample_positions(struct run *r)
 {
     static double sample[DISKS_AXES * BINS];
@@ -531,8 +535,8 @@ static void sample_positions(struct run *r)
     blocks_add(&counted, sample);
 }
 
-/* Writes the distribution of positions. The lower end of a bin is given
-   along x; along another axis it is the same fraction of the box. */
+/* Writes the distribution of positions. The row gives the lower end of the
+   bin along x; along other axes it is the same fraction of the box. */
 static void end_positions(struct run *r, struct table *summary)
 {
     (void)summary;
@@ -548,8 +552,8 @@ static void end_positions(struct run *r, struct table *summary)
     }
 }
 
-/* Bins of the scaled speed from 0 to 4. With 42 of them the speed 1, at
-   which MPPhys's gas starts, is in the middle of one. */
+/* The number of bins of the scaled speed from 0 to 4. With 42 bins the
+   speed 1, at which the gas of MPPhys starts, is in the middle of a bin. */
 enum { SPEEDS = 42 };
 
 static double edge_of(size_t bin)
@@ -563,8 +567,8 @@ static size_t bin_of(double u)
     return bin < SPEEDS ? (size_t)bin : SPEEDS;
 }
 
-/* Returns the speed of disk i in its own unit, sqrt(2kT/m), and in parts
-   the moduli of its components. */
+/* Returns the speed of disk i in units of sqrt(2kT/m), with its mass m, and
+   sets parts to the absolute values of its components. */
 static double scaled_speed(const struct run *r, size_t i, double parts[])
 {
     const double *v = r->d.disk[i].velocity;
@@ -577,8 +581,8 @@ static double scaled_speed(const struct run *r, size_t i, double parts[])
     return sqrt(square);
 }
 
-/* Begins the table of speeds. A sample has the densities of the speed and
-   of the modulus of a component, and the means of u and u^4. */
+/* Begins the table of speeds. A sample consists of the densities of the
+   speed and of a component's absolute value, and the means of u and u^4. */
 static void begin_speeds(struct run *r)
 {
     make_sums(&counted, 2 * SPEEDS + 2);
@@ -593,7 +597,7 @@ static void begin_speeds(struct run *r)
                   {"Maxwell", "", "law of infinitely many"});
 }
 
-/* Counts the speeds and the components of the velocities; all components
+/* Counts the speeds and the components of the velocities. All components
    have the same distribution and are counted together. */
 static void sample_speeds(struct run *r)
 {
@@ -617,9 +621,9 @@ static void sample_speeds(struct run *r)
 
 enum { FINITE, MAXWELL, SPEED = 0, PART = 2, LAWS = 4 };
 
-/* Returns chi-square of the speeds against a law, and in *bins over how
-   many bins it is summed: those with a density above 1e-3; in the others
-   too few disks are counted for an error that can be trusted. */
+/* Returns chi-square of the speeds against a law, and sets *bins to the
+   number of bins in the sum. These are the bins with a density above 1e-3;
+   the others contain too few disks for a reliable error. */
 static double chi_square(const double density[], size_t *bins)
 {
     double sum = 0;
@@ -635,8 +639,8 @@ static double chi_square(const double density[], size_t *bins)
     return sum;
 }
 
-/* Writes the measured densities next to those of both laws, and the means
-   into the summary. */
+/* Writes the measured densities and those of both laws, and writes the
+   means into the summary. */
 static void end_speeds(struct run *r, struct table *summary)
 {
     static double density[LAWS][SPEEDS];
@@ -686,8 +690,8 @@ static void begin_relaxation(struct run *r)
                   {"H", "", "Boltzmann's H, v in sqrt(2kT/m)"});
 }
 
-/* Returns the area or volume of velocities with a speed in this bin;
-   Boltzmann's H is summed over these shells. */
+/* Returns the area or volume of the shell in velocity space that belongs to
+   a bin of speeds. Boltzmann's H is a sum over these shells. */
 static double shell(size_t bin, size_t dimensions)
 {
     const double pi = 3.14159265358979324;
@@ -696,8 +700,8 @@ static double shell(size_t bin, size_t dimensions)
                            : 4 * pi / 3 * (b * b * b - a * a * a);
 }
 
-/* Writes a row. The ratio needs no unit; H has the unit sqrt(2kT/m). Speeds
-   beyond the last bin count in the last. */
+/* Writes a row. The ratio has no unit. H is computed with velocities in
+   units of sqrt(2kT/m). Speeds beyond the last bin are counted in it. */
 static void sample_relaxation(struct run *r)
 {
     const double N = (double)r->d.count;
@@ -722,8 +726,8 @@ static struct {
     double time, impulse[DISKS_AXES], virial;
 } previous;
 
-/* Begins the table of the pressure. A row has the pressure since the row
-   before. */
+/* Begins the table of the pressure. Each row contains the pressure averaged
+   over the time since the previous row. */
 static void begin_pressure(struct run *r)
 {
     const bool walls = r->d.boundary == DISKS_WALLS;
@@ -740,8 +744,8 @@ static void begin_pressure(struct run *r)
                        : "P V/(N kT) from collisions");
 }
 
-/* Writes a row of the pressure since the last one; at the first sampling
-   time no time has passed, and there is no row. */
+/* Writes a row with the pressure since the last one. At the first sampling
+   time no time has passed, and no row is written. */
 static void sample_pressure(struct run *r)
 {
     const struct disks *d = &r->d;
@@ -766,7 +770,7 @@ static struct {
     double (*row)[2 * DISKS_AXES];
 } path;
 
-/* Begins the table of Brownian motion. Disk 1 is the heavy one: its
+/* Begins the table of Brownian motion. The heavy disk is disk 1. Its
    position, not folded into the box, and its velocity are stored at each
    sampling time. */
 static void begin_brownian(struct run *r)
@@ -778,7 +782,8 @@ static void begin_brownian(struct run *r)
                   {"error", "m2", "its standard error"});
 }
 
-/* Appends a state to the path, whose memory doubles as it grows. */
+/* Appends a state of the heavy disk to the path, whose memory doubles when
+   it is full. */
 static void sample_heavy(struct run *r)
 {
     if (path.rows == path.space) {
@@ -812,8 +817,8 @@ static double square_of(const double a[], const double b[], size_t D)
 
 typedef double of_rows(const double a[], const double b[], size_t D);
 
-/* Averages f over all pairs of rows `lag` apart, with an error from
-   blocking. */
+/* Returns the average of f over all pairs of rows `lag` apart, with an
+   error from blocking. */
 static struct blocks_average over_path(of_rows *f, size_t lag, size_t D,
                                        double x[])
 {
@@ -823,9 +828,9 @@ static struct blocks_average over_path(of_rows *f, size_t lag, size_t D,
     return blocks_average_of(n, x);
 }
 
-/* Returns -dC/dt of the velocity correlation at lag 0: twice the slope to
-   the first lag less the slope to the second, so that a curvature
-   cancels. */
+/* Returns -dC/dt of the velocity autocorrelation at lag 0. Twice the slope
+   to the first lag minus the slope to the second eliminates the
+   curvature. */
 static struct blocks_average first_slope(const struct run *r, double x[])
 {
     const size_t D = r->d.dimensions, n = path.rows - 2;
@@ -839,11 +844,11 @@ static struct blocks_average first_slope(const struct run *r, double x[])
     return blocks_average_of(n, x);
 }
 
-/* Writes correlation and mean square displacement for lags that grow by a
-   seventh, and compares the start of the decay with theory, which needs
-   only the rate of collisions counted. In a box with walls these would be
-   among the collisions, with another reduced mass, and no theory is
-   written. */
+/* Writes the correlation and the mean square displacement for lags that
+   grow by a seventh. Compares the initial decay with the theory, which
+   needs only the measured collision rate. In a box with walls that rate
+   would include wall collisions, with another reduced mass, so no
+   theoretical value is written. */
 static void end_brownian(struct run *r, struct table *summary)
 {
     const size_t D = r->d.dimensions;
@@ -987,9 +992,9 @@ static const struct table_key keys[] = {
     {"slope_exact", "m2/s3", "from heavy_rate"},
     {0}};
 
-/* Reads the command line, and refuses options that contradict each other. A
-   gas that cools, one whose relaxation is measured, and one from a file
-   have no warm-up unless one is given. */
+/* Reads the command line, and refuses options that contradict each other.
+   By default there is no warm-up for a gas that cools, a measurement of
+   relaxation, or a start from a file. */
 static void read_settings(int argc, char *argv[])
 {
     struct options o;
@@ -1066,10 +1071,10 @@ static void read_settings(int argc, char *argv[])
                            : 100;
 }
 
-/* Writes the results that all kinds of runs have. The energy has another
-   key if it is meant to change. Only a gas that keeps its energy has a
-   pressure: the compressibility from the walls and from the virial over the
-   whole run, with the errors of the blocks. */
+/* Writes the results that are common to all measurements. The energy has
+   another key if it is meant to change. The pressure is written only for a
+   gas that keeps its energy: the compressibility from the walls and from
+   the virial over the whole run, with errors from blocking. */
 static void summarise(struct run *r, struct table *out)
 {
     const double time = r->d.now - r->begin;
@@ -1111,8 +1116,8 @@ static void summarise(struct run *r, struct table *out)
                r->seconds > 0 ? all / r->seconds : 0);
 }
 
-/* Warns that an average changed during the run by more than its error
-   explains, if the run writes averages and not just states. */
+/* Warns if an average changed during the run by more than its error
+   explains, unless the run writes no averages. */
 static void report_drift(const struct run *r)
 {
     const bool averages =
@@ -1127,10 +1132,10 @@ static void report_drift(const struct run *r)
 
 /* Runs from one sampling time to the next and takes a sample at each.
    Sampling times are multiples of --every counted from 0, not from the
-   start, so that a continued run has the same ones as a run without a
-   break. A histogram must not contain the moment of the last collision, at
-   which two disks touch. A list of states ends with that moment, and a
-   pressure without --every is that of the whole run. */
+   start, so that a continued run has the same ones as an uninterrupted run.
+   A histogram must not include the state at the last collision, in which
+   two disks touch. A list of states does end with that state, and a
+   pressure without --every is averaged over the whole run. */
 static void run_and_sample(struct run *r)
 {
     const double every = given.every;
@@ -1154,8 +1159,9 @@ static void run_and_sample(struct run *r)
     }
 }
 
-/* Sets the end of the run, and the sampling time from which it starts; a
-   time just below a multiple of --every, by rounding, is that multiple. */
+/* Sets the end of the run and the number of its first sampling time. A time
+   that is just below a multiple of --every because of rounding is taken as
+   that multiple. */
 static void choose_end(struct run *r)
 {
     const double per_clock = r->d.now / given.every;
@@ -1173,8 +1179,10 @@ static void choose_end(struct run *r)
         given.collisions = 50 * (uint64_t)r->d.count;
 }
 
-/* Returns whether all disks are inside and none overlaps another; *a and *b
-   are those that do. Many disks are compared in cells, few in pairs. */
+/* Returns whether all disks are inside the box and no two overlap.
+   Otherwise *a and *b are the overlapping disks, or *a is the disk outside
+   and *b the number of disks. Many disks are compared in cells, few in
+   pairs. */
 static bool is_valid_start(struct run *r, size_t *a, size_t *b)
 {
     if (!r->fast)
@@ -1187,8 +1195,8 @@ static bool is_valid_start(struct run *r, size_t *a, size_t *b)
     return cells_fit(&r->cells, a, b);
 }
 
-/* Refuses more rows than can be counted, until the end of the run or, if a
-   collision ends it, in the time that a disk takes to cross the box. */
+/* Refuses more rows than can be counted before the end of the run or, if it
+   ends at a collision, in about the time between two collisions. */
 static void check_rows(const struct run *r)
 {
     const struct disks *d = &r->d;
@@ -1209,9 +1217,9 @@ static double shortest_periodic(const struct disks *d)
     return least;
 }
 
-/* Refuses a start that is no state, or that cannot be measured in the given
-   way. A periodic box must be wide enough that one image is the nearest.
-   Only a file can bring disks that do not fit. */
+/* Refuses a start that is invalid, or that cannot be measured in the given
+   way. A periodic box must be so wide that only one image is nearest. Only
+   disks from a file can overlap or be outside the box. */
 static void check_start(struct run *r)
 {
     const struct disks *d = &r->d;
@@ -1263,8 +1271,9 @@ static void check_start(struct run *r)
                    a + 1, b + 1);
 }
 
-/* Switches gravity on. The disks of a state have flown straight since their
-   last collision; from now on they fall. */
+/* Switches gravity on. Since their last collision the disks have moved
+   uniformly, so their positions are updated first; from now on they
+   fall. */
 static void begin_to_fall(struct disks *d, double gravity)
 {
     for (size_t i = 0; i < d->count && gravity > 0; ++i) {
@@ -1274,8 +1283,8 @@ static void begin_to_fall(struct disks *d, double gravity)
     d->gravity = gravity;
 }
 
-/* Prints why a run ended early: inelastic collapse, a disk on the floor,
-   speeds too low, or rest. */
+/* Prints why a run ended early: a disk at rest on the floor, inelastic
+   collapse, speeds that are too low, or rest of all disks. */
 static void report_collapse(const struct disks *d)
 {
     const size_t lying = disks_lying(d);
@@ -1292,10 +1301,10 @@ static void report_collapse(const struct disks *d)
             (unsigned long long)d->collisions);
 }
 
-/* Runs disks. The start is made before files are opened, so that a start
-   that is refused leaves no trace. The head is written before the warm-up,
-   so that a run interrupted in it leaves a table; an interrupted run gets
-   no summary. */
+/* Runs disks. The start is created before files are opened, so that a
+   refused start leaves no file. The head is written before the warm-up, so
+   that a run interrupted during the warm-up leaves a table. An interrupted
+   run has no summary. */
 int main(int argc, char *argv[])
 {
     static struct run r;

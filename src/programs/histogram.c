@@ -1,4 +1,4 @@
-/* Describes columns of a table: moments, errors, histograms, laws. */
+/* Analyses columns of a table: moments, errors, histograms and laws. */
 #include "line/laws.h"
 #include "line/statistics.h"
 #include "toolbox/bench.h"
@@ -24,34 +24,34 @@ enum kind { HISTOGRAM, COLUMNS, BLOCKS, CORRELATION, COST };
 static struct {
     const char *columns, *against, *file, *output, *summary_path, *command;
     enum kind kind;
-    uint64_t bins, skip; /* bins = 0: as many as suit the data */
+    uint64_t bins, skip; /* bins = 0: chosen from the data */
     bool fit, block;
     double range[MOST_COLUMNS][2];
     struct law law[MOST_COLUMNS];
-    size_t ranges, laws; /* 0, 1 for all columns, or one for each */
+    size_t ranges, laws; /* 0, 1 for all columns, or one for each column */
     struct table *out, *summary;
 } given = {.columns = "all", .summary_path = "/dev/null"};
 
 struct column {
-    size_t number; /* in the file, from 1 on */
+    size_t number; /* in the file, counted from 1 */
     char name[NAME_LENGTH], unit[NAME_LENGTH];
     double *x;
-    struct statistics_description d; /* of x */
+    struct statistics_description d; /* description of x */
 };
 
-/* The columns that are needed, and no others, because a table may have a
-   million rows. */
+/* The requested columns of the table. No others are stored, because a table
+   may have a million rows. */
 struct columns {
-    size_t count, rows, capacity, last; /* the last that a row must have */
+    size_t count, rows, capacity, last; /* last: largest column number */
     struct column column[MOST_COLUMNS];
     bool against;  /* the last column is that of --against */
-    uint64_t line; /* of the file, for messages; 0: none */
+    uint64_t line; /* line number for messages; 0: none */
     uint64_t seed;
-    char *made_by; /* the command in the file's head, if any */
+    char *made_by; /* command in the head of the file, or NULL */
 };
 
-/* Prints an error in the input, with file and line in the form that editors
-   know, and ends the program. */
+/* Prints an error in the input after FILE:LINE, a form that editors
+   recognise, and ends the program. */
 static _Noreturn void bad_input(const struct columns *c, const char *format,
                                 ...)
 {
@@ -79,8 +79,8 @@ struct head {
 };
 
 /* Reads "# 3 x1 [m] ...", "# command: ..." or "# seed: ..."; any other line
-   is a comment. Command and seed are copied to the table that is written,
-   so that a histogram names the origin of its samples. */
+   is a comment. Command and seed are copied to the output, so that a
+   histogram shows the origin of its samples. */
 static void read_head(struct head *h, struct columns *c, const char *text)
 {
     char name[NAME_LENGTH], unit[NAME_LENGTH];
@@ -115,9 +115,10 @@ static const char *next_field(const char *text)
     return text;
 }
 
-/* Returns the number of the column that `name` gives, up to a comma: by its
-   number, as in gnuplot, or by its name in the head. A name may begin with
-   a digit, so it is a number only if all of it is. */
+/* Returns the number of the column that is given at the start of `name`, up
+   to a comma, either as a number, as in gnuplot, or as a name from the
+   head. Names may begin with a digit, so only an entry that consists of
+   digits is a number. */
 static size_t find_column(struct columns *c, const struct head *h,
                           const char *name, size_t fields)
 {
@@ -137,8 +138,8 @@ static size_t find_column(struct columns *c, const struct head *h,
               (int)length, name);
 }
 
-/* Adds a column. One without a name is called c with its number, since the
-   keys of the summary need a name. */
+/* Adds a column. The keys of the summary need a name, so a column without
+   one is named after its number, such as c3. */
 static void add_column(struct columns *c, const struct head *h,
                        size_t number)
 {
@@ -156,9 +157,9 @@ static void add_column(struct columns *c, const struct head *h,
     ++c->count;
 }
 
-/* Chooses the columns, at the first row, which tells how many there are.
-   The column of --against comes last. One law or range serves all columns;
-   otherwise there must be one for each. */
+/* Chooses the columns when the first row is read, which determines how many
+   there are. The column of --against comes last. One law or range applies
+   to all columns; otherwise there must be one for each. */
 static void choose_columns(struct columns *c, const struct head *h,
                            const char *row)
 {
@@ -182,8 +183,8 @@ static void choose_columns(struct columns *c, const struct head *h,
         bad_input(c, "%zu ranges for %zu columns", given.ranges, wanted);
 }
 
-/* Makes space for more rows. Memory is doubled each time, so that a number
-   is copied less than twice on average. */
+/* Makes space for more rows. The memory is doubled each time, so that on
+   average a number is copied less than twice. */
 static void grow_columns(struct columns *c)
 {
     if (c->rows < c->capacity)
@@ -198,9 +199,9 @@ static void grow_columns(struct columns *c)
     }
 }
 
-/* Reads a finite number, which is all of a field. strtod alone would take
-   nan and inf, and stop without complaint in the middle of 1.5abc; one NaN
-   in a million rows would make every mean NaN. */
+/* Reads a field that must be a finite number. strtod alone would accept nan
+   and inf, and would ignore the end of 1.5abc. One NaN in a million rows
+   would make every mean NaN. */
 static double read_number(struct columns *c, const struct column *column,
                           const char *text)
 {
@@ -216,8 +217,8 @@ static double read_number(struct columns *c, const struct column *column,
     return value;
 }
 
-/* Stores a row. Only the wanted columns are read as numbers: a column of
-   names in the same table does no harm. */
+/* Stores a row. Only the requested columns are read as numbers, so the
+   others may contain text. */
 static void take_row(struct columns *c, const char *text)
 {
     const char *field[MOST_COLUMNS];
@@ -236,8 +237,8 @@ static void take_row(struct columns *c, const char *text)
     ++c->rows;
 }
 
-/* Reads the columns of the table. At least two rows are required, for a
-   standard deviation. */
+/* Reads the columns of the table. A standard deviation needs at least two
+   rows. */
 static void read_table(struct columns *c)
 {
     FILE *file =
@@ -418,16 +419,16 @@ struct bins {
 };
 
 /* Returns the bins of a column. Without --range they reach from the least
-   sample to the greatest; without --bins there are as many as (3.19,
-   eq:width) advises. */
+   sample to the greatest. Without --bins their number is computed from
+   (3.19, eq:width). */
 static struct bins choose_bins(size_t i,
                                const struct statistics_description *d)
 {
     const double *range = given.range[given.ranges > 1 ? i : 0];
     struct bins b = {given.ranges > 0 ? range[0] : d->least,
                      given.ranges > 0 ? range[1] : d->greatest, given.bins};
-    if (b.low == b.high) { /* a column that never changes */
-        /* Wide enough that a thousand edges are different numbers. */
+    if (b.low == b.high) { /* all samples are equal */
+        /* Wide enough that a thousand bin edges are distinct doubles. */
         const double half = fmax(0.5, fabs(b.low) * 0x1p-40);
         b.low -= half;
         b.high += half;
@@ -437,8 +438,9 @@ static struct bins choose_bins(size_t i,
     return b;
 }
 
-/* Refuses a column of which no table can be made. All columns are described
-   before anything is written, so that no table is begun in vain. */
+/* Ends the program if no table can be made from a column. All columns are
+   checked before anything is written, so that no incomplete table is
+   left. */
 static void refuse_column(const struct columns *c,
                           const struct column *column)
 {
@@ -449,7 +451,7 @@ static void refuse_column(const struct columns *c,
                   "%s reaches from %g to %g, expected a range that is less "
                   "than %g",
                   column->name, d->least, d->greatest, DBL_MAX);
-    /* The errors of the variance are smaller by less than 1e15 times. */
+    /* Leaves a factor of 1e15 for the error of the variance. */
     if ((given.kind == BLOCKS || given.kind == COST) && d->sd > 0 &&
         !(square > DBL_MIN * 1e15 && square < DBL_MAX / 1e15))
         bad_input(c,
@@ -463,10 +465,10 @@ static void refuse_column(const struct columns *c,
                   column->name);
 }
 
-/* Describes a column. Refuses a column of which no table can be made, or
-   from which a law would take a standard deviation that is 0 or infinite,
-   or whose bins would be so narrow that the density exceeds the largest
-   double. */
+/* Computes the description of a column. Ends the program if no table can be
+   made from it, if a law would take a standard deviation from it that is 0
+   or infinite, or if its bins would be so narrow that the density exceeds
+   the largest double. */
 static void describe(struct columns *c, size_t i)
 {
     struct column *column = &c->column[i];
@@ -493,8 +495,8 @@ static void describe(struct columns *c, size_t i)
     }
 }
 
-/* Writes a row with nine digits. That is plenty for estimates that are
-   uncertain in the third digit, and it hides the last bits of exp and log,
+/* Writes a row with nine digits. These suffice for estimates that are
+   uncertain in the third digit, and they hide the last bits of exp and log,
    which differ between C libraries. */
 static void print_row(struct table *out, size_t n, const double row[])
 {
@@ -503,10 +505,10 @@ static void print_row(struct table *out, size_t n, const double row[])
     table_print(out, "\n");
 }
 
-/* Compares a column with its law. If normal or microcanonical took
-   parameters from the column, then the distance of Kolmogorov, and mean and
-   standard deviation in units of their errors (3.13, eq:zscore), mean
-   nothing and are left out. */
+/* Compares a column with its law. Kolmogorov's distance and the deviations
+   of mean and standard deviation in units of their errors (3.13, eq:zscore)
+   are left out if the law took parameters from the column, since they would
+   be meaningless. */
 static void test_law(const struct columns *c, size_t i,
                      const struct statistics_description *d)
 {
@@ -543,11 +545,11 @@ static void test_law(const struct columns *c, size_t i,
                      {"law_chi2_probability", t.chi2_probability});
 }
 
-enum { CELLS = 5 }; /* a side of the table of cells */
+enum { CELLS = 5 }; /* cells along each axis */
 
-/* Tests whether a column is independent of the other one. The chi-square of
-   the cells is divided by the larger of the two statistical
-   inefficiencies. */
+/* Tests whether a column is independent of the column of --against. Its
+   samples may be correlated in time, so chi-square of the cells is divided
+   by the larger statistical inefficiency of the two columns. */
 static void compare(const struct columns *c, size_t i,
                     const struct statistics_description *d)
 {
@@ -572,10 +574,10 @@ static void compare(const struct columns *c, size_t i,
                      {"against_probability", probability});
 }
 
-/* Writes a row for each bin, also if no Gaussian fits. The densities of law
-   and fit are probabilities of the bin divided by its width, not values at
-   its centre: the two differ in a wide bin, and the arcsine law is infinite
-   at its ends. */
+/* Writes a row for each bin, even if no Gaussian fits. The densities of the
+   law and the fit are probabilities of the bin divided by its width, not
+   values at its centre. These differ in a wide bin, and the arcsine law is
+   infinite at its ends. */
 static void write_histogram(const struct columns *c, size_t i,
                             const struct statistics_description *d)
 {
@@ -629,7 +631,8 @@ static void write_histogram(const struct columns *c, size_t i,
     free(h);
 }
 
-/* Returns a copy of column i in units of its size, to be freed. */
+/* Returns a copy of column i divided by its statistics_unit. The caller
+   must free it. */
 static double *in_unit(const struct columns *c, size_t i)
 {
     const double unit = statistics_unit(c->rows, c->column[i].x);
@@ -641,8 +644,9 @@ static double *in_unit(const struct columns *c, size_t i)
     return x;
 }
 
-/* Returns (x - mean)^2 of column i in units of the square of its size, to
-   be freed. For a velocity this is the kinetic energy, up to a factor. */
+/* Returns (x - mean)^2, where x is column i divided by its statistics_unit.
+   The caller must free it. For a velocity this is proportional to the
+   kinetic energy. */
 static double *squares_of(const struct columns *c, size_t i)
 {
     double *y = in_unit(c, i);
@@ -680,8 +684,8 @@ static void write_blocks(const struct columns *c, size_t i)
         {"block_naive2", b2.level[0].error * square});
 }
 
-/* Writes lags up to twice the window, which shows what the window cuts
-   off. */
+/* Writes the correlations for lags up to twice the window, to show what the
+   window cuts off. */
 static void write_correlation(const struct columns *c, size_t i,
                               const struct statistics_description *d)
 {
@@ -700,7 +704,7 @@ static void write_correlation(const struct columns *c, size_t i,
         const double rho2 =
             spread2 > 0
                 ? statistics_covariance(d->n, y, mean2, lag) / spread2
-                : NAN; /* all samples are equal */
+                : NAN; /* no spread */
         g += 2 * rho;
         g2 += 2 * rho2;
         print_row(given.out, 5, (double[]){(double)lag, rho, g, rho2, g2});
@@ -721,10 +725,11 @@ enum { WAYS = 3 };
 
 static const char *const ways[WAYS] = {"naive", "blocks", "correlation"};
 
-/* Returns the error of the mean of y by one of the three methods, and the
-   uncertainty of that error as the method estimates it. The method of
-   correlations estimates the relative uncertainty of the inefficiency; that
-   of its square root is half as large. */
+/* Returns the error of the mean of y by one of the three methods, and sets
+   *uncertainty to the uncertainty of that error as the method estimates it.
+   The method of correlations estimates the relative uncertainty of the
+   inefficiency. The error is proportional to the square root of the
+   inefficiency, so its relative uncertainty is half as large. */
 static double error_by(int way, size_t n, const double y[],
                        double *uncertainty)
 {
@@ -746,9 +751,9 @@ static double error_by(int way, size_t n, const double y[],
     return b.error;
 }
 
-/* Measures the cost of each way to estimate an error. The first round fills
-   the caches; its times are overwritten. The ways take turns, so that a
-   disturbance of the machine falls on all of them. */
+/* Measures the cost of each method of estimating an error. The first round
+   fills the caches, and its times are overwritten. The methods alternate,
+   so that a disturbance of the machine affects all of them. */
 static void write_cost(const struct columns *c, size_t i,
                        const struct statistics_description *d)
 {
@@ -771,7 +776,7 @@ static void write_cost(const struct columns *c, size_t i,
     free(y);
 }
 
-/* Writes the head: command and seed of the data, and the columns. */
+/* Writes the head: the command and seed of the data, and the columns. */
 static void begin_table(const struct columns *c)
 {
     struct table *const out = given.out;
@@ -833,8 +838,8 @@ static void begin_table(const struct columns *c)
     }
 }
 
-/* Writes the results of a column. A note that errors are only lower bounds
-   goes to standard error, where it cannot be missed. */
+/* Writes the results of a column. If the errors are only lower bounds, a
+   note is printed on standard error, where it is noticed. */
 static void write_column(const struct columns *c, size_t i)
 {
     if (c->against && i + 1 == c->count)

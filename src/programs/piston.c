@@ -1,4 +1,5 @@
-/* Integrates the model of a piston, and measures pistons in runs. */
+/* Integrates the model of a piston, and measures pistons in tables of
+   runs. */
 #include "line/piston.h"
 #include "toolbox/bench.h"
 #include "toolbox/study.h"
@@ -11,7 +12,7 @@
 
 #define PROGRAM "piston"
 
-enum { MOST = 8 }; /* the most numbers that an option takes */
+enum { MOST = 8 }; /* most numbers that one option takes */
 
 typedef bool stepper(const struct piston *p, struct piston_state *s,
                      double dt);
@@ -21,12 +22,12 @@ static const char *const stepper_names[] = {"leapfrog", "rk4", NULL};
 static struct {
     size_t method;
     struct piston piston;
-    double energies[2], masses[2]; /* of the gases at the start */
+    double energies[2], masses[2]; /* of the gases, J and kg */
     struct piston_state start;
     double step, every, until;
-    const char *path; /* of the table to be measured */
+    const char *path; /* table to be measured */
     size_t body;
-    double window; /* s, half a period */
+    double window; /* averages are taken over this time, s */
     double at[MOST], fit[2];
     size_t at_count;
 } own = {.piston = {40, 12, {0, 0, 0}, {0, 0, 0}},
@@ -48,9 +49,9 @@ static void read_pair(struct options *o, double pair[2], double low)
                      options_text(o), low);
 }
 
-/* Returns the state at the start. The piston sets the gas in motion, so
-   that the swing begins at V M / M', with M' the mass of all that moves
-   (4.10, eq:added-mass). */
+/* Returns the state at the start. The piston sets the gases in motion,
+   which reduces its velocity from V to V M / M', where the moving mass M'
+   includes the added mass of the gases (4.10, eq:added-mass). */
 static struct piston_state first_state(const struct piston *p)
 {
     struct piston_state state = own.start;
@@ -58,7 +59,7 @@ static struct piston_state first_state(const struct piston *p)
     return state;
 }
 
-enum { POINTS = 64 }; /* of the quadrature: more than enough */
+enum { POINTS = 64 }; /* points of the quadrature, more than needed */
 
 static double large_period(const struct piston *p, size_t points)
 {
@@ -66,8 +67,8 @@ static double large_period(const struct piston *p, size_t points)
     return piston_period(p, piston_energy(p, &state), points);
 }
 
-/* Writes the periods of all theories, with the masses of the gases and
-   without. */
+/* Writes the periods predicted by all theories, without the masses of the
+   gases and with them. */
 static void summarise_periods(struct table *summary)
 {
     struct piston bare = own.piston;
@@ -83,7 +84,7 @@ static void summarise_periods(struct table *summary)
                    2 * acos(-1) / piston_frequency_acoustic(&own.piston)});
 }
 
-enum { SWING = 3 }; /* the first keys, which study cost does not have */
+enum { SWING = 3 }; /* number of leading keys that study cost lacks */
 
 static const struct table_key run_keys[] = {
     {"x_min", "m", "leftmost place of the piston"},
@@ -97,9 +98,9 @@ static const struct table_key run_keys[] = {
     {"period_acoustic", "s", "small swings, with sound in the gases"},
     {0}};
 
-/* Writes the rows of a run of the model. The step is shortened until a
-   whole number of steps leads to the next row. The worst error of the
-   energy and the farthest places are those of all steps, not of the rows
+/* Writes the rows of a run of the model. The step is shortened so that a
+   whole number of steps leads from row to row. The largest energy error and
+   the extreme positions are taken over all steps, not over the rows
    alone. */
 static void study_run(struct study *s)
 {
@@ -140,12 +141,13 @@ static void study_run(struct study *s)
     summarise_periods(s->summary);
 }
 
-/* Returns the time of one swing by steps of dt, from a start to the right
-   until the piston passes the place again in the same direction; NAN if a
-   step fails. The passage falls between two steps. Newton's method shortens
-   the last one until it ends there: each pass divides the missing distance
-   by the velocity and doubles the right digits, so six passes are plenty.
-   The shorter step is as exact as the others. */
+/* Returns the period found with steps of dt, or NAN if a step fails. The
+   piston starts to the right, and the period ends when it passes its
+   starting position in the same direction. This usually happens between two
+   steps. Newton's method shortens the last step until it ends there. Each
+   iteration divides the remaining distance by the velocity and doubles the
+   number of correct digits, so six suffice. The shortened step is as
+   accurate as the others. */
 static double stepped_period(const struct piston *p, stepper *step,
                              double dt)
 {
@@ -172,9 +174,9 @@ enum way { LEAPFROG, RK4, QUADRATURE, SMALL, ACOUSTIC, WAYS };
 static const char *const way_names[WAYS] = {"leapfrog", "rk4", "quadrature",
                                             "small", "acoustic"};
 
-/* Returns the period, computed in this way. `number` is the time step of
-   the first two ways or the number of points of the quadrature; the
-   formulas need none. */
+/* Returns the period, computed in the given way. `number` is the time step
+   of leapfrog and rk4, or the number of points of the quadrature. The
+   formulas ignore it. */
 static double period_by(enum way way, const struct piston *p, double number)
 {
     switch (way) {
@@ -186,15 +188,16 @@ static double period_by(enum way way, const struct piston *p, double number)
     }
 }
 
-/* Returns the processor time (s) of one period found this way. A formula
-   takes less time than the clock resolves, so it is repeated for ten
-   milliseconds; the median of five such rounds counts, after one that
-   warms up and is overwritten. Reading the clock costs more than a formula,
-   so the times of the last two ways are upper limits. */
+/* Returns the processor time (s) for computing one period in the given way.
+   A formula takes less time than the clock resolves, so it is repeated for
+   ten milliseconds. The result is the median of five such rounds after a
+   warm-up round, which is not used. Reading the clock takes longer than
+   evaluating a formula, so the times of the two formulas are upper
+   limits. */
 static double cost_of(enum way way, const struct piston *p, double number)
 {
     double rounds[BENCH_ROUNDS];
-    volatile double kept; /* so that the compiler computes it */
+    volatile double kept; /* so that no call is optimised away */
     for (int round = -1; round < BENCH_ROUNDS; ++round) {
         const double start = bench_seconds();
         double calls = 0, seconds = 0;
@@ -208,10 +211,10 @@ static double cost_of(enum way way, const struct piston *p, double number)
     return bench_median(rounds, BENCH_ROUNDS);
 }
 
-/* Writes the period and cost of each way, without gas masses and with them.
-   Steps are halved and points doubled until only the leapfrog's last digits
-   change. A signal ends the study between two numbers; the rows before it
-   are kept. */
+/* Writes the period and its cost for each way of computing it, without the
+   masses of the gases and with them. Steps are halved and points doubled
+   until only the leapfrog's last digits change. After a signal the study
+   ends, and the rows already written are kept. */
 static void study_cost(struct study *s)
 {
     static const double first[WAYS] = {1, 1, 1, 0, 0};
@@ -243,27 +246,27 @@ static void study_cost(struct study *s)
 
 enum { MOVERS = 4096, KEPT = 6 };
 
-/* The part of a table of bonkers that is kept: rows of time (s), position
-   (m) and velocity (m/s) of the piston, and the energies (J) of piston,
-   left gas and right gas. */
+/* The columns of a table of bonkers that are used: time (s), position (m)
+   and velocity (m/s) of the piston, and the energies (J) of the piston, the
+   left gas and the right gas. */
 struct run_rows {
     size_t rows, capacity, movers;
     double (*row)[KEPT];
 };
 
-/* Where in a row the numbers are: velocities [0] and energies [1] of the
-   movers from left to right. The table of an ensemble has energies, T6 for
-   the mean of body 6; that of a single run has velocities, and the masses
-   in its head. */
+/* Column numbers of the position of the piston (place) and of the
+   velocities [0] and energies [1] of the movers from left to right. The
+   table of an ensemble has the energies, such as T6, the mean for body 6.
+   That of a single run has velocities, and the masses in its head. */
 struct columns {
     size_t place, count[2], column[2][MOVERS];
     size_t masses;
-    double mass[MOVERS]; /* for a table that has no energies */
+    double mass[MOVERS]; /* used if the table has no energies, kg */
 };
 
-/* Reads a line of the head that names a column, as "# 5 T1 [J] ...", or the
-   masses. Only a letter and a number belong to a mover (xL is a wall), and
-   movers come in order. */
+/* Reads a line of the head that contains the masses or describes a column,
+   such as "# 5 T1 [J] ...". The symbol of a mover's column is a letter and
+   a number (xL belongs to a wall). The movers come in order. */
 static void read_head(const char *line, size_t body, struct columns *c)
 {
     static const char masses[] = "# masses:";
@@ -287,9 +290,9 @@ static void read_head(const char *line, size_t body, struct columns *c)
     }
 }
 
-/* Adds up a row's energies: movers before the piston belong to the left
-   gas, those behind it to the right one. Returns whether all its numbers
-   are there. */
+/* Reads a row and sums the energies of each gas: the movers before the
+   piston belong to the left gas, those after it to the right gas. Returns
+   false if numbers are missing. */
 static bool read_row(const char *line, size_t body, const struct columns *c,
                      double kept[KEPT])
 {
@@ -317,8 +320,8 @@ static bool read_row(const char *line, size_t body, const struct columns *c,
     return next == c->count[kind];
 }
 
-/* Reads the table. The first row shows whether the head was complete. On
-   failure prints the reason, frees everything and returns false. */
+/* Reads the table. Whether the head is complete can be checked only at a
+   row. On failure prints the reason, frees everything and returns false. */
 static bool read_table(struct study *study, struct run_rows *r)
 {
     static struct columns c;
@@ -364,9 +367,9 @@ static bool read_table(struct study *study, struct run_rows *r)
     return !wrong;
 }
 
-/* Writes the rows of the table, and for each gas the temperature 2 K / N
-   and the pressure 2 K / l, for the state diagram. Of the movers body - 1
-   are on the left. */
+/* Writes the rows of the table for the state diagram, with the temperature
+   2 K / N and the pressure 2 K / l of each gas. Of the movers, body - 1
+   belong to the left gas. */
 static void study_gases(struct study *s)
 {
     struct run_rows r = {0};
@@ -395,9 +398,10 @@ static void study_gases(struct study *s)
 
 enum { CROSSINGS = 8 };
 
-/* Writes how often the mean piston crosses the middle, at most CROSSINGS
-   times, and the periods, by straight lines between rows. With fewer than
-   four crossings the periods have no scatter, and are not written. */
+/* Writes the number of times that the piston crosses the middle, at most
+   CROSSINGS, and its periods. Times of crossings are interpolated linearly
+   between rows. With fewer than four crossings no spread of the periods can
+   be computed, and they are not written. */
 static void summarise_crossings(struct table *summary,
                                 const struct run_rows *r)
 {
@@ -431,9 +435,9 @@ static double piston_fraction(const double row[KEPT])
 }
 
 /* Returns the piston's fraction of the energy, averaged over the rows from
-   time t to t + window, half a period, which takes the swing out; NAN if
-   the table ends before. The ends of the window are moved by 1e-9 of it, so
-   that rounding does not decide whether a row belongs to it. */
+   time t to t + window, or NAN if the table ends earlier. A window of half
+   a period averages out the swing. Its ends are shifted by 1e-9 of its
+   length, so that rounding does not decide whether a row belongs to it. */
 static double mean_fraction(const struct run_rows *r, double t)
 {
     const double margin = 1e-9 * own.window;
@@ -449,17 +453,18 @@ static double mean_fraction(const struct run_rows *r, double t)
     return sum / count;
 }
 
-enum { FEWEST_WINDOWS = 3 }; /* that a line is fitted to */
+enum { FEWEST_WINDOWS = 3 }; /* needed for a fit */
 
 struct fit {
     size_t n;
     double tau, error, amplitude; /* excess = amplitude exp(-t/tau) */
 };
 
-/* Fits an exponential to windows that do not overlap, from the first excess
-   below fit[0] to the last one above fit[1], by least squares of its
-   logarithm y: the slope is -1/tau, and an error of the slope is one of tau
-   times 1/tau^2. Two windows give a line, but no scatter about it. */
+/* Fits an exponential to windows that do not overlap, from the first whose
+   excess is below fit[0] to the last before the excess falls below fit[1].
+   The logarithm y is fitted by least squares. Its slope is -1/tau, so that
+   the error of tau is tau^2 times the error of the slope. Two windows
+   determine a line, but no scatter about it. */
 static struct fit fit_decay(const struct run_rows *r)
 {
     struct fit f = {0, NAN, NAN, NAN};
@@ -500,7 +505,7 @@ static void study_measure(struct study *s)
     const struct fit f = fit_decay(&r);
     TABLE_COLUMNS(s->out, {"t", "s", "middle of a window"},
                   {"share", "", "the piston's, mean of the window"});
-    /* Without a fit its column is missing, and the head gives the
+    /* Without a fit there is no column for it, and the head gives the
        reason. */
     const bool fitted = f.n >= FEWEST_WINDOWS;
     if (fitted)
@@ -574,8 +579,8 @@ static const struct options_entry entries[] = {
     {"fit", 'F', "A,B", "excess of the share (0.1,0.01)"},
     {0}};
 
-/* Takes an option. The limits are so wide that nothing that moves is
-   refused, and so narrow that nothing overflows. */
+/* Reads the value of an option. The limits admit every real piston, and
+   exclude overflow. */
 static void take_option(struct options *o, int letter)
 {
     switch (letter) {
@@ -597,9 +602,8 @@ static void take_option(struct options *o, int letter)
     }
 }
 
-/* Completes and checks the settings: the start of the piston and the
-   lengths of the gases are known only when all options have been read. The
-   energies are those at the start. */
+/* Completes and checks the settings when all options have been read: the
+   start of the piston determines the lengths of the gases. */
 static void check_settings(struct options *o, const char *study)
 {
     const double length = own.piston.length;
@@ -625,8 +629,8 @@ static void check_settings(struct options *o, const char *study)
         own.energies[1], length - own.start.x, own.masses[1]};
 }
 
-/* The defaults belong to the eleven particles. A start that is NaN means
-   the middle of the box. */
+/* The defaults describe eleven particles, the sixth of which is the
+   piston. */
 STUDY_MAIN(.name = PROGRAM,
            .purpose = "A piston between two adiabatic springs of gas.",
            .events = "steps", .studies = studies, .usual = "run",

@@ -1,4 +1,5 @@
-/* Samples configurations of hard disks: throws, moves, event chains. */
+/* Samples configurations of hard disks by direct or Markov-chain
+   sampling. */
 #include "box/means.h"
 #include "box/sampling.h"
 #include "toolbox/options.h"
@@ -13,16 +14,16 @@
 #include <string.h>
 
 #define PROGRAM "sample"
-#define LONGEST 1e6 /* a length, m */
+#define LONGEST 1e6 /* longest length accepted, m */
 
 enum {
-    MOST = 100000,    /* disks: every try looks at all of them */
-    PILOT = 100000,   /* throws to estimate how many will be needed */
+    MOST = 100000,    /* disks; each try examines all of them */
+    PILOT = 100000,   /* throws to estimate the number needed */
     MOST_DIGITS = 15, /* more than 10^MOST_DIGITS throws are refused */
-    SOME = 256        /* samples between two looks at the clock */
+    SOME = 256        /* samples between updates of progress */
 };
-#define GIVE_UP 1e8      /* failed throws in a row after which to give up */
-enum { BITE = 1 << 16 }; /* throws between two looks at the signals */
+#define GIVE_UP 1e8      /* consecutive failed throws */
+enum { BITE = 1 << 16 }; /* throws between checks for signals */
 
 enum method { DIRECT, MARKOV, CHAINS };
 static const char *const method_names[] = {"direct", "markov", "chains",
@@ -37,7 +38,7 @@ static struct {
     size_t method, boundary, measure;
     size_t dimensions, large, small, bins;
     double radius, small_radius, box[DISKS_AXES];
-    double step, length; /* 0: a radius, ten radii */
+    double step, length; /* m; if 0, one radius and ten radii */
     uint64_t samples, seed;
     const char *output, *summary, *command;
 } given = {.dimensions = 2,
@@ -159,11 +160,11 @@ static void read_settings(struct options *o, int argc, char *argv[])
     program_apart(o, given.output, given.summary, "table");
 }
 
-/* Returns whether it is certain that the large disks do not fit between the
-   walls. The centres have the rectangle a x b to themselves, with a = Lx -
-   2 r and b = Ly - 2 r: two of them need a diagonal of sigma = 2 r, and
-   Oler proved in 1961 that at most 2 a b / (sqrt(3) sigma^2) + (a + b) /
-   sigma + 1 points have room in it that are sigma apart. */
+/* Returns whether the large disks certainly do not fit between the walls.
+   Their centres lie in a rectangle of the sides a = Lx - 2 r and b = Ly - 2
+   r. Two disks fit only if its diagonal is at least sigma = 2 r. Oler
+   proved in 1961 that the rectangle contains at most 2 a b / (sqrt(3)
+   sigma^2) + (a + b) / sigma + 1 points at distances of at least sigma. */
 static bool is_too_full(void)
 {
     const double sigma = 2 * given.radius;
@@ -180,9 +181,9 @@ static bool is_too_full(void)
             (given.dimensions == 2 && (double)given.large > most + 1e-9));
 }
 
-/* Ends the program if the disks cannot be in the box: if one is wider than
-   the box, or if they fill more than any packing does, which is pi/sqrt(12)
-   = 0.9069 of a plane and pi/sqrt(18) = 0.7405 of space. */
+/* Ends the program if the disks cannot be in the box, because one is wider
+   than the box, or because they would exceed the densest packing, which is
+   pi/sqrt(12) = 0.9069 in the plane and pi/sqrt(18) = 0.7405 in space. */
 static void check_room(struct options *o, const struct sampling *p)
 {
     const double widest =
@@ -219,8 +220,8 @@ static void check_room(struct options *o, const struct sampling *p)
 }
 
 /* Ends the program if direct sampling would need more than 10^15 throws,
-   which are years, or more than five million for a sample. The estimate has
-   a generator of its own, so that it does not change the run. */
+   which take years, or more than five million for each sample. The estimate
+   uses a separate generator, so that it does not change the run. */
 static void check_throws(struct options *o, struct sampling *p)
 {
     struct random r;
@@ -243,25 +244,27 @@ struct run {
     struct means bins, numbers;
     uint64_t done, tries, accepted;
     double *start; /* positions of the large disks when counting began */
-    double *row;   /* for a row of the table */
-    double high;   /* longest distance that is counted, m */
+    double *row;   /* space for a row of the table */
+    double high;   /* longest distance counted, m */
     struct table *out;
-    bool hopeless; /* too many throws in a row have failed */
+    bool hopeless; /* too many consecutive throws failed */
 };
 
 /* The quantities whose means are in run.numbers. */
 enum number {
-    ACCEPTANCE, /* of moves; direct sampling: throws per sample */
+    ACCEPTANCE, /* fraction of moves; if direct, throws per sample */
     MEAN_X,     /* x of disk 1, m */
-    WALL,       /* density at the walls across an axis, 1/m */
-    PAIR = WALL + DISKS_AXES, /* of the distance of two at contact, 1/m */
-    GAIN,                     /* of a chain, over its length */
+    WALL,       /* density at the walls across each axis, 1/m */
+    PAIR = WALL + DISKS_AXES, /* density of pair distances at contact,
+                                 1/m */
+    GAIN,                     /* gained / length in next_chain */
     NUMBERS
 };
 
-/* Returns the longest distance that is counted: between walls all are; in a
-   periodic box those up to half a side, where the whole circle (sphere) of
-   that radius is in the box. */
+/* Returns the longest distance that is counted. Between walls all distances
+   are counted. In a periodic box they are counted up to half of the
+   shortest side, so that a circle (sphere) of that radius is within the
+   box. */
 static double longest_distance(void)
 {
     double square = 0, least = INFINITY;
@@ -273,8 +276,8 @@ static double longest_distance(void)
     return given.boundary == DISKS_PERIODIC ? least : sqrt(square);
 }
 
-/* Allocates the memory of a run. If it is short, prints that and returns
-   false. */
+/* Allocates the memory of a run. If there is not enough, prints a message
+   and returns false. */
 static bool begin_run(struct run *run)
 {
     const size_t count = given.large + given.small;
@@ -298,11 +301,11 @@ static bool begin_run(struct run *run)
 }
 
 /* Throws until all disks fit. Returns false after a signal, or if the disks
-   do not seem to fit: no rule tells this in advance, so the throws
-   themselves decide. At an acceptance of 2e-7 a hundred million throws,
-   which take some seconds, would all fail with a probability of e^-20. The
-   mean is taken of throws per sample, which are independent; the acceptance
-   is one over this mean. */
+   do not seem to fit. No rule predicts this, so it is decided by the number
+   of failed throws: at an acceptance of 2e-7, a hundred million throws,
+   which take some seconds, all fail with a probability of e^-20. The
+   numbers of throws per sample are independent, so their mean is taken; the
+   acceptance is its inverse. */
 static bool next_direct(struct run *run)
 {
     uint64_t throws = 1;
@@ -321,7 +324,8 @@ static bool next_direct(struct run *run)
     return true;
 }
 
-/* Makes as many tries as there are disks. Returns how many moved one. */
+/* Makes as many tries as there are disks. Returns how many tries moved a
+   disk. */
 static size_t sweep(struct run *run)
 {
     const size_t count = run->p.disks.count;
@@ -341,10 +345,10 @@ static bool next_markov(struct run *run)
     return true;
 }
 
-/* Makes an event chain along a random axis, of a random length: with a
-   fixed length of five diameters eight disks in a box of four would never
-   leave the squares of a chessboard on which they begin. No push is
-   rejected. */
+/* Makes an event chain along a random axis, with a random length: with a
+   fixed length of five diameters, eight disks in a box four diameters wide
+   would never leave the squares of the chessboard on which they start. No
+   push is rejected. */
 static bool next_chain(struct run *run)
 {
     const size_t axis = random_below(&run->r, given.dimensions);
@@ -368,9 +372,9 @@ static bool next_sample(struct run *run)
     }
 }
 
-/* Finds a start and makes the samples that do not count, a tenth of the
-   others, since the first configurations are still near the lattice.
-   Returns false if there is no start. */
+/* Finds a start, and equilibrates for a tenth of the number of samples
+   without measuring, since the first configurations are still near the
+   lattice. Returns false if there is no start. */
 static bool warm_up(struct run *run)
 {
     const struct disks *d = &run->p.disks;
@@ -397,8 +401,8 @@ static bool warm_up(struct run *run)
     return true;
 }
 
-/* Returns the bin of x. Bins divide the whole length of the box, so that
-   the tables of all methods have equal bins. */
+/* Returns the bin of x. The bins divide the whole length, so that they are
+   the same for all methods. */
 static size_t bin_of(double x, double length, size_t bins)
 {
     const double bin = x / length * (double)bins;
@@ -419,7 +423,7 @@ static void count_positions(struct run *run)
     }
 }
 
-/* Counts each pair once, at the distance of the nearest images. */
+/* Counts the distance between the nearest images of each pair, once. */
 static void count_distances(struct run *run)
 {
     const struct disks *d = &run->p.disks;
@@ -451,9 +455,9 @@ static void write_state(struct run *run)
     table_row(run->out, n, run->row);
 }
 
-/* Measures the densities at contact for one disk at the walls and for it
-   with up to three others; all disks and pairs take turns. For all of them
-   it would take longer than making the sample. */
+/* Measures the contact densities of one disk with the walls and with up to
+   three other disks. All disks and pairs take turns, since measuring all of
+   them would take longer than making the sample. */
 static void count_contacts(struct run *run)
 {
     const size_t n = run->p.large, i = run->done % n;
@@ -471,7 +475,7 @@ static void count_contacts(struct run *run)
     means_add(&run->numbers, MEAN_X, run->p.disks.disk[0].position[0]);
 }
 
-/* Takes all samples, or those before a signal. */
+/* Takes all samples, or until a signal arrives. */
 static void take_samples(struct run *run)
 {
     while (run->done < given.samples && !progress_signal() &&
@@ -522,8 +526,8 @@ static void name_columns(struct run *run)
     }
 }
 
-/* Writes the densities: counts divided by the width of a bin and the
-   number of coordinates, or of pairs. */
+/* Writes the densities, which are counts divided by the width of a bin and
+   by the number of disks or pairs. */
 static void write_bins(struct run *run)
 {
     const size_t axes = given.measure == POSITIONS ? given.dimensions : 1;
@@ -545,7 +549,7 @@ static void write_bins(struct run *run)
     }
 }
 
-/* Writes `more` plus factor times the mean of a quantity, and its error. */
+/* Writes factor times the mean of a quantity plus `more`, and the error. */
 static void write_number(struct table *out, const struct run *run,
                          const char *key, size_t quantity, double factor,
                          double more)
@@ -557,8 +561,8 @@ static void write_number(struct table *out, const struct run *run,
         {with, factor * means_error(&run->numbers, quantity)});
 }
 
-/* Returns the root mean square distance of the large disks from their
-   places after the warm-up, m: it tells whether a Markov chain moves at
+/* Returns the root mean square distance (m) of the large disks from their
+   positions after the warm-up, which shows whether a Markov chain moves at
    all. */
 static double distance_moved(const struct run *run)
 {
@@ -572,12 +576,12 @@ static double distance_moved(const struct run *run)
     return sqrt(sum / (double)run->p.large);
 }
 
-/* Writes the summary, without the results that mean nothing for one disk
-   or among small ones. The acceptance of direct sampling is one over the
-   mean number of throws per sample: its error is acceptance^2 times that of
-   the mean. By symmetry the mean x of every disk is the middle
-   of the box; whether disk 1 has been there shows whether a chain has
-   forgotten its start. */
+/* Writes the summary, without results that are undefined for one disk or
+   with small disks. The acceptance of direct sampling is the inverse of the
+   mean number of throws per sample, so its error is acceptance^2 times that
+   of the mean. By symmetry the mean x of every disk is the middle of the
+   box; the mean x of disk 1 shows whether a chain has lost the memory of
+   its start. */
 static void write_summary(struct table *out, const struct run *run)
 {
     static const char *const walls[] = {"Z_wall_x", "Z_wall_y", "Z_wall_z"};
@@ -606,8 +610,8 @@ static void write_summary(struct table *out, const struct run *run)
         write_number(out, run, "Z_chain", GAIN, 1, 1);
 }
 
-/* Writes the results, and returns the exit status. A run cut short by a
-   signal keeps its table and gets no summary, which would look like that of
+/* Writes the results, and returns the exit status. A run interrupted by a
+   signal keeps its table but has no summary, which would look like that of
    a complete run. A table without a configuration is not written. */
 static int finish(struct run *run, struct table *summary)
 {

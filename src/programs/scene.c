@@ -38,7 +38,7 @@ static void append(const char *format, ...)
     va_end(values);
 }
 
-/* Lists the names of a scene's keys below it, in lines of 76 columns. */
+/* Appends the names of a scene's keys in lines of 76 columns. */
 static void append_keys(const struct gallery_scene *g)
 {
     const size_t margin = 20, most = 76;
@@ -82,10 +82,10 @@ _Noreturn static void refuse_name(const char *name)
 
 enum { FIRST_KEY = 2, ENTRIES = FIRST_KEY + GALLERY_KEYS + 1 };
 
-/* Fills the table of options, which is known only when the scene is named:
-   the file, the scene's name, one option for each key. The help of a key
-   ends with its default; it is kept in help, since options are read from it
-   later. */
+/* Fills the table of options, which depends on the scene: --output, the
+   name of the scene, and one option for each key. The help of a key ends
+   with its default. The caller provides the array `help`, since the entries
+   point to its texts. */
 static void make_entries(const struct gallery_scene *g,
                          struct options_entry entries[ENTRIES],
                          char help[GALLERY_KEYS][160])
@@ -110,7 +110,8 @@ struct settings {
     const char *output, *command;
 };
 
-/* Reads a value within the key's range, whole if the key is. */
+/* Reads the value of key k, which must lie in the range of the key, and
+   must be an integer if the key is whole. */
 static void read_key(struct settings *s, struct options *o, size_t k)
 {
     const struct gallery_key *key = &s->scene->key[k];
@@ -121,8 +122,7 @@ static void read_key(struct settings *s, struct options *o, size_t k)
         s->value[k] = options_real(o, key->low, key->high);
 }
 
-/* Refuses a key that depends on another key which is 0, and has no
-   effect. */
+/* Refuses an option that has no effect because another key is 0. */
 static void refuse_unused(const struct settings *s, struct options *o)
 {
     static const char *const parts[][4] = {
@@ -151,8 +151,7 @@ static void read_options(struct settings *s, struct options *o)
     refuse_unused(s, o);
 }
 
-/* Writes the command, and all keys with their values, also those not
-   given. */
+/* Writes the command, and every key with its value, including defaults. */
 static void write_head(const struct settings *s, struct table *out)
 {
     const struct gallery_scene *g = s->scene;
@@ -164,8 +163,8 @@ static void write_head(const struct settings *s, struct table *out)
                     g->key[k].help);
 }
 
-/* Writes the scene; returns the exit status, 2 if its values contradict
-   each other. */
+/* Writes the scene. Returns the exit status, which is 2 if the values
+   contradict each other. */
 static int write_scene(const struct settings *s)
 {
     struct scene scene;
@@ -183,8 +182,8 @@ static int write_scene(const struct settings *s)
     return out && table_close(out) ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
-/* Writes a scene. The first argument names it; without one there are only
-   --help, which lists all scenes, and --version. */
+/* Writes a scene. The first argument is its name. Without a name only
+   --help, which lists all scenes, and --version are accepted. */
 int main(int argc, char *argv[])
 {
     struct settings s = {0};

@@ -1,4 +1,4 @@
-/* Steps of a pair 5(4) and of Radau's method, with control of length. */
+/* Adaptive steps of an embedded pair 5(4) and of Radau's method. */
 #include "forces/adaptive.h"
 
 #include "forces/largest.h"
@@ -13,13 +13,15 @@ enum { STAGES = 7, MOST_ROUNDS = 12 };
 
 /* Weights computed from a method's coefficients, for a step of length 1. */
 struct adaptive_weights {
-    double c[STAGES], a2[STAGES][STAGES]; /* of a pair */
+    /* of a pair: row sums of a; a, error and dense multiplied by a */
+    double c[STAGES], a2[STAGES][STAGES];
     double error2[STAGES], dense2[STAGES];
-    /* Radau's: displacements at node i for g_k = 1 */
+    /* of Radau's method, for g_k = 1: displacement at node i over c_i^2,
+       and change of velocity there over c_i */
     double x[STAGES][STAGES], v[STAGES][STAGES];
     double gap[STAGES][STAGES]; /* 1 / (c_i - c_j); c_0 = 0 */
     double last[STAGES];        /* 1 / (1 - c_j), j = 1 .. 7 */
-    double amplified; /* largest change of g_8 per change of a force */
+    double amplified; /* largest change of g_8 if each force changes by 1 */
     double power[STAGES][STAGES];  /* coefficient of s^(m+1) in N_k+1 */
     double newton[STAGES][STAGES]; /* coefficient of N_k+1 in s^(m+1) */
     double binomial[STAGES][STAGES];
@@ -34,10 +36,10 @@ static double power_of(double z, int n)
     return power;
 }
 
-/* Returns the n-th root of z > 0, to a few millionths. A library's root
-   differs in its last bit between machines, and so would every later step.
-   Newton's method uses only + - * /, and from above it decreases to the
-   root without passing it. */
+/* Returns the n-th root of z > 0, with a relative error of a few millionths
+   at most. The last bit of a library's root depends on the machine, and so
+   would all later steps. Newton's method uses only + - * /; it starts above
+   the root and decreases towards it. */
 static double root(double z, int n)
 {
     double y = z > 1 ? z : 1, down;
@@ -77,8 +79,9 @@ static bool is_free(const struct adaptive *s)
     return s->tolerance > 0;
 }
 
-/* Adds `by` to `from`, always compensated, since with fewer and larger
-   steps the sums are the main source of rounding errors. */
+/* Sets to = from + by by compensated summation: `carry` has the rounding
+   errors so far, `owed` gets the new ones. When steps are few and large,
+   these sums are the main source of rounding errors. */
 static void add(double *restrict to, double *restrict owed,
                 const double *restrict from, const double *restrict carry,
                 const double *restrict by, size_t n)
@@ -90,8 +93,8 @@ static void add(double *restrict to, double *restrict owed,
     }
 }
 
-/* Computes the end of a trial step from its displacements in place and
-   speed, and stores it over the beginning of the last step, which is not
+/* Computes the end of a trial step from the displacements in place and
+   speed. The result overwrites the beginning of the last step, which is not
    needed once later times are requested. */
 static void arrive(struct adaptive *s)
 {
@@ -117,8 +120,8 @@ static void measure_pair(struct adaptive *s)
         }
 }
 
-/* Returns the weighted sum of the first `stages` accelerations for
-   coordinate k. */
+/* Returns the sum of the accelerations of coordinate k at the first
+   `stages` stages, weighted with by[]. */
 static double mix(const struct adaptive *s, const double by[],
                   size_t stages, size_t k)
 {
@@ -128,8 +131,8 @@ static double mix(const struct adaptive *s, const double by[],
     return sum;
 }
 
-/* Computes how far places and velocities move up to stage i: (8.10,
-   eq:stage). */
+/* Computes the displacements and the changes of velocity between the
+   beginning of a step of length h and its stage i: (8.10, eq:stage). */
 static void move_to_stage(struct adaptive *s, size_t i, double h)
 {
     const struct adaptive_weights *const w = s->weights;
@@ -141,8 +144,8 @@ static void move_to_stage(struct adaptive *s, size_t i, double h)
     }
 }
 
-/* Returns the error of a trial step, (8.15, eq:embedded), as a fraction of
-   the largest coordinate or velocity. */
+/* Returns the estimated error of a trial step, (8.15, eq:embedded), as a
+   fraction of the largest coordinate or velocity. */
 static double error_of_pair(const struct adaptive *s, double h)
 {
     const size_t n = s->forces.size, stages = s->method->stages;
@@ -178,9 +181,10 @@ static double try_pair(struct adaptive *s, double h)
     return error_of_pair(s, h) / s->tolerance;
 }
 
-/* Returns a coordinate within a step, at the fraction r of it, (8.17,
-   eq:dense): p and q are its values at the ends, dp and dq its slopes there
-   times the step, and mixed is the weighted sum of the stages. */
+/* Returns the value of a coordinate at the fraction r of a step, (8.17,
+   eq:dense): p and q are its values at the ends of the step, dp and dq its
+   derivatives there times the step length, and mixed is the contribution of
+   the stages. */
 static double look_between(double r, double p, double q, double dp,
                            double dq, double mixed)
 {
@@ -189,7 +193,7 @@ static double look_between(double r, double p, double q, double dp,
                                 r * rest * mixed));
 }
 
-/* Computes places and velocities at the fraction r of the last step. */
+/* Computes positions and velocities at the fraction r of the last step. */
 static void look_in_pair(const struct adaptive *s, double r, double x[],
                          double v[])
 {
@@ -204,20 +208,21 @@ static void look_in_pair(const struct adaptive *s, double r, double x[],
     }
 }
 
-/* Radau's method writes the acceleration in a step as a_0 + sum g_k N_k(s),
-   with s the fraction of the step and Newton's polynomials N_k = s (s -
-   c_1) ... (s - c_(k-1)), k = 1 to 7. N_k is zero at all nodes before the
-   k-th, so the force at node k determines g_k without changing the values
-   at earlier nodes. node() returns c_i: c_0 is 0, and c_1 to c_7 are a
-   method's list. */
+/* Returns the node c_i, as a fraction of the step: c_0 is 0, and the method
+   lists c_1 to c_7. Radau's method writes the acceleration in a step as a_0
+   + sum g_k N_k(s), where s is the fraction of the step and N_k = s (s -
+   c_1) ... (s - c_(k-1)), k = 1 to 7, are Newton's polynomials. N_k is zero
+   at all nodes before the k-th, so the force at node k determines g_k
+   without changing the values at earlier nodes. */
 static double node(const struct adaptive *s, size_t i)
 {
     return i > 0 ? s->method->node[i - 1] : 0;
 }
 
-/* Computes the coefficients of N_k in powers of s, from N_(k+1) = (s - c_k)
-   N_k, those of the powers in N_k, from s N_k = N_(k+1) + c_k N_k, and the
-   binomial coefficients without the first of each row. */
+/* Computes the coefficients of each N_k in powers of s, from N_(k+1) = (s -
+   c_k) N_k, and those of each power in terms of the N_k, from s N_k =
+   N_(k+1) + c_k N_k. Also sets binomial[k][m] to the binomial coefficient
+   of k + 1 and m + 1. */
 static void measure_polynomials(struct adaptive *s)
 {
     struct adaptive_weights *const w = s->weights;
@@ -238,9 +243,9 @@ static void measure_polynomials(struct adaptive *s)
                                              (double)(m + 1);
 }
 
-/* Returns the product of the distances of node i from all others; node 8 is
-   the end of the step. A change of the force at node i changes g_8 by the
-   change divided by this product. */
+/* Returns the product of the distances of node i from all other nodes, of
+   which node 8 is the end of the step. If the force at node i changes by d,
+   g_8 changes by d divided by this product. */
 static double product_of_gaps(const struct adaptive *s, size_t i)
 {
     double product = 1;
@@ -251,8 +256,9 @@ static double product_of_gaps(const struct adaptive *s, size_t i)
     return product;
 }
 
-/* Integrates the powers in each N_k once and twice, up to each node:
-   s^(m+1) becomes s^(m+2) / (m+2) and s^(m+3) / ((m+2) (m+3)). */
+/* Computes the weights of Radau's method. Each N_k is integrated once and
+   twice from 0 to each node, power by power: s^(m+1) becomes s^(m+2) /
+   (m+2) and s^(m+3) / ((m+2) (m+3)). */
 static void measure_radau(struct adaptive *s)
 {
     struct adaptive_weights *const w = s->weights;
@@ -276,19 +282,19 @@ static void measure_radau(struct adaptive *s)
         w->amplified += 1 / product_of_gaps(s, i);
 }
 
-/* Returns how far a body with velocity v and acceleration a at the start
-   moves in the time `part`, if the change of a, integrated twice, is change
-   * part^2. Small terms are summed first; using a product a c^2/2 rounded
-   beforehand would add an error common to all steps. */
+/* Returns the displacement in the time `part` of a body with the initial
+   velocity v and acceleration a, if the change of the acceleration,
+   integrated twice, is change * part^2. Small terms are summed first; a
+   rounded constant c^2/2 would cause the same error in all steps. */
 static inline double way(double part, double v, double a, double change)
 {
     return part * (v + part * (a / 2 + change));
 }
 
-/* Computes from g how far places and velocities move in a part of a step. A
-   membrane of 81 nodes spent nine tenths of its time in these sums, done
-   one coordinate after the other; with vector code a step takes less than
-   half the time. */
+/* Computes from g the displacements and the changes of velocity in a part
+   of a step. A run of a membrane of 81 nodes spent nine tenths of its time
+   in these sums when they were computed for one coordinate after the other;
+   with vector code a step takes less than half the time. */
 VECTOR_LOOP static void lead(double *restrict place, double *restrict speed,
                              const double *restrict g,
                              const struct adaptive_state *start,
@@ -309,16 +315,17 @@ VECTOR_LOOP static void lead(double *restrict place, double *restrict speed,
     }
 }
 
-/* Computes the displacements at node i with the forces as guessed. */
+/* Computes the displacements at node i from the present estimate of the
+   forces. */
 static void move_to_node(struct adaptive *s, size_t i, double h)
 {
     lead(s->place, s->speed, s->g, &s->to, s->weights->x[i],
          s->weights->v[i], h * node(s, i + 1), s->forces.size);
 }
 
-/* Sets by = from + (owed + by), with owed the rounding errors of the
-   compensated sums: without them all forces of a step would be those at
-   rounded places. */
+/* Sets by = from + (owed + by), where owed has the rounding errors of the
+   compensated sums. Without them all forces of a step would be computed at
+   rounded positions. */
 VECTOR_LOOP static void start_from(double *restrict by,
                                    const double *restrict from,
                                    const double *restrict owed, size_t n)
@@ -335,8 +342,9 @@ VECTOR_LOOP static void divide(double *restrict d, const double *restrict g,
         d[k] = (d[k] - g[k]) * gap;
 }
 
-/* Computes the forces at node i and then g_i, from the divided differences
-   of all forces so far; returns the largest change of g_i. */
+/* Computes the forces at node i and, from the divided differences of all
+   forces up to this node, its coefficients in g. Returns the largest change
+   of these coefficients. */
 static double correct_node(struct adaptive *s, size_t i)
 {
     const double *const gap = s->weights->gap[i];
@@ -355,8 +363,8 @@ static double correct_node(struct adaptive *s, size_t i)
     return most;
 }
 
-/* Sets `to` to coefficient m of a polynomial in its other form: a weighted
-   sum of the coefficients from m on. */
+/* Sets `to` to coefficient m of a polynomial in a new basis: the sum of the
+   old coefficients k >= m, weighted with by[k][m]. */
 VECTOR_LOOP static void turn_one(double *restrict to,
                                  const double *restrict from,
                                  double by[STAGES][STAGES], size_t m,
@@ -389,10 +397,11 @@ VECTOR_LOOP static void guess_one(double *restrict new_b,
 }
 
 /* Guesses the force in the next step, of length h, by extrapolating the
-   polynomial of the last step. With q the ratio of the two lengths, the
+   polynomial of the last step. If q is the ratio of the two lengths, the
    fraction s of the new step is the fraction 1 + q s of the old one, so s^m
    has the coefficient q^m sum_k binomial(k, m) b_k. The error of the last
-   guess is added, since the next one is likely to be similar. */
+   guess is added, since the error of the new one is likely to be similar.
+ */
 static void guess_force(struct adaptive *s, double h)
 {
     const size_t n = s->forces.size;
@@ -409,20 +418,20 @@ static void guess_force(struct adaptive *s, double h)
 
 #define RADAU_SCALE 50 /* calibrated, not derived */
 
-/* Returns whether an iteration is the last: the change of g_7 is negligible
-   compared with the tolerance, or no longer decreases. A seventh difference
-   amplifies changes of the force some thousand times; below 1e-11 its
-   change is rounding. */
+/* Returns whether the iteration may end: if the change of g_7 is less than
+   the tolerance or no longer decreases. A seventh difference amplifies
+   changes of the force some thousand times; a change below 1e-11 is due to
+   rounding. */
 static bool settled(const struct adaptive *s, double change, double last)
 {
     return change <= 1e-11 + s->tolerance || !(change < last);
 }
 
-/* Sets *to to from + by + small, and *owed to the rounding error. The
-   contribution `small` of the tails of the weights is less than the last
-   digit of the sum and would be lost each time. It is therefore added to
-   the exact rounding error of from + by first, found for terms of any
-   size. */
+/* Sets *to to from + by + small, and *owed to the rounding error. `small`,
+   the contribution of the tails of the weights, is less than the last digit
+   of the sum and would be lost in every step. It is therefore first added
+   to the exact rounding error of from + by, which is computed here by a
+   formula that is valid whichever term is larger. */
 static void add_tail(double *to, double *owed, double from, double by,
                      double small)
 {
@@ -432,10 +441,10 @@ static void add_tail(double *to, double *owed, double from, double by,
     *owed = small - (*to - sum);
 }
 
-/* Computes the end of the whole step as the weighted sum of the forces. A
-   step of the circumbinary planet, with a tolerance of 1e-14, then changes
-   its energy by some 1e-19 on average and 1.5e-16 at random, which is the
-   rounding of the forces. */
+/* Computes the end of the whole step from the weighted sums of the forces.
+   With a tolerance of 1e-14, a step of the circumbinary planet then changes
+   its energy by some 1e-19 on average; the random part of the change,
+   1.5e-16, is due to the rounding of the forces. */
 static void move_to_end(struct adaptive *s, double h)
 {
     const struct adaptive_state *const p = &s->to, *const q = &s->from;
@@ -456,20 +465,20 @@ static void move_to_end(struct adaptive *s, double h)
     }
 }
 
-/* Returns the acceleration with which a difference is compared: that at the
-   start of the step, or, if it is almost zero there, as at the middle of an
-   oscillation, the largest along the step. */
+/* Returns the acceleration by which a difference is divided: the largest at
+   the start of the step or, if it is almost zero there, as in the middle of
+   an oscillation, the largest along the step. */
 static double scale_of(double start, double along)
 {
     const double scale = start > 1e-6 * along ? start : along;
     return scale > 0 ? scale : 1;
 }
 
-/* Returns the largest g_8, with the end of the step as an eighth node. The
-   last node is at 0.977 of the step: if the force jumps after it, as that
-   of a spring whose ends pass through each other does, neither this node
-   nor those of the next step notice; this happened at one of some fifty
-   jumps. In a smooth step g_8 is smaller than g_7. */
+/* Returns the largest g_8, for which the end of the step is an eighth node.
+   The seventh node is at 0.977 of the step. If the force jumps after it, as
+   does that of a spring whose ends pass through each other, the nodes of
+   this step and of the next do not show the jump; this happened at one of
+   some fifty jumps. In a smooth step g_8 is smaller than g_7. */
 static double beyond(struct adaptive *s)
 {
     const size_t n = s->forces.size;
@@ -481,8 +490,9 @@ static double beyond(struct adaptive *s)
     return largest(d, n);
 }
 
-/* Tries a step of length h, usually in three iterations. Returns its error,
-   in units of the tolerance, or zero if all steps have the length dt. */
+/* Tries a step of length h, usually in three iterations. Returns its error
+   in units of the largest one that the tolerance allows; if the tolerance
+   is 0, the value has no meaning. */
 static double try_radau(struct adaptive *s, double h)
 {
     const size_t n = s->forces.size, last = STAGES - 1;
@@ -508,17 +518,17 @@ static double try_radau(struct adaptive *s, double h)
     return (off - s->noise) / scale / (RADAU_SCALE * sqrt(s->tolerance));
 }
 
-/* Measures, at every sixteenth step, the contribution of rounding to g_8. A
-   stiff spring that is hardly stretched pulls by the difference of two
-   places, times its stiffness: with 5e7 N/m and a total of 10 m/s^2, the
-   last bit of a place is 1e-9 of the force, and seven differences amplify
-   that a thousand times. No shorter step would reduce it, and step control
-   would shorten steps without end. So the forces are computed once more
-   with the last bits of places and velocities moved up and down in turn, at
-   less than half a per cent of all evaluations, and the result is
-   subtracted from the difference. It is an acceleration, not a fraction of
-   the total: for a body at rest on its spring that fraction is large, and
-   too long steps would make it oscillate. */
+/* Measures, at every sixteenth step, the contribution of rounding to g_8.
+   The force of a stiff spring that is hardly stretched is its stiffness
+   times the difference of two positions: with 5e7 N/m and a total
+   acceleration of 10 m/s^2, the last bit of a position makes 1e-9 of the
+   force, and seven differences amplify that a thousand times. Shorter steps
+   would not reduce this error, and step control would shorten them without
+   end. So the forces are computed once more with the last bits of positions
+   and velocities changed up and down in turn, which costs less than half a
+   per cent of all evaluations. The noise is an acceleration, not a fraction
+   of the total: for a body at rest on its spring that fraction would be
+   large, and steps that are too long would make the body oscillate. */
 static void measure_noise(struct adaptive *s)
 {
     const size_t n = s->forces.size;
@@ -535,11 +545,11 @@ static void measure_noise(struct adaptive *s)
                largest_difference(s->difference, s->to.a, n);
 }
 
-/* Returns whether a step that is too long for its tolerance, but as short
-   as the clock allows, may be taken: if the forces change velocities by
-   less than 1e-9 in it. Then a force jumps here, and the step may cross the
-   jump. Where two bodies fall into each other, they do not, and the run
-   ends. */
+/* Returns whether a step that exceeds the tolerance although it is as short
+   as the clock allows may be accepted: if the forces change the velocities
+   in it by at most 1e-9 of the largest velocity. Then a force jumps here,
+   and the step may cross the jump. Where two bodies fall into each other,
+   the change is larger, and the run ends. */
 static bool is_edge(const struct adaptive *s, double h)
 {
     const size_t n = s->forces.size;
@@ -547,7 +557,7 @@ static bool is_edge(const struct adaptive *s, double h)
     return h * a <= 1e-9 * largest(s->to.v, n);
 }
 
-/* Computes places and velocities at the fraction r of the last step of
+/* Computes positions and velocities at the fraction r of the last step of
    Radau's method, by Horner's rule. */
 static void look_in_radau(const struct adaptive *s, double r, double x[],
                           double v[])
@@ -574,8 +584,9 @@ static void swap(double **a, double **b)
     *b = other;
 }
 
-/* Accepts a trial step as the last step. The time is a compensated sum,
-   too: many short steps near a star must not spoil the clock. */
+/* Accepts a trial step of length h as the last step. The time is also a
+   compensated sum, so that rounding errors do not add up in many short
+   steps near a star. */
 static void accept(struct adaptive *s, double h)
 {
     const struct adaptive_state end = s->from;
@@ -598,14 +609,14 @@ static void accept(struct adaptive *s, double h)
 
 /* Limits the next step to `most`, s. Neither this limit nor the first step
    depends on the tolerance, so two runs with different tolerances might
-   take equal steps: to be compared, one of them sets its slack. */
+   take equal steps. In a comparison, one of them therefore sets slack. */
 static void bound(struct adaptive *s, double most)
 {
     s->next = fmin(s->next, (1 - s->slack) * most);
 }
 
-/* Takes a step. Returns false if a step too short to change t was still too
-   long for the tolerance. */
+/* Takes a step. Returns false if even the shortest step that changes t
+   exceeds the tolerance, or if there were too many evaluations before. */
 static bool step(struct adaptive *s)
 {
     const bool radau = s->method->family == STEPPING_RADAU,
@@ -632,8 +643,9 @@ static bool step(struct adaptive *s)
     }
 }
 
-/* Returns a first guess of the step, which step control adapts: a hundredth
-   of the time in which bodies would cross the scene, or fall through it. */
+/* Returns a guess, s, for the first step, to be adapted by step control: a
+   hundredth of the smallest of x/v, sqrt(x/a) and v/a, where x, v and a are
+   the largest coordinate, velocity and acceleration. */
 static double first_length(const struct adaptive *s)
 {
     const size_t n = s->forces.size;
@@ -649,7 +661,8 @@ static double first_length(const struct adaptive *s)
     return h / 100;
 }
 
-/* Begins a run, if it has not begun: computes the first forces. */
+/* Computes the first forces and proposes a first step, unless the run has
+   already begun. */
 static void set_out(struct adaptive *s)
 {
     if (s->begun)
@@ -700,7 +713,7 @@ void adaptive_begin(struct adaptive *s, double tolerance, double dt,
     memset(s->guess, 0, all * sizeof *x);
 }
 
-enum { NOTED = 14 }; /* numbers of a note besides the arrays */
+enum { NOTED = 14 }; /* how many numbers of a note precede the arrays */
 
 size_t adaptive_notes(const struct adaptive *s)
 {
@@ -708,18 +721,18 @@ size_t adaptive_notes(const struct adaptive *s)
     return NOTED + (8 + lists * s->method->stages) * s->forces.size;
 }
 
-/* Copies n numbers from own to note or, if back, from note to own; returns
-   the position behind them in note. */
+/* Copies n numbers from own to note or, if back is true, from note to own.
+   Returns the address behind these numbers in note. */
 static double *pass(double *note, double *own, size_t n, bool back)
 {
     memcpy(back ? own : note, back ? note : own, n * sizeof *note);
     return note + n;
 }
 
-/* Copies the arrays of the state: both ends of the last step, since the
-   next requested time may lie within it, and the stages of a pair, or
-   Radau's polynomial and its guess, from which the next step also
-   begins. */
+/* Copies the arrays of the state to note or, if back is true, from it: both
+   ends of the last step, since the next requested time may lie within it,
+   and the stages of a pair, or Radau's polynomial and its guess, from which
+   the next polynomial is guessed. */
 static void pass_lists(const struct adaptive *s, double *note, bool back)
 {
     const size_t n = s->forces.size, all = n * s->method->stages;
@@ -828,10 +841,10 @@ bool adaptive_step(struct adaptive *s, double most)
     return step(s);
 }
 
-/* Writes the path of coordinate i along a step of Radau's method, a sum of
-   powers of u, the fraction of the step. u^m contributes to the control
-   points from the m-th on, with the weight binomial(j, m) / binomial(9,
-   m). */
+/* Writes the control points q[] of the path of coordinate i along a step of
+   Radau's method, a sum of powers of the fraction u of the step. u^m
+   contributes to the control points j >= m, with the weight binomial(j, m)
+   / binomial(9, m). */
 static void path_of_radau(const struct adaptive *s, size_t i, double q[])
 {
     enum { DEGREE = ADAPTIVE_DEGREE };
@@ -855,9 +868,10 @@ static void path_of_radau(const struct adaptive *s, size_t i, double q[])
     }
 }
 
-/* Writes the path of coordinate i along a step of an embedded pair:
-   Hermite's cubic, raised to degree 4, with a middle control point
-   corrected by the weights for dense output: (8.17, eq:dense). */
+/* Writes the control points q[] of the path of coordinate i along a step of
+   an embedded pair: Hermite's cubic, raised to degree 4, whose middle
+   control point is corrected by the weights for dense output: (8.17,
+   eq:dense). */
 static void path_of_pair(const struct adaptive *s, size_t i, double q[])
 {
     const double h = s->h, *weights = s->weights->dense2;
@@ -893,7 +907,7 @@ static void turn_round(struct adaptive *s)
     s->from = end;
 }
 
-/* Makes a step of length 0, which ends where it begins. */
+/* Copies one end of the last step to the other: a step of length 0. */
 static void stay(struct adaptive *s)
 {
     const size_t size = s->forces.size * sizeof *s->to.x;
@@ -921,8 +935,9 @@ void adaptive_again(struct adaptive *s, double h, double x[], double v[])
     memcpy(v, s->to.v, s->forces.size * sizeof *v);
 }
 
-/* After a jump in velocity the last force says nothing about the next one;
-   the length of the step is kept. */
+/* Starts again from x and v, since after a jump in velocity the force of
+   the last step cannot be extrapolated, but keeps the proposed length of
+   the next step. */
 void adaptive_turn(struct adaptive *s, const double x[], const double v[])
 {
     const double t = s->t, next = s->next;

@@ -1,74 +1,83 @@
-/* Steps that choose their own length, and states within them. */
+/* Methods with adaptive time steps, and interpolation within a step. */
 #ifndef ADAPTIVE_H
 #define ADAPTIVE_H
 
 #include "forces/stepping.h"
 
-/* The state at one end of a step; each array [size], carry [2 * size]. */
+/* The state at one end of a step. */
 struct adaptive_state {
-    double *x, *v, *a; /* m, m/s, m/s^2 */
-    double *carry;     /* rounding errors of the sums for x, then for v */
+    double *x, *v, *a; /* [size] each; m, m/s, m/s^2 */
+    double *carry;     /* [2 * size] rounding errors to be added to x, v */
 };
 
 /* The state of a run by an adaptive method. Its members may be read. */
 struct adaptive {
     const struct stepping_method *method;
     struct stepping_forces forces;
-    double tolerance, dt;    /* dt in s; as in struct stepping */
-    uint64_t taken, refused; /* steps so far */
-    uint64_t evaluations;    /* of the forces */
+    double tolerance, dt;    /* dt in s; both as in struct stepping */
+    uint64_t taken, refused; /* numbers of accepted and rejected steps */
+    uint64_t evaluations;    /* number of force evaluations */
     double t, h;             /* end and length of the last step, s */
     double shortest;         /* shortest accepted step, s; 0: none */
     /* ---- private */
-    double start, owed, next; /* s; owed: rounding of t; next: proposed
-                                 length */
-    uint64_t before;          /* steps taken before start */
-    double past, past_owed;   /* t and owed before the last step, s */
-    double whole;             /* length of the step described by b, s */
-    bool begun; /* false: the next step begins at x and v of the caller */
+    double start,           /* time at which the run began, s */
+        owed,               /* rounding error of t, s */
+        next;               /* proposed length of the next step, s */
+    uint64_t before;        /* number of steps taken before start */
+    double past, past_owed; /* t and owed before the last step, s */
+    double whole;           /* length of the step described by b, s */
+    bool begun; /* false: the forces at the start are not yet computed */
     struct adaptive_state from, to; /* ends of the last step */
-    double noise;                   /* rounding in g_7 and g_8, m/s^2 */
-    double *place, *speed, *stage;  /* at a stage, all accelerations */
-    double *difference;             /* scratch, [size] */
-    double *g, *b, *guess;          /* [stages * size] Radau's force in
-                                       Newton's form, in powers, guessed */
-    double *new_b, *new_guess;      /* b and guess of a trial step */
+    double noise;          /* effect of rounding errors on g_8, m/s^2 */
+    double *place, *speed, /* [size] displacements, or state, at a stage */
+        *stage;            /* [stages * size] accelerations at all stages */
+    double *difference;    /* [size] scratch */
+    double *g,             /* [stages * size] coefficients of Radau's force
+                              for Newton's polynomials */
+        *b,                /* those for powers, as many */
+        *guess;            /* the b extrapolated from the step before */
+    double *new_b, *new_guess; /* b and guess of a trial step */
     struct adaptive_weights *weights;
     double *work;
     /* ---- may be set */
-    /* NULL, or returns the longest step allowed from a state, s */
+    /* NULL, or a function that returns the length, s, of the longest step
+       allowed from the state x, v, a */
     double (*longest)(void *with, const double x[], const double v[],
                       const double a[]);
     void *with;
     double slack;  /* fraction by which the first step, and those limited by
                       `longest`, are shortened */
-    uint64_t most; /* no step begins after more evaluations; 0: no limit */
+    uint64_t most; /* a step fails after more evaluations; 0: no limit */
 };
 
-/* Returns the data of an adaptive method m, or NULL if memory runs out. m
-   and what the forces point to must outlive them. */
+/* Returns the data for runs by an adaptive method m, or NULL if memory runs
+   out. m and what the forces point to must outlive the data. */
 struct adaptive *adaptive_create(const struct stepping_method *m,
                                  struct stepping_forces f);
 
-/* Begins at x, m, and v, m/s, at the time t, s. The pair keeps the
-   estimated error of a coordinate in each step below `tolerance` times the
-   largest coordinate, and likewise for velocities. For Radau's method
-   `tolerance` is a calibrated scale and no bound: g_7, as a fraction of the
-   largest acceleration, is kept below 50 times the root of `tolerance`.
-   With tolerance 0 all steps have the length dt, s. */
+/* Begins a run at the time t, s, with positions x, m, and velocities v,
+   m/s. A pair keeps the estimated error of a coordinate in each step below
+   `tolerance` times the largest coordinate, and likewise for velocities.
+   For Radau's method `tolerance` does not bound the error: g_7 and g_8,
+   divided by the largest acceleration, are kept below 50 times the square
+   root of `tolerance`. With tolerance 0 all steps have the length dt, s. */
 void adaptive_begin(struct adaptive *s, double tolerance, double dt,
                     double t, const double x[], const double v[]);
 
 /* Takes steps until one ends at or after the time t, s, and writes the
-   state at t into x and v. The requested times change no step. Returns
-   false, with x and v unchanged, if a step too short to change the time was
-   still too long. */
+   state at t into x and v. The requested times do not affect the steps.
+   Returns false, with x and v unchanged, if even the shortest step that
+   changes the time exceeds the tolerance, or after too many evaluations. */
 bool adaptive_reach(struct adaptive *s, double t, double x[], double v[]);
 
-/* Write the state of s into adaptive_notes numbers, and restore it: another
-   s with this method and these forces then continues with equal bits. */
+/* Returns how many numbers adaptive_note writes. */
 size_t adaptive_notes(const struct adaptive *s);
+
+/* Writes the state of s into note[]. */
 void adaptive_note(const struct adaptive *s, double note[]);
+
+/* Restores a state written for the same method and forces. All later steps
+   are bit-identical to those of an uninterrupted run. */
 void adaptive_recall(struct adaptive *s, const double note[]);
 
 /* Frees s, which may be NULL. */
@@ -76,25 +85,26 @@ void adaptive_free(struct adaptive *s);
 
 enum { ADAPTIVE_DEGREE = 9 }; /* highest degree of a path */
 
-/* Takes one step of at most `most`, s, or of dt if all steps are. Returns
-   false as adaptive_reach does. */
+/* Takes one step, which is no longer than `most`, s; with tolerance 0 its
+   length is dt. Returns false in the cases in which adaptive_reach does. */
 bool adaptive_step(struct adaptive *s, double most);
 
-/* Writes the control points of the path of each coordinate along the last
-   step, (11.8, eq:gap-control): ADAPTIVE_DEGREE + 1 numbers, m, of which
-   the first degree + 1 are used. Returns the degree. */
+/* Writes the control points of each coordinate's path along the last step,
+   (11.8, eq:gap-control), and returns the degree of the paths. A coordinate
+   has ADAPTIVE_DEGREE + 1 numbers in control[], m, of which the first
+   degree + 1 are used. */
 size_t adaptive_path(const struct adaptive *s, double control[]);
 
-/* Replaces the last step by one of length h, s, which must not be longer,
-   and sets x, m, and v, m/s, to the state at its end. No error is
-   estimated. */
+/* Replaces the last step by one of length h, s, at most that of the last
+   step, and sets x, m, and v, m/s, to the state at its end. The error is
+   not checked. */
 void adaptive_again(struct adaptive *s, double h, double x[], double v[]);
 
-/* Replaces places, m, and velocities, m/s, at the end of the last step,
-   after a collision. */
+/* Replaces the positions, m, and velocities, m/s, at the end of the last
+   step; used after a collision. */
 void adaptive_turn(struct adaptive *s, const double x[], const double v[]);
 
-/* Writes the state at the time t within the last step, s, into x and v. */
+/* Writes the state at the time t, s, within the last step into x and v. */
 void adaptive_look(const struct adaptive *s, double t, double x[],
                    double v[]);
 

@@ -34,8 +34,9 @@ static void balance(double value[], const double mass[], size_t n)
         value[i] -= sum / all;
 }
 
-/* Moves the centre of mass to the origin, at rest. Most scenes are
-   described relative to a central body at rest there, although it moves. */
+/* Shifts positions and velocities so that the centre of mass is at rest at
+   the origin. Most scenes are first described relative to a central body,
+   as if that body were at rest there. */
 static void centre(struct scene *s)
 {
     for (size_t k = 0; k < 3; ++k) {
@@ -54,8 +55,9 @@ static void paint(struct scene *s, size_t i, double radius, double red,
     s->colour[2 * s->bodies + i] = blue;
 }
 
-/* Builds the first listing of the MPPhys paper, with the paper's k and the
-   Sun at rest, so that our runs can be compared with its figures. */
+/* Builds the scene of the first listing of the MPPhys paper, with the
+   paper's k and the Sun at rest, so that our runs can be compared with its
+   figures. */
 static const char *build_sun_earth(struct scene *s, const double value[])
 {
     const double mass = value[0], speed = value[1];
@@ -74,8 +76,8 @@ static const char *build_sun_earth(struct scene *s, const double value[])
 }
 
 /* A planet: the Sun's mass divided by the planet's, and its elements in AU
-   and degrees. Mean longitude and longitude of the perihelion count from
-   the equinox. */
+   and degrees. The mean longitude and the longitude of the perihelion are
+   measured from the equinox. */
 struct planet {
     double sun, axis, eccentricity, inclination, longitude, perihelion,
         node;
@@ -102,10 +104,10 @@ static const struct planet planets[] = {
     {19412.26, 30.06992276, 0.00859048, 1.77004347, -55.12002969,
      44.96476227, 131.78422574}};
 
-/* Puts planet number i (1 is Mercury), with this mass, at its place on 1
-   January 2000, relative to the Sun at the origin. The table's longitudes
-   count from the equinox, the anomalies of kepler_elements from the node
-   and the perihelion; hence the differences. */
+/* Puts planet number i (1 is Mercury), with this mass, at its position on 1
+   January 2000, relative to the Sun at the origin. kepler_elements measures
+   the perihelion from the node and the anomaly from the perihelion, so that
+   differences of the longitudes in the table are needed. */
 static void put_planet(struct scene *s, size_t i, double mass)
 {
     const struct planet *p = &planets[i - 1];
@@ -147,8 +149,9 @@ static const char *build_solar_system(struct scene *s, const double value[])
    their separation, AU. */
 static const double star_a = 0.6897, star_b = 0.2026, separation = 0.2243;
 
-/* Builds two stars and a planet on a circle around both. Stars on an
-   eccentric orbit start at their largest separation, at their slowest. */
+/* Builds two stars, and a planet on a circle around them. Stars on an
+   eccentric orbit start at their largest separation, where they are
+   slowest. */
 static const char *build_circumbinary(struct scene *s, const double value[])
 {
     const double r = value[0], e = value[1], mass = value[3];
@@ -181,8 +184,8 @@ double celestial_choreography(size_t count)
     return sum / sqrt(2);
 }
 
-/* Builds equal bodies on a circle; the key kick displaces the first one, so
-   that the run leaves the circle sooner. */
+/* Builds equal bodies on a circle. The key kick displaces the first one, so
+   that the bodies leave the circle sooner. */
 static const char *build_choreography(struct scene *s, const double value[])
 {
     const size_t count = (size_t)value[0];
@@ -216,8 +219,8 @@ static double stiffness(size_t count, size_t m)
     return sum;
 }
 
-/* Returns the largest imaginary part of a root of the quartic w^4 + c[2]
-   w^2 + c[1] w + c[0]. All four roots are improved at once, each as though
+/* Returns the largest of the imaginary parts of the four roots of w^4 +
+   c[2] w^2 + c[1] w + c[0]. All roots are improved in turn, each as though
    the others were exact (Weierstrass's method). */
 static double largest_imaginary(const double c[3])
 {
@@ -251,8 +254,8 @@ double celestial_growth(size_t count)
     return most;
 }
 
-/* Builds three bodies on a figure of eight; the initial values solve its
-   equations to thirty digits. */
+/* Builds three bodies that follow each other on a figure of eight. The
+   initial values of this orbit are known to thirty digits. */
 static const char *build_figure_eight(struct scene *s, const double value[])
 {
     const double x = 0.970004356697333439943496928324;
@@ -271,9 +274,9 @@ static const char *build_figure_eight(struct scene *s, const double value[])
     return NULL;
 }
 
-/* Builds Burrau's problem: masses of 3, 4 and 5 kg at rest, with G = 1,
-   each opposite to the side of that length; the origin is the centre of
-   mass. */
+/* Builds Burrau's problem: with G = 1, masses of 3, 4 and 5 at rest at the
+   corners of a triangle, each opposite the side of length 3, 4 or 5. The
+   centre of mass is the origin. */
 static const char *build_pythagorean(struct scene *s, const double value[])
 {
     if (!scene_create(s, 3))
@@ -288,7 +291,7 @@ static const char *build_pythagorean(struct scene *s, const double value[])
     return NULL;
 }
 
-/* Returns the difference K - E of the complete elliptic integrals of the
+/* Returns the difference K - E of the complete elliptic integrals with the
    modulus q, 0 <= q <= 1, by the arithmetic-geometric mean. */
 static double elliptic_difference(double q)
 {
@@ -332,8 +335,8 @@ struct ring {
     int decades;
 };
 
-/* Returns the speed on a circle of radius r around the planet and its ring;
-   NaN where the ring pulls outwards harder than the planet inwards. */
+/* Returns the speed on a circle of radius r around the planet and its ring,
+   or NaN where the outward pull of the ring exceeds that of the planet. */
 static double ring_speed(const struct ring *g, double r)
 {
     const double s = r * r + g->softening * g->softening;
@@ -344,8 +347,8 @@ static double ring_speed(const struct ring *g, double r)
     return sqrt(CELESTIAL_K2 * r * pull);
 }
 
-/* Puts body i at a random place in the ring. Equal areas are equally
-   likely, so r^2 is uniform between the edges. */
+/* Puts body i at a random position in the ring. Equal areas are equally
+   likely, so r^2 is uniformly distributed between the edges. */
 static void put_random(struct scene *s, size_t i, const struct ring *g,
                        struct random *random)
 {
@@ -358,8 +361,8 @@ static void put_random(struct scene *s, size_t i, const struct ring *g,
     paint(s, i, 0.005, 0.6, 0.6, 0.6);
 }
 
-/* Draws masses that are uniform on a logarithmic scale, and scales them to
-   the old sum. */
+/* Draws masses that are uniformly distributed on a logarithmic scale, and
+   scales them to the sum of the old masses. */
 static void mix_masses(struct scene *s, const struct ring *g,
                        struct random *random)
 {
@@ -372,8 +375,8 @@ static void mix_masses(struct scene *s, const struct ring *g,
         s->mass[i] *= g->mass * (double)g->particles / sum;
 }
 
-/* Builds a planet (body 0), its ring, and a moon (the last body) if it has
-   a mass. Returns an error for a ring too heavy for any orbit. */
+/* Builds a planet (body 0), its ring, and, unless its mass is 0, a moon
+   (the last body). Returns an error if the ring is too heavy for orbits. */
 static const char *build_ring(struct scene *s, const double value[])
 {
     const struct ring g = {(size_t)value[0], value[1] * value[2],

@@ -12,9 +12,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* Returns false for a pipe, a terminal and files under /dev, even if the
-   name leads to a regular file, as /dev/stdout may. /dev/shm is a folder in
-   memory, and allowed. */
+/* Returns false for a pipe, a terminal and files under /dev or /proc, even
+   if the name leads to a regular file, as that of /dev/stdout may. Files in
+   /dev/shm, a folder in memory, are allowed. */
 bool checkpoint_possible(const char *output)
 {
     struct stat file;
@@ -27,7 +27,7 @@ bool checkpoint_possible(const char *output)
     return stat(output, &file) != 0 || S_ISREG(file.st_mode);
 }
 
-/* Returns a new string of both, for free(); NULL if memory runs out. */
+/* Returns b appended to a, to be freed, or NULL if memory runs out. */
 static char *join(const char *a, const char *b)
 {
     const size_t size = strlen(a) + strlen(b) + 1;
@@ -45,8 +45,8 @@ bool checkpoint_exists(const char *output)
     return there;
 }
 
-/* Prints an error message, but only the first: on a full disk every further
-   row would repeat it. Returns false. */
+/* Prints an error message unless one was printed before: on a full disk
+   every further row would repeat it. Returns false. */
 static bool complain(struct checkpoint *c, const char *path,
                      const char *reason)
 {
@@ -56,18 +56,18 @@ static bool complain(struct checkpoint *c, const char *path,
     return false;
 }
 
-/* Reports an error in writing rows; returns false. On a full disk half a
-   row may have been written, and the C library drops the rest. So no
-   checkpoint follows: the one before, if any, is the last with complete
-   rows. */
+/* Reports an error in writing rows, and returns false. On a full disk part
+   of a row may have been written, and the C library drops the rest. So no
+   further checkpoint is written: the previous one, if any, is the last that
+   has complete rows. */
 static bool lose(struct checkpoint *c)
 {
     c->lost = true;
     return complain(c, c->rows_path, strerror(errno));
 }
 
-/* Returns a checksum of a file, by which --resume notices that a scene has
-   changed since its run began; 0 for a pipe, which is read only once. */
+/* Returns a checksum from which --resume can tell that a scene has changed
+   since its run began; 0 for a pipe, which can be read only once. */
 double checkpoint_sum(const char *path)
 {
     static char piece[65536];
@@ -95,9 +95,9 @@ static bool name_files(struct checkpoint *c, const char *program,
                                    : complain(c, output, "no memory");
 }
 
-/* The checkpoint is removed before the rows: a checkpoint without rows
-   would be an error, rows without a checkpoint are harmless. Both are also
-   removed if a run ends before its first checkpoint. */
+/* Removes the checkpoint before the rows, since a checkpoint without rows
+   would be an error, while rows without a checkpoint are harmless. Both
+   files are also removed if a run ends before its first checkpoint. */
 void checkpoint_end(struct checkpoint *c, bool keep)
 {
     const bool locked = c->locked;
@@ -113,15 +113,15 @@ void checkpoint_end(struct checkpoint *c, bool keep)
     *c = (struct checkpoint){.locked = locked};
 }
 
-/* The first lines of the two files. A file with such a name but another
-   first line is not ours, and is not touched. */
+/* The first lines of the two files. A file that has such a name but begins
+   with another line is not ours and is left unchanged. */
 static const char rows_begin[] = "# rows of step\n";
 static const char checkpoint_begins[] =
     "# a checkpoint, and a scene: --resume goes on\n";
 
 /* Opens the file of rows and locks it until the run ends: two runs writing
-   one table would mix their rows without an error. Another run that has
-   just ended may have removed the name after we opened the file; so the
+   the same table would mix their rows without an error. Another run that
+   has just ended may have removed the name after we opened the file; so the
    inodes of the open file and of the name are compared. */
 static bool take_rows(struct checkpoint *c, int flags)
 {
@@ -140,8 +140,8 @@ static bool take_rows(struct checkpoint *c, int flags)
            complain(c, c->rows_path, "another run is writing it");
 }
 
-/* Returns whether a file does not exist, is empty, or begins with this
-   line; otherwise prints an error. */
+/* Returns whether a file does not exist, is empty, or begins with the line
+   `beginning`; if not, prints an error. */
 static bool is_ours(struct checkpoint *c, const char *path,
                     const char *beginning)
 {
@@ -155,8 +155,8 @@ static bool is_ours(struct checkpoint *c, const char *path,
            complain(c, path, "is not step's and stays: another -o will do");
 }
 
-/* Begins the file of rows, after removing the checkpoint of an older run,
-   which would refer to rows that no longer exist. */
+/* Writes the first line of the file of rows, after removing the checkpoint
+   of an older run, whose rows are now lost. */
 static bool start_rows(struct checkpoint *c)
 {
     unlink(c->path);
@@ -203,8 +203,8 @@ static bool flush_rows(struct checkpoint *c)
     return true;
 }
 
-/* Computes the checksum of the rows again while copying: only if it is
-   unchanged does the table get its name. */
+/* Computes the checksum of the rows again while copying them: the caller
+   keeps the table only if it is unchanged. */
 bool checkpoint_copy(struct checkpoint *c, struct table *t)
 {
     static char piece[65536];
@@ -222,7 +222,7 @@ bool checkpoint_copy(struct checkpoint *c, struct table *t)
            complain(c, c->rows_path, "has other rows than were written");
 }
 
-/* The numbers of a checkpoint by name, for writing and reading. */
+/* The names of the numbers of a checkpoint, for writing and reading. */
 #define PLACE(field) #field, offsetof(struct checkpoint_numbers, field)
 static const struct {
     const char *name;
@@ -242,7 +242,8 @@ static double *number(struct checkpoint_numbers *n, size_t k)
     return (double *)(void *)((char *)n + numbers[k].offset);
 }
 
-/* Saves the state of an adaptive method in *c, if m steps by one. */
+/* Saves the state of the adaptive method of m, if it has one, in *c.
+   Returns false if memory runs out. */
 static bool note_own(struct checkpoint *c, const struct motion *m)
 {
     const struct adaptive *const own = m->stepping.own;
@@ -255,8 +256,8 @@ static bool note_own(struct checkpoint *c, const struct motion *m)
 }
 
 /* Flushes the rows before the checkpoint that refers to them is written.
-   Its last line is the checksum of all lines before: a truncated file has
-   no such line, and a changed file has another checksum. */
+   The last line of the checkpoint is the checksum of all lines before it: a
+   truncated file has no such line, and a changed file another checksum. */
 bool checkpoint_write(struct checkpoint *c, struct motion *m,
                       struct checkpoint_numbers n)
 {
@@ -286,20 +287,20 @@ bool checkpoint_write(struct checkpoint *c, struct motion *m,
     return table_close(t);
 }
 
-enum { COUNTS = 3 }; /* lines with a count, besides the numbers */
+enum { COUNTS = 3 }; /* lines with the keys length, sum and end */
 
 /* The contents of the lines "#= KEY VALUE" of a checkpoint. All are
-   checked: a file that has been edited is refused. */
+   checked, and a file that has been edited is refused. */
 struct head {
-    char *line;         /* buffer of getline */
-    size_t room, found; /* found: lines with numbers or counts */
-    bool command, end;
+    char *line;           /* buffer of getline, of the size `room` */
+    size_t room, found;   /* found: number of lines with numbers, counts */
+    bool command, end;    /* this line was found, and its value is right */
     uint64_t length, sum; /* length and checksum of the rows */
     uint64_t own;         /* checksum of the lines read so far */
 };
 
-/* Returns the value of this key from a line without its "#= ", or NULL if
-   the line has another key. */
+/* Returns the value in a line, given without its "#= ", or NULL if the line
+   has another key. */
 static const char *after(const char *line, const char *key)
 {
     const size_t n = strlen(key);
@@ -324,8 +325,8 @@ static bool take_number(const char *value, bool count, double *number)
                        *number == floor(*number)));
 }
 
-/* Appends a number of an adaptive method to c->own, whose room is doubled
-   when it is full, since the number of these lines is not known before. */
+/* Appends a number of an adaptive method to c->own, which is doubled in
+   size when it is full, since the file does not tell how many follow. */
 static bool take_own(struct checkpoint *c, const char *value)
 {
     if ((c->owned & (c->owned - 1)) == 0) { /* 0, 1, 2, 4, 8 ...: full */
@@ -348,8 +349,8 @@ bool checkpoint_recall(const struct checkpoint *c, struct motion *m)
     return true;
 }
 
-/* Reads a line of the head. Returns false for an unknown key, which a later
-   version or another program has written. */
+/* Reads a line of the head. Returns false if a value is wrong or the key is
+   unknown: then a later version or another program wrote the line. */
 static bool take_line(struct checkpoint *c, struct head *h,
                       struct checkpoint_numbers *n, const char *line)
 {
@@ -372,8 +373,9 @@ static bool take_line(struct checkpoint *c, struct head *h,
     return h->end = value && take_count(h, value, &own) && own == h->own;
 }
 
-/* Reads the lines of the head up to the last, with the key end. The lines
-   of the scene are between them. */
+/* Reads the lines of the head up to the last one, whose key is end, and
+   skips the lines of the scene between them. Returns false, after an error
+   message, if a line is missing or wrong. */
 static bool read_head(struct checkpoint *c, struct head *h,
                       struct checkpoint_numbers *n)
 {
@@ -401,8 +403,8 @@ static bool read_head(struct checkpoint *c, struct head *h,
                           "begins anew");
 }
 
-/* Adds up to `length` bytes of the rows to the checksum; returns how many
-   bytes there were. */
+/* Adds the next `length` bytes of the rows to the checksum. Returns how
+   many bytes were read. */
 static uint64_t read_rows(struct checkpoint *c, uint64_t length)
 {
     static char piece[65536];
@@ -418,7 +420,7 @@ static uint64_t read_rows(struct checkpoint *c, uint64_t length)
     return done;
 }
 
-/* Checks that the file contains all rows that the checkpoint counts,
+/* Checks that the file has all rows to which the checkpoint refers,
    unchanged, and removes later rows, which will be computed again. */
 static bool open_rows(struct checkpoint *c, const struct head *h)
 {

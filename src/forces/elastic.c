@@ -1,12 +1,12 @@
-/* Lays out bodies in pairs, chains and grids, and joins them by springs. */
+/* Builds scenes of bodies joined by springs: pairs, chains and grids. */
 #include "forces/elastic.h"
 
 #include <math.h>
 
 static const char no_memory[] = "there is no memory";
 
-/* Returns the sine of x, |x| <= pi, by its series, with equal bits on all
-   machines, unlike libm's. */
+/* Returns the sine of x, |x| <= pi, from its power series. Unlike that of
+   libm, the result is bit-identical on all machines. */
 static double sine(double x)
 {
     double term = x, sum = 0;
@@ -25,9 +25,9 @@ static double cosine(double x)
 }
 
 /* Returns sin(pi i r / n). The wave repeats after 2n, changes sign after n
-   and is symmetric about n/2; reducing the angle to the first quarter of
-   the wave makes a symmetric membrane exactly symmetric, with 0 at
-   multiples of n. */
+   and is symmetric about n/2. Since the angle is reduced to the first
+   quarter of the wave, a symmetric membrane is exactly symmetric, and the
+   result is exactly 0 at multiples of n. */
 static double sine_of_wave(size_t i, size_t r, size_t n)
 {
     const double pi = 3.141592653589793;
@@ -40,9 +40,10 @@ static double sine_of_wave(size_t i, size_t r, size_t n)
 
 enum { O_MASS, O_STIFFNESS, O_DAMPING, O_PLACE, O_VELOCITY, O_LENGTH };
 
-/* Builds two bodies, one held, the other free along x. The rest length of
-   the spring is the distance before the displacement. A displacement beyond
-   the held body, where the force would reverse, is refused. */
+/* Builds two bodies, of which one is fixed and the other is free along x.
+   The rest length of the spring is their distance before the displacement.
+   A displacement beyond the fixed body, where the force would reverse, is
+   refused. */
 static const char *oscillator(struct scene *s, const double value[])
 {
     const double length = value[O_LENGTH];
@@ -89,7 +90,7 @@ static void hang(struct scene *s, size_t i, double mass, double x, double z)
 }
 
 /* Builds a double pendulum in the plane of x and z. The rest lengths are
-   given, not measured, so that they are exact. */
+   those given, not the computed distances, so that they are exact. */
 static const char *double_pendulum(struct scene *s, const double value[])
 {
     const double l = value[P_LENGTH];
@@ -112,8 +113,9 @@ static const char *double_pendulum(struct scene *s, const double value[])
     return no_memory;
 }
 
-/* Puts the bodies of a grid into the plane, row by row: then all springs of
-   one direction have one stride, and form a band (springs.c). */
+/* Places the bodies of a grid in the plane z = 0, row by row. All springs
+   of one direction then join bodies whose numbers differ by the same
+   amount, so that these springs form a band (springs.c). */
 static void lay_out(struct scene *s, size_t nx, size_t ny, double x0,
                     double y0, double dx, double dy)
 {
@@ -124,9 +126,9 @@ static void lay_out(struct scene *s, size_t nx, size_t ny, double x0,
         }
 }
 
-/* Joins each body to the one that is `right` columns to the right of it and
-   `up` rows above it in the grid, if there is one, by a spring of this rest
-   length. right may be -1. */
+/* Joins each body of the grid by a spring of this rest length to the body
+   `right` columns to the right and `up` rows above, if there is one. right
+   may be -1. Returns false if memory runs out. */
 static bool join(struct scene *s, size_t nx, size_t ny, int right, int up,
                  double rest)
 {
@@ -141,7 +143,8 @@ static bool join(struct scene *s, size_t nx, size_t ny, int right, int up,
     return true;
 }
 
-/* Fixes the bodies of the rim, and displaces all others along z. */
+/* Sets the masses, fixes the bodies of the rim and displaces all others
+   along z. */
 static void excite(struct scene *s, const struct elastic_membrane *m)
 {
     for (size_t y = 0; y < m->ny; ++y)
@@ -158,8 +161,8 @@ static void excite(struct scene *s, const struct elastic_membrane *m)
         }
 }
 
-/* The grid extends from -1 to 1 m along x, as in the MPPhys paper; cells
-   are square, which determines its height. */
+/* The grid extends from -1 to 1 m along x, as in the MPPhys paper. Its
+   cells are square, which determines its height. */
 const char *elastic_membrane(struct scene *s,
                              const struct elastic_membrane *m)
 {
@@ -217,8 +220,8 @@ enum {
     C_FRICTION
 };
 
-/* Adds the springs of a truss: along both axes, and 0, 1 or 2 diagonals in
-   each cell. */
+/* Adds the springs of a truss: those along both axes, and 0, 1 or 2
+   diagonals in each cell. Returns false if memory runs out. */
 static bool truss(struct scene *s, size_t nx, size_t ny, double dx,
                   double dy, int diagonals)
 {
@@ -228,8 +231,8 @@ static bool truss(struct scene *s, size_t nx, size_t ny, double dx,
            (diagonals < 2 || join(s, nx, ny, -1, 1, slant));
 }
 
-/* Builds a beam in the plane of x and y, as in the MPPhys paper's figure,
-   with gravity along -y. */
+/* Builds a beam in the plane of x and y, as in the figure of the MPPhys
+   paper, with gravity along -y. */
 static const char *cantilever(struct scene *s, const double value[])
 {
     const size_t nx = (size_t)value[C_NX], ny = (size_t)value[C_NY];

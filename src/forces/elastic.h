@@ -6,25 +6,25 @@
 
 enum { ELASTIC_SIDE = 2048 }; /* most bodies on a side of a grid */
 
-/* The scenes of chapter 10: oscillator, double-pendulum, membrane,
-   cantilever; elastic_scenes itself is in gallery.h. */
+/* The scenes of chapter 10 are elastic_scenes in gallery.h: oscillator,
+   double-pendulum, membrane and cantilever. */
 
 /* The parameters of a membrane. */
 struct elastic_membrane {
-    size_t nx, ny;    /* numbers of bodies, rim included */
+    size_t nx, ny;    /* numbers of bodies along x, y, with the rim */
     double mass;      /* kg */
     double stiffness; /* N/m */
     double damping;   /* of the dashpots, kg/s */
-    double rest;      /* rest length over distance of neighbours */
-    double amplitude; /* displacement, m, in the mode (r, s) */
+    double rest;      /* rest length divided by distance of neighbours */
+    double amplitude; /* of the displacement in the mode (r, s), m */
     size_t r, s;      /* numbers of half waves along x and y */
     bool free;        /* bodies may also move in the plane */
     double gravity;   /* along -z, m/s^2 */
-    double friction;  /* kg/s */
+    double friction;  /* each body feels the force -friction * v, kg/s */
 };
 
-/* Builds the membrane, 2 m wide; returns NULL or an error message, like
-   build of a gallery_scene. */
+/* Builds a membrane, 2 m wide. Returns NULL, or an error message and then
+   there is nothing to free. */
 const char *elastic_membrane(struct scene *s,
                              const struct elastic_membrane *m);
 

@@ -1,4 +1,5 @@
-/* Sums gravity over all bodies, by the kernel that suits their number. */
+/* Sums gravity over all bodies, by the chosen kernel or, for few bodies,
+   over pairs. */
 #include "forces/gravity.h"
 
 #include "forces/pull.h"
@@ -14,7 +15,7 @@
 const char *const gravity_kernels[] = {
     "auto", "portable", "avx512", "tree", "opencl", "opencl-float", NULL};
 
-/* Adds the accelerations of a block of bodies due to body j. */
+/* Adds the accelerations of a block of bodies due to body j to *o. */
 static inline void pull(const struct gravity *g, const double p[], size_t j,
                         double least, size_t self, struct block *o)
 {
@@ -22,9 +23,9 @@ static inline void pull(const struct gravity *g, const double p[], size_t j,
     pull_by(g->mass[j], p[j], p[n + j], p[2 * n + j], least, self, o);
 }
 
-/* Adds, for the block that begins with body i, the accelerations due to all
-   bodies. Each sum has its terms in the order of the bodies, whatever the
-   width of the processor's vectors: (sec:gravity-blocks). */
+/* Adds the accelerations of the block that begins with body i due to all
+   bodies. The terms of each sum are added in the order of the bodies,
+   whatever the vector width of the processor: (sec:gravity-blocks). */
 VECTOR_LOOP static void add_portable(const struct gravity *g,
                                      const double x[], double a[], size_t i)
 {
@@ -44,9 +45,8 @@ VECTOR_LOOP static void add_portable(const struct gravity *g,
     }
 }
 
-/* Adds the accelerations of bodies first to last - 1 due to body j. The
-   loop skips body j without a branch inside, so that it can be
-   vectorised. */
+/* Adds the accelerations of bodies first to last - 1 due to body j, which
+   is not one of them: so the loop has no branch and can be vectorised. */
 static void add_source(const struct gravity *g, const double x[],
                        double a[], size_t j, size_t first, size_t last)
 {
@@ -76,9 +76,9 @@ static void add_sources(const struct gravity *g, const double x[],
 }
 
 #ifdef VECTOR_AVX512
-/* Returns m / s^(3/2) for eight pairs of m and s: from an estimate of
-   1/sqrt(s) with a relative error of 2^-14, corrected by three terms of a
-   power series in e, which measures this error: (9.14, eq:cube). */
+/* Returns m / s^(3/2) for eight pairs of m and s. An estimate of 1/sqrt(s)
+   with a relative error of 2^-14 is corrected by three terms of a power
+   series in e, a measure of this error: (9.14, eq:cube). */
 VECTOR_AVX512 static inline __m512d weight8(__m512d s, __m512d m)
 {
     const __m512d y = _mm512_rsqrt14_pd(s), y2 = _mm512_mul_pd(y, y);
@@ -115,10 +115,10 @@ VECTOR_AVX512 static inline void pull8(const struct gravity *g,
     f->c = _mm512_fmadd_pd(w, dz, f->c);
 }
 
-/* Adds the accelerations of eight bodies from number i on, one in each
-   lane, so that each sum keeps its order. Lanes beyond the last body are
-   masked. For a body and itself the squared distance is set to 1, and the
-   pull is zero. */
+/* Adds the accelerations of eight bodies from number i on. Each body has a
+   lane of its own, so that the order of its sum is unchanged. Lanes beyond
+   the last body are masked. For a body and itself 1 is added to the squared
+   distance in place of the softening, and the pull is zero. */
 VECTOR_AVX512 static void add_avx512(const struct gravity *g,
                                      const double x[], double a[], size_t i)
 {
@@ -219,8 +219,8 @@ const char *gravity_summed_by(const struct gravity *g)
 }
 
 /* The choice of a kernel must not depend on the number of threads, or the
-   bits would. Each thread computes the whole sums of some of the bodies, so
-   that no sum is written by two. */
+   results would depend on it, too. Each thread computes the whole sums of
+   some of the bodies, so that no two threads write the same sum. */
 void gravity_add(const struct gravity *g, const double x[], double a[])
 {
     if (g->source) {
@@ -246,9 +246,10 @@ void gravity_add(const struct gravity *g, const double x[], double a[])
         k->add(g, x, a, (size_t)i);
 }
 
-/* The accelerations start at a zero that the compiler cannot recognise. For
-   a constant it would call memset, which stores several numbers at once;
-   the sums of two bodies load these one by one, and would wait for them. */
+/* Sets the accelerations to zero, then adds gravity. The compiler must not
+   recognise the zero: for a constant it would call memset, which stores
+   several numbers at once, and for two bodies the sums, which load these
+   numbers one by one, would have to wait for the stores. */
 static void accelerate(void *what, const double x[], const double v[],
                        double a[])
 {
@@ -265,10 +266,10 @@ struct stepping_forces gravity_forces(struct gravity *g)
     return (struct stepping_forces){3 * g->bodies, false, accelerate, g};
 }
 
-/* Sums over all pairs for every kernel, since a check of a tree must not
-   use the tree: with theta 0.5 it gave the energy of chapter 9's ring with
-   an error of 2e-4 that varied from row to row, while the tree's forces
-   conserve the energy to 1e-8. */
+/* Sums over all pairs whatever the kernel is, since a check of the tree
+   must not use the tree. With theta 0.5 the tree gave the energy of the
+   ring of chapter 9 with an error of 2e-4 that varied from row to row,
+   while the forces of the tree conserve the energy to 1e-8. */
 double gravity_potential(const struct gravity *g, const double x[])
 {
     const size_t n = g->bodies;

@@ -9,24 +9,25 @@
 #include <stdint.h>
 
 /* Ways to sum the accelerations of more than GRAVITY_FEW bodies. All but
-   the tree add in one order; AVX-512 rounds differently, by less than 1e-14
-   of each term. */
+   the tree add the terms in the same order. AVX-512 rounds differently, by
+   less than 1e-14 of each term. */
 enum gravity_kernel {
-    GRAVITY_AUTO,         /* the fastest with the bits of portable */
-    GRAVITY_PORTABLE,     /* plain C, equal bits on every machine */
-    GRAVITY_AVX512,       /* by intrinsics, eight bodies at a time */
-    GRAVITY_TREE,         /* Barnes and Hut's: needs gravity_use_tree */
-    GRAVITY_OPENCL,       /* on a device: needs `elsewhere` */
-    GRAVITY_OPENCL_FLOAT, /* that in single precision */
+    GRAVITY_AUTO,         /* the fastest one with the results of portable */
+    GRAVITY_PORTABLE,     /* plain C; bit-identical on all machines */
+    GRAVITY_AVX512,       /* intrinsics, for eight bodies at once */
+    GRAVITY_TREE,         /* Barnes-Hut tree; needs gravity_use_tree */
+    GRAVITY_OPENCL,       /* on a device; needs `elsewhere` */
+    GRAVITY_OPENCL_FLOAT, /* on a device, in single precision */
     GRAVITY_KERNELS
 };
 
-/* The names of the kernels, as an option takes them; ends with NULL. */
+/* The names of the kernels as values of an option; the last is NULL. */
 extern const char *const gravity_kernels[];
 
 enum {
-    GRAVITY_FEW = 32,   /* most bodies for which pairs are summed once */
-    GRAVITY_MANY = 1000 /* fewest bodies for which threads pay */
+    GRAVITY_FEW = 32,   /* most bodies for which each pair is computed once
+                           and not once for each of the two */
+    GRAVITY_MANY = 1000 /* fewest bodies for which threads save time */
 };
 
 struct tree;
@@ -35,15 +36,16 @@ struct tree;
    bodies + i] of an array. */
 struct gravity {
     size_t bodies;
-    const double *mass;         /* [bodies], the caller's */
-    double k2;                  /* acceleration times distance^2, mass 1 */
+    const double *mass; /* [bodies], the caller's */
+    double k2; /* acceleration due to mass 1, times distance squared */
     double softening;           /* m; 0: none */
     enum gravity_kernel kernel; /* for more than GRAVITY_FEW bodies */
     int threads;                /* number of threads */
     const uint32_t *source;     /* NULL, or [sources]: only these bodies
                                    attract */
     size_t sources;
-    const double *factor; /* [bodies] with sources: of accelerations */
+    const double *factor; /* [bodies] if source is not NULL: factors by
+                             which the accelerations are multiplied */
     struct tree *tree;    /* NULL, or the tree of GRAVITY_TREE */
     /* NULL, or a function that replaces the kernel */
     void (*elsewhere)(void *device, const double x[], double a[]);
@@ -51,12 +53,12 @@ struct gravity {
 };
 
 /* The largest ratio theta of a cell's width to its distance for which the
-   cell may count as one mass: below 1/sqrt(3) no such cell contains the
-   body itself. */
+   cell may be treated as one mass. It is below 1/sqrt(3), so that no such
+   cell contains the body itself. */
 #define GRAVITY_WIDEST 0.57
 
 /* Prepares the sum over `bodies` bodies, with the kernel auto and one
-   thread. The pointer mass is kept. Returns true: it needs no memory. */
+   thread. The pointer mass is kept. Always returns true. */
 bool gravity_create(struct gravity *g, size_t bodies, const double mass[],
                     double k2, double softening);
 
@@ -69,22 +71,25 @@ bool gravity_use_tree(struct gravity *g, double theta);
 /* Frees what gravity_create and gravity_use_tree allocated. */
 void gravity_free(struct gravity *g);
 
-/* Adds to a[] the accelerations of bodies at x[], both of 3 * bodies
-   numbers, axis by axis: (9.2, eq:softened-force). Without softening, two
-   bodies at one place give NaN. The number of threads changes no bits. */
+/* Adds to a[] the accelerations of bodies at the positions x[]; both arrays
+   have 3 * bodies numbers, axis by axis: (9.2, eq:softened-force). Without
+   softening, two bodies at the same position give NaN. The result does not
+   depend on the number of threads, even in the last bit. */
 void gravity_add(const struct gravity *g, const double x[], double a[]);
 
 /* Returns gravity_add as forces for stepping_begin; g must outlive them. */
 struct stepping_forces gravity_forces(struct gravity *g);
 
-/* Returns the potential energy, in units of mass 1 times velocity squared:
+/* Returns the potential energy, in units of mass times velocity squared:
    (9.1, eq:softened-potential). */
 double gravity_potential(const struct gravity *g, const double x[]);
 
-/* Return whether this build on this machine has this kernel, devices
-   excluded; and the fastest of all kernels that it has, which may round
-   differently from GRAVITY_AUTO. */
+/* Returns whether this build has the kernel and this machine can run it;
+   false for the kernels of devices. */
 bool gravity_can(enum gravity_kernel kernel);
+
+/* Returns the fastest kernel for this machine, devices and tree excluded.
+   It may round differently from GRAVITY_AUTO. */
 enum gravity_kernel gravity_fastest(void);
 
 /* Returns how accelerations are summed: "pairs", "sources", or a kernel. */

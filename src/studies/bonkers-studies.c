@@ -15,7 +15,7 @@
 #define PROGRAM "bonkers-studies"
 
 static struct {
-    uint64_t most; /* collisions, or particles for the speed */
+    uint64_t most; /* collisions; in the study `speed` particles */
     double until;
 } own = {.most = 1000000, .until = 10};
 
@@ -33,22 +33,22 @@ static void begin_or_exit(struct bonkers *b,
     start_free(&start);
 }
 
-/* A small engine that examines all gaps and calculates in the widest
-   numbers of the compiler. It serves as the truth, or rounds after every
-   operation to another precision. This does not imitate single precision
-   but is single precision: a wide number has more than twice the digits of
-   a float and two more, so a result rounded twice is the one of a float
-   unit. */
-enum { LINE_BODIES = 32 }; /* most bodies of such a line */
+/* A small engine that examines all gaps and computes in the widest type of
+   the compiler. It either gives the true motion or rounds the result of
+   every operation to a lower precision. The results are then exactly those
+   of a unit for that precision: the widest type has more than twice the
+   digits of a float and two more, so rounding twice gives the same float as
+   rounding once. */
+enum { LINE_BODIES = 32 }; /* most bodies of a struct line */
 
 enum line_kind {
-    LINE_WIDE,   /* the widest precision */
+    LINE_WIDE,   /* the widest precision: the true motion */
     LINE_SINGLE, /* float */
-    LINE_BIASED /* double, with the difference form (1.8, eq:restitution) */
+    LINE_BIASED  /* double, difference form (1.8, eq:restitution) */
 };
 
-/* The bodies of a line of any kind. Numbers of lower precision are stored
-   in the widest type, too. */
+/* The bodies of a line. Numbers of lower precision are stored in the widest
+   type, too. */
 struct line {
     size_t gaps;
     enum line_kind kind;
@@ -56,8 +56,9 @@ struct line {
     quad now, x[LINE_BODIES], v[LINE_BODIES], im[LINE_BODIES];
 };
 
-/* Returns a result in the precision of the line. Every result passes
-   through here, and only here the kind has an effect. */
+/* Returns a result rounded to the precision of the line. Every result
+   passes through this function, the only place, apart from the choice of
+   the collision formula, where the precision matters. */
 static quad rounded(const struct line *l, quad value)
 {
     return l->kind == LINE_SINGLE   ? (quad)(float)value
@@ -76,8 +77,8 @@ static void line_copy(struct line *l, const struct bonkers *b,
     }
 }
 
-/* Returns the time until a gap closes and sets *first to that gap; less
-   than 0 if none does. */
+/* Returns the time until the next gap closes and sets *first to that gap.
+   Returns a negative number if no gap closes. */
 static quad line_wait(const struct line *l, size_t *first)
 {
     quad least = -1;
@@ -102,7 +103,8 @@ static void line_move(struct line *l, quad wait)
     l->now = rounded(l, l->now + wait);
 }
 
-/* Collides gap i by (1.12, eq:smaller), or in the difference form. */
+/* Collides the neighbours of gap i by (1.12, eq:smaller), or by the
+   difference form if the line is LINE_BIASED. */
 static void line_collide(struct line *l, size_t i)
 {
     const quad a = l->im[i], b = l->im[i + 1], sum = rounded(l, a + b);
@@ -118,8 +120,8 @@ static void line_collide(struct line *l, size_t i)
     ++l->collisions;
 }
 
-/* Runs on to the collision number n and returns the line. Its walls are
-   closed, so that there always is another collision. */
+/* Runs until n collisions have taken place and returns the line. It lies
+   between two walls, so there is always another collision. */
 static struct line *line_run(struct line *l, uint64_t n)
 {
     while (l->collisions < n) {
@@ -130,7 +132,7 @@ static struct line *line_run(struct line *l, uint64_t n)
     return l;
 }
 
-/* Runs on to the time t. */
+/* Runs until the time t. */
 static void line_run_to(struct line *l, quad t)
 {
     size_t first = 0;
@@ -142,8 +144,8 @@ static void line_run_to(struct line *l, quad t)
     line_move(l, t - l->now);
 }
 
-/* Returns the energy. It is not rounded on the way: it has to be more
-   precise than the errors that it measures. */
+/* Returns the energy. The sum is not rounded to the line's precision, since
+   it must be more precise than the errors that it measures. */
 static double line_energy(const struct line *l)
 {
     quad sum = 0;
@@ -152,10 +154,11 @@ static double line_energy(const struct line *l)
     return (double)(sum / 2);
 }
 
-/* Returns the collisions in a second of a run that lasts a twentieth of a
-   second or more. The two slow engines run to a number of collisions and
-   not to a time: to end at a time costs them one more search, which at a
-   million bodies is as expensive as a collision. */
+/* Returns the collisions per second of a run that takes at least a
+   twentieth of a second. The two slow engines run until a number of
+   collisions, not until a time: to stop at a time they search once more for
+   the next collision, which at a million bodies takes as long as a
+   collision. */
 static double speed_of(struct bonkers *b)
 {
     const double n = (double)b->gaps, bite = fmax(4, 1e5 / n);
@@ -173,11 +176,10 @@ static double speed_of(struct bonkers *b)
     return (double)(b->collisions - before) / seconds;
 }
 
-/* Sets speed[] to the medians of the engines' speeds, and speed[0] to the
-   collisions that the slab engine did twice, per cent. Each engine has a
-   gas of its own from the same seed, and they take turns, since the
-   frequency of a processor changes. Round -1 is the warm-up; the next one
-   overwrites its result. */
+/* Sets speed[] to the medians of the engines' speeds in collisions per
+   second, and speed[0] to the percentage of collisions that the slab engine
+   did twice. All engines have the same gas. They take turns, since the
+   clock rate of a processor changes; the first round is a warm-up. */
 static void compare_engines(struct study *s, size_t movers,
                             double speed[BONKERS_ENGINES])
 {
@@ -194,13 +196,13 @@ static void compare_engines(struct study *s, size_t movers,
         bonkers_free(&b[e]);
 }
 
-/* Numbers of particles; the small ones are close together, to find where
-   the scan is slower. */
+/* Numbers of particles. The small ones are close together, to find where
+   other engines overtake the scan. */
 static const size_t sizes[] = {4,    10,    30,     100,
                                1000, 10000, 100000, 1000000};
 enum { SIZES = sizeof sizes / sizeof sizes[0] };
 
-/* Writes the keys of the summary that need a run of a million particles. */
+/* Writes the results that need a run of a million particles. */
 static void note_large(struct table *summary,
                        double speed[SIZES][BONKERS_ENGINES])
 {
@@ -231,7 +233,7 @@ static void study_speed(struct study *s)
         compare_engines(s, sizes[n], speed[n]);
         table_print(s->out, "%-7zu %9.4g %9.4g %9.4g %9.4g\n", sizes[n],
                     speed[n][1], speed[n][2], speed[n][3], speed[n][4]);
-        /* How much faster each engine is than the one before it. */
+        /* The speed of each engine over that of the one before it. */
         for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e)
             table_keyed(s->summary, speed[n][e] / speed[n][e - 1],
                         "%s/%s-%zu", bonkers_engine_names[e],
@@ -245,11 +247,11 @@ static void study_speed(struct study *s)
         note_large(s->summary, speed);
 }
 
-/* Writes, for random velocities of two masses, how often g - q is a tie and
-   how often a tie is rounded up (section A coin that is not fair). The
-   rounding error of `rest` is known exactly, since a wide number can store
-   the difference: if it is half of the distance to the next double, there
-   was a tie. */
+/* Writes, for random velocities of two masses, how often g - q lies halfway
+   between two doubles and how often such a tie is rounded up (section A
+   coin that is not fair). The widest type can store the exact difference,
+   which gives the rounding error of `rest`: in a tie it is half of the
+   distance to the next double. */
 static void throw_coins(struct table *summary, const char *name,
                         double mass1, double mass2)
 {
@@ -272,10 +274,10 @@ static void throw_coins(struct table *summary, const char *name,
     table_keyed(summary, ties > 0 ? 100.0 * up / ties : 0, "up_%s", name);
 }
 
-enum { SINGLE_MOST = 200000 }; /* collisions; they are slow */
+enum { SINGLE_MOST = 200000 }; /* collisions of the slow line */
 
-/* Returns the next of 1, 2, 5, 10, ... above n, nearly even on a
-   logarithmic axis. */
+/* Returns the first of the numbers 1, 2, 5, 10, ... that is greater than n.
+   On a logarithmic axis they are almost evenly spaced. */
 static uint64_t next_stop(uint64_t n)
 {
     uint64_t decade = 1;
@@ -286,13 +288,13 @@ static uint64_t next_stop(uint64_t n)
                             : 10 * decade;
 }
 
-/* Measures the energy of three runs: START_MIXED in double precision, three
-   other bodies, whose energy drifts from the beginning, and START_MIXED in
-   single precision. Energies at the start come from the same function as
-   later ones, so that an error begins at zero. The energy in single
-   precision is compared with that in double: its error begins at 1e-8,
-   because the start is rounded, and is constant after the run has
-   stopped. */
+/* Measures the error of the energy in three runs: START_MIXED in double
+   precision, three other bodies, whose energy drifts from the beginning,
+   and START_MIXED in single precision. The initial energy in double
+   precision comes from the same function as the later ones, so that the
+   error begins at zero. The energy in single precision is compared with the
+   same initial energy: its error begins at 1e-8, because the start is
+   rounded. This slow run stops after SINGLE_MOST collisions. */
 static void study_drift(struct study *s)
 {
     const struct start_request request = {.kind = START_MIXED};
@@ -336,9 +338,9 @@ static void study_drift(struct study *s)
     bonkers_free(&whole);
 }
 
-/* Returns the largest distance from the start after n collisions and as
-   much time back again, by an engine. Two starts of one kind are equal to
-   the last bit, and the second is used for the comparison. */
+/* Returns the largest displacement from the start, m, after n collisions,
+   reversal of the velocities and as much time back. Two starts of one kind
+   are equal to the last bit, so a second one serves for the comparison. */
 static double miss(enum bonkers_engine engine, uint64_t n)
 {
     const struct start_request request = {.kind = START_MIXED};
@@ -348,7 +350,7 @@ static double miss(enum bonkers_engine engine, uint64_t n)
     begin_or_exit(&start, &request, engine);
     bonkers_run(&b, INFINITY, n);
     const double t = b.now;
-    /* All bodies are moved to the present, and fly back. */
+    /* Moves all bodies to the present before they are reversed. */
     bonkers_settle(&b);
     for (size_t i = 0; i <= b.gaps; ++i)
         b.body[i].v = -b.body[i].v;
@@ -362,9 +364,9 @@ static double miss(enum bonkers_engine engine, uint64_t n)
     return worst;
 }
 
-/* Returns the largest distance from the start, as `miss` does, for a line.
-   A line moves all bodies at every collision, so that their velocities can
-   be reversed at once. */
+/* Returns the largest displacement from the start, m, as `miss` does, for a
+   struct line, which moves all bodies at every collision, so that their
+   velocities can be reversed at once. */
 static double line_miss(enum line_kind kind, uint64_t n)
 {
     const struct start_request request = {.kind = START_MIXED};
@@ -384,8 +386,8 @@ static double line_miss(enum line_kind kind, uint64_t n)
     return worst;
 }
 
-/* Measures how far a reversed run ends from its start. The slow lines,
-   which round every operation, stop at fewer collisions. */
+/* Measures how far from its start a reversed run ends. The slow lines,
+   which round every operation, make fewer collisions. */
 static void study_reverse(struct study *s)
 {
     progress_begin(&s->progress, PROGRAM, own.most, "collisions");
@@ -411,8 +413,8 @@ static void study_reverse(struct study *s)
     }
 }
 
-/* Walks for this many steps of dt: moves all bodies, then collides
-   neighbours that overlap and approach each other. */
+/* Makes this number of steps of dt. Each step moves all bodies and then
+   collides all neighbours that overlap and approach each other. */
 static void walk(struct bonkers_body body[], size_t gaps, uint64_t steps,
                  double dt)
 {
@@ -427,8 +429,9 @@ static void walk(struct bonkers_body body[], size_t gaps, uint64_t steps,
     }
 }
 
-/* Returns the root mean square distance of the movers from the truth, at
-   the time of the truth, to which each mover flies from its own time. */
+/* Returns the root mean square distance of the movers from their true
+   positions, m. Each mover is first moved from its own time to that of the
+   true line. */
 static double distance(const struct line *truth,
                        const struct bonkers_body body[])
 {
@@ -442,9 +445,10 @@ static double distance(const struct line *truth,
     return sqrt(sum / (double)(truth->gaps - 1));
 }
 
-/* Walks from the start to the time until, as often as it takes to fill a
-   fiftieth of a second, because one walk may be too short for the clock.
-   Returns the processor time of one walk, s, and in body[] its end. */
+/* Returns the processor time of one walk from the start to the time until,
+   s, and in body[] its final state. The walk is repeated until it has taken
+   a fiftieth of a second, because one walk may be too short for the
+   clock. */
 static double time_walk(double until, const struct bonkers *b, double dt,
                         struct bonkers_body body[])
 {
@@ -462,9 +466,9 @@ static double time_walk(double until, const struct bonkers *b, double dt,
     return seconds / times;
 }
 
-/* Returns the processor time of a run by an engine, as time_walk does. A
-   run changes the bodies: each repetition needs a new start, which is not
-   timed. */
+/* Returns the processor time of an event-driven run, s, as time_walk does.
+   A run changes the bodies, so each repetition makes a new start, which is
+   not timed. */
 static double time_events(double until, const struct start_request *request,
                           struct bonkers_body body[], uint64_t *collisions)
 {
@@ -491,8 +495,8 @@ static void name_steps(struct table *out)
                   {"error", "m", "root mean square error of positions"});
 }
 
-/* Writes the row of events first, as the step zero; then the step is halved
-   until it is less than a millionth of a second. */
+/* Writes a row for events, with the step zero, and then rows for steps that
+   are halved until they are less than a millionth of a second. */
 static void study_steps(struct study *s)
 {
     const struct start_request request = {.kind = START_MIXED};
@@ -518,8 +522,9 @@ static void study_steps(struct study *s)
     bonkers_free(&b);
 }
 
-/* Returns the number of collisions of two balls and a wall on the left, or
-   0 when they collapse, which no run with an end can have. */
+/* Returns the number of collisions of two balls and a wall on their left
+   until no more follow, or 0 if the balls collapse: their collisions have
+   no end. */
 static uint64_t count_until_still(double restitution)
 {
     struct bonkers b;
@@ -536,8 +541,9 @@ static uint64_t count_until_still(double restitution)
     return n;
 }
 
-/* Counts the collisions before a collapse for many restitutions. In theory
-   half a turn takes pi/phi rounds of two collisions (2.7, eq:collapse). */
+/* Counts the collisions until no more follow for many restitutions. In
+   theory the half-turn takes pi/phi rounds of two collisions (2.7,
+   eq:collapse). */
 static void study_collapse(struct study *s)
 {
     const double pi = acos(-1);
@@ -563,9 +569,10 @@ static void study_collapse(struct study *s)
 
 static const double pull = 9.81, long_run = 900; /* m/s2, s */
 
-/* Returns the state of a ball, let go from 1 m, after the time long_run in
-   this number of leapfrog steps. These are exact for a falling body; their
-   only error is to notice the floor at the end of a step. */
+/* Returns the state at the time long_run of a ball dropped from 1 m,
+   computed with this number of leapfrog steps. They are exact for a falling
+   body; the only error is that the floor is noticed at the end of a
+   step. */
 static struct bonkers_body bounce_in_steps(uint64_t steps)
 {
     struct bonkers_body a = {.x = 1};
@@ -580,9 +587,9 @@ static struct bonkers_body bounce_in_steps(uint64_t steps)
     return a;
 }
 
-/* Returns the true height, m, of a ball at a time after it was let go at a
-   height, m. One remainder gives it, since the ball comes back after each
-   bounce. */
+/* Returns the exact height, m, of a ball at the time `until` after it was
+   dropped from a height, m. The motion is periodic, so the
+   time since the last bounce, a remainder, is sufficient. */
 static double bounced(double height, double until)
 {
     const double v = sqrt(2 * pull * height), phase = v / pull + until;
@@ -606,8 +613,8 @@ static struct bonkers_body bounce_by_events(uint64_t *bounces)
     return (struct bonkers_body){x[1], v[1], 0, 0};
 }
 
-/* Equal beads let go from 0.2 m, 0.4 m, ... Since equal beads exchange
-   their velocities, they move like ten independent balls in order of
+/* Equal beads dropped from 0.2 m, 0.4 m, ... Since equal beads exchange
+   their velocities, they move like ten independent balls, in order of
    height. */
 enum { BEADS = 10 };
 
@@ -617,7 +624,7 @@ static int by_height(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Returns the root mean square error of the beads' places, m. */
+/* Returns the root mean square error of the beads' positions, m. */
 static double error_of_beads(const struct bonkers_body body[], double until)
 {
     double truth[BEADS], sum = 0;
@@ -629,8 +636,9 @@ static double error_of_beads(const struct bonkers_body body[], double until)
     return sqrt(sum / BEADS);
 }
 
-/* Walks with weight: half a drift and the pull, then the other half by
-   walk, which also makes the collisions that are due. */
+/* Walks under gravity. Each step moves the beads by half a step, changes
+   their velocities, and calls walk for the other half, which also makes the
+   collisions that are due. */
 static void walk_upright(struct bonkers_body body[], double until,
                          double dt)
 {
@@ -645,7 +653,7 @@ static void walk_upright(struct bonkers_body body[], double until,
 }
 
 /* Writes a row of the table: for steps of dt, or for events if dt is 0. The
-   run is repeated from one start until the clock can measure it. */
+   run is repeated from its start until it is long enough for the clock. */
 static void time_beads(struct table *out, double until, double dt)
 {
     struct bonkers_body body[BEADS + 2];
@@ -703,8 +711,9 @@ static void study_bounce(struct study *s)
     }
 }
 
-/* Strikes a row of n touching bodies, with masses from 1 to 5, at one end.
-   Returns the number of collisions. */
+/* Returns the number of collisions after one end of a row of n bodies has
+   been struck. The bodies have masses from 1 to 5 and distances of `gap`,
+   m. */
 static uint64_t strike(size_t n, uint64_t seed, double gap, bool right)
 {
     struct bonkers b;
@@ -746,8 +755,8 @@ static void study_row(struct study *s)
 
 enum { SHOWN = 60, EVENTS = 32 };
 
-/* The places of a body at the start, at its collisions and at the end. A
-   trail that is full ends early, which does no harm to a picture. */
+/* The positions of a body at the start, at its collisions and at the end. A
+   full trail ends early, which does no harm to the figure. */
 struct trail {
     size_t count;
     double x[EVENTS], t[EVENTS];
@@ -763,18 +772,18 @@ static void add_point(struct trail *trail, double x, double t)
 
 static struct {
     struct trail trail[SHOWN + 2];
-    size_t hits[SHOWN + 1]; /* of a gap */
+    size_t hits[SHOWN + 1]; /* collisions of each gap */
 } slab;
 
-/* Runs the scan with a stop at every collision, which does not affect the
-   results. */
+/* Fills the trails by a run of the scan engine. It stops at every
+   collision, which does not affect the results. */
 static void fill_slab(struct bonkers *b, double until)
 {
     for (size_t i = 0; i <= b->gaps; ++i)
         add_point(&slab.trail[i], b->body[i].x, 0);
     while (bonkers_run(b, until, b->collisions + 1) != BONKERS_TIME) {
-        /* The gap that has just had its collision is between two
-           neighbours whose clocks both show the present. */
+        /* The gap that has just had a collision lies between two neighbours
+           whose own times are both the present. */
         size_t i = 0;
         while (i + 1 < b->gaps && (b->body[i].since != b->now ||
                                    b->body[i + 1].since != b->now))
@@ -789,8 +798,8 @@ static void fill_slab(struct bonkers *b, double until)
                   b->now);
 }
 
-/* Writes the collisions of gap i, which belongs to this island. Each is on
-   the trails of both its bodies, at one time. */
+/* Writes the collisions of gap i with the number of its island. A collision
+   is in the trails of both neighbours with the same time. */
 static void write_gap(struct table *out, size_t i, size_t island)
 {
     const struct trail *t = &slab.trail[i], *next = t + 1;
@@ -801,8 +810,8 @@ static void write_gap(struct table *out, size_t i, size_t island)
                             island, i);
 }
 
-/* Writes all collisions; returns the number of islands. Two gaps with
-   collisions belong to one island if no more than one gap lies between them
+/* Writes all collisions and returns the number of islands. Two gaps with
+   collisions belong to the same island if at most one gap lies between them
    (2.6, eq:islands). */
 static size_t write_islands(struct table *out, size_t gaps)
 {

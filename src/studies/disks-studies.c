@@ -14,12 +14,12 @@ enum { MOST_STARTS = 100000 };
 
 static struct {
     uint64_t samples;
-    uint64_t starts; /* 0: as many as is usual for the study */
-    double every;    /* s */
+    uint64_t starts; /* 0: the usual number of the study */
+    double every;    /* s; the time step */
 } own = {.samples = 1000000, .every = 0.01};
 
-/* Makes `count` equal disks between the walls of a square box, all of speed
-   v. Ends the program if there is no memory or no room. */
+/* Makes `count` equal disks of speed v between the walls of a square box.
+   Ends the program if there is no memory or no room. */
 static void begin_or_exit(struct disks *d, size_t count, double r,
                           double length, double v, struct random *random)
 {
@@ -34,7 +34,8 @@ static void begin_or_exit(struct disks *d, size_t count, double r,
     program_give_up("no memory or no room for the disks");
 }
 
-static const double radius = 0.15; /* of the four in a box of 1 m */
+static const double radius =
+    0.15; /* m; of the four disks in a box of 1 m */
 
 static void begin_four(struct disks *d, double v, uint64_t seed)
 {
@@ -46,22 +47,24 @@ static void begin_four(struct disks *d, double v, uint64_t seed)
 enum { BINS = 100 };
 
 /* Returns the bin of a position. A disk that has just collided with a wall
-   is on the edge of a bin, and rounding must not decide on the side. */
+   lies exactly on the edge of a bin; the factor keeps rounding from
+   choosing the side. */
 static int bin_of(double x)
 {
     const double inside = 0.5 + (x - 0.5) * (1 - 1e-9);
     return (int)fmin(fmax(floor(inside * BINS), 0), BINS - 1);
 }
 
-/* Three programs from one start: with the right loop, with the hard-disk
-   article's, and with the article's after its sign has been corrected
-   (box/loop.h). */
+/* Three programs with the same start: one with the correct loop, one with
+   the loop of the hard-disk article, and one with the article's loop after
+   its sign has been corrected (box/loop.h). */
 enum { OURS, ARTICLE, MENDED, CLOCKS };
 
 static const char *const clocks[CLOCKS] = {"clock", "article", "mended"};
 
-/* Samples the four disks by one of the three. Returns the energy at the
-   start. */
+/* Runs one of the three programs with four disks, counts their coordinates
+   in bins[], and raises *overlap to the deepest overlap. Returns the energy
+   at the start. */
 static double sample_by(int way, const struct study *s, struct loop *l,
                         double bins[BINS], double *overlap)
 {
@@ -84,8 +87,8 @@ static double sample_by(int way, const struct study *s, struct loop *l,
     return energy;
 }
 
-/* Writes the densities of a coordinate, from counts, by all three
-   programs. */
+/* Writes the density of a coordinate as each of the three programs samples
+   it. */
 static void study_clock(struct study *s)
 {
     static double bins[CLOCKS][BINS];
@@ -114,7 +117,7 @@ static void study_clock(struct study *s)
     }
 }
 
-/* Writes a row: the time and the position of the first disk. */
+/* Writes a row with the time and the position of the first disk. */
 static void write_place(struct study *s, struct loop *l)
 {
     double place[DISKS_AXES];
@@ -122,11 +125,12 @@ static void write_place(struct study *s, struct loop *l)
     TABLE_ROW(s->out, l->d.now, place[0], place[1]);
 }
 
-/* Writes three blocks of rows, up to 1.5 s: of the events (way 0), of the
-   clock (1), and of the article's loop (2). All begin with one state, a
-   second after a start on the lattice. The bound of a thousand rows is for
-   the article's loop: with a few seeds it reverses a pair that it has
-   pushed into each other again and again, and its clock stops. */
+/* Writes three blocks of rows until 1.5 s: at the events (0), at the ticks
+   of the clock (1), and at the records of the article's loop (2). All begin
+   with the same state, one second after a start on a lattice. A block has
+   at most a thousand rows, since for a few seeds the article's loop makes
+   no progress: it reverses a pair of overlapping disks again and again, and
+   its clock stops. */
 static void study_timeline(struct study *s)
 {
     TABLE_COLUMNS(s->out, {"t", "s", "events; clock times; the article's"},
@@ -155,10 +159,11 @@ static void study_timeline(struct study *s)
     }
 }
 
-/* Returns how far the disks miss their start, m, after the time t and as
-   much time back; adds the collisions of one way to *collisions. At the
-   turn all disks are moved to the present, or the way back would begin
-   elsewhere. */
+/* Returns the largest displacement from the start, m, after the time t,
+   reversal of the velocities and as much time back. Adds the number of
+   collisions before the reversal to *collisions. All disks are moved to the
+   present before they are reversed; otherwise the way back would begin at
+   other positions. */
 static double miss(struct disks *d, double t, double *collisions)
 {
     struct disk start[4];
@@ -181,7 +186,8 @@ static double miss(struct disks *d, double t, double *collisions)
     return worst;
 }
 
-/* Returns the median miss of four disks of energy e over many starts. */
+/* Returns the median displacement, m, of four disks of energy e after many
+   starts, as `miss` does, and the mean number of collisions. */
 static double median_miss(const struct study *s, double e, double t,
                           double *collisions)
 {
@@ -199,8 +205,8 @@ static double median_miss(const struct study *s, double e, double t,
     return bench_median(worst, starts);
 }
 
-/* Writes the misses of two energies side by side: at twice the speed
-   everything takes half the time. */
+/* Writes the displacements for two energies side by side. At twice the
+   speed everything takes half the time. */
 static void study_reverse(struct study *s)
 {
     double one[16], four[16], n = 0, other;
@@ -220,8 +226,9 @@ static void study_reverse(struct study *s)
                   {"rate_4", log(four[14] / four[2]) / 3});
 }
 
-/* Makes a pair that will collide at the impact parameter `miss`, with a gap
-   between the rims, both in units of sigma = 1, from a random side. */
+/* Makes a pair of disks that will collide with the impact parameter `miss`.
+   `gap` is the distance of their rims. Both are in units of sigma = 1; the
+   direction is random. */
 static void throw_pair(struct random *r, double gap, double miss,
                        double apart[], double closing[])
 {
@@ -235,9 +242,9 @@ static void throw_pair(struct random *r, double gap, double miss,
     apart[2] = 0;
 }
 
-/* Finds the errors of the time of contact: *book with the root in
-   textbooks, *ours with the stable one. Returns the error of the distance
-   at the time of the stable root, or -1 if the disks do not collide. */
+/* Finds the errors of the time of contact: *book with the textbook's root
+   and *ours with the stable root. Returns the error of the distance at the
+   time of the stable root, or -1 if the disks do not collide. */
 static double contact_errors(const double x[], const double v[],
                              double *book, double *ours)
 {
@@ -257,14 +264,14 @@ static double contact_errors(const double x[], const double v[],
     return fabs((double)(quad_root(dx * dx + dy * dy) - 1));
 }
 
-/* Pairs that graze, pairs with a gap, and pairs with a gap and exact
-   positions. */
+/* Kinds of pairs: grazing ones, pairs with a gap, and pairs with a gap
+   whose positions are exact. */
 enum { GRAZE, GAP, EXACT, KINDS };
 
-/* Draws random pairs of one kind and keeps the largest of each of two
-   errors. For grazing pairs these are the errors of our time and of the
-   distance, for the others those of both times, divided by the gap, which
-   is about equal to the time. */
+/* Draws random pairs of one kind and raises worst[] to the largest errors:
+   for grazing pairs those of the time with the stable root and of the
+   distance; for the others those of the times with the textbook's and the
+   stable root, relative to the gap, which is about equal to the time. */
 static void worst_of(int kind, double size, struct random *r,
                      double worst[])
 {
@@ -289,8 +296,8 @@ static void worst_of(int kind, double size, struct random *r,
     }
 }
 
-/* Writes the errors for sizes that are powers of two. The summary has those
-   of the grazing 2^-40 and of the gap 2^-26. */
+/* Writes the errors for sizes that are powers of two. The results are the
+   errors at 2^-40 for grazing pairs and at 2^-26 for pairs with a gap. */
 static void study_contact(struct study *s)
 {
     static const char *const keys[] = {"time", "place",      "book",
@@ -316,8 +323,8 @@ static void study_contact(struct study *s)
     }
 }
 
-/* Runs n disks with this restitution for 100 n collisions. Returns whether
-   they collapsed before. */
+/* Runs n disks with this restitution for at most 100 n collisions. Returns
+   whether they collapse. */
 static bool collapses(struct disks *d, size_t n, double restitution,
                       uint64_t seed)
 {
@@ -328,8 +335,9 @@ static bool collapses(struct disks *d, size_t n, double restitution,
     return disks_run(d, INFINITY, 100 * n) == DISKS_COLLAPSE;
 }
 
-/* Writes the fractions, then the end of one of the runs. The disks that
-   take part in its collapse are those whose last collision is now. */
+/* Writes the fractions of starts that collapse, then the final state of one
+   run. The disks that take part in its collapse are those whose last
+   collision is at the present time. */
 static void study_collapse(struct study *s)
 {
     static const size_t sizes[] = {10, 30, 100};
@@ -366,15 +374,15 @@ static void study_collapse(struct study *s)
     disks_free(&d);
 }
 
-/* Runs the slow engine, which examines every pair before each collision. */
+/* Runs the slow engine, which examines all pairs before each collision. */
 static void run_pairs(struct disks *d, uint64_t collisions)
 {
     while (d->collisions < collisions)
         disks_collide(d, disks_next(d));
 }
 
-/* Returns collisions, those with walls included, in a second of processor
-   time, from pieces of a run that together take a twentieth of a second. */
+/* Returns the collisions per second of processor time, those with walls
+   included, of a run of at least a twentieth of a second. */
 static double speed_of(struct disks *d, bool plan)
 {
     const uint64_t before = d->collisions + d->wall_collisions;
@@ -393,8 +401,8 @@ static double speed_of(struct disks *d, bool plan)
     return (double)(d->collisions + d->wall_collisions - before) / seconds;
 }
 
-/* Measures both engines. Each goes on with a gas of its own, so that its
-   rounds are stretches of one run. */
+/* Measures the speed of both engines. Each has its own gas, and each of its
+   rounds continues the run of the round before. */
 static void study_speed(struct study *s)
 {
     bench_machine(s->out);
@@ -417,9 +425,10 @@ static void study_speed(struct study *s)
     }
 }
 
-/* Returns Z = P V/(N kT) of a run of this number of collisions; adds the
-   seconds that it took. A run that ends with a collision has a bias of the
-   order of one event: even in the shortest runs it is below the noise. */
+/* Returns Z = P V/(N kT) of a run of this number of collisions and adds its
+   processor time to *seconds, s. A run that ends with a collision has a
+   bias of the order of one event, which is below the noise even in the
+   shortest runs. */
 static double pressure_of(uint64_t collisions, uint64_t seed, bool plan,
                           double *seconds)
 {
@@ -443,11 +452,13 @@ static double pressure_of(uint64_t collisions, uint64_t seed, bool plan,
 
 enum { RUNS = 32 };
 
-static const double reference = 2.69889; /* direct sampling, +- 0.00031 */
+static const double reference =
+    2.69889; /* by direct sampling, +- 0.00031 */
 
-/* Fills a row: the times of both engines, error and bias of runs of row[0]
-   collisions. Returns in how many runs the engines differed: if they
-   differed in a single bit, Z would differ too, sooner or later. */
+/* Fills a row with the times of both engines and with the error and the
+   bias of runs of row[0] collisions. Returns the number of runs in which
+   the engines disagree; a difference in a single bit would sooner or later
+   change Z. */
 static double find_errors(uint64_t seed, double row[5])
 {
     const uint64_t count = (uint64_t)row[0];

@@ -1,4 +1,5 @@
-/* Compares samplers: mistakes, memory, acceptance, the cost of an error. */
+/* Compares samplers: two mistakes, memory, acceptance, error against
+   time. */
 #include "box/means.h"
 #include "box/sampling.h"
 #include "line/statistics.h"
@@ -13,13 +14,13 @@
 #define PROGRAM "sample-studies"
 
 enum {
-    LIST = 16, /* the most numbers that an option takes */
-    BINS = 14, /* over the range of a centre */
+    LIST = 16, /* most numbers that an option takes */
+    BINS = 14, /* bins of the range of a disk's centre */
     HALF = BINS / 2,
-    WALLS = BINS, /* quantities behind the bins: the two sides */
-    PAIRS,        /* of (6.5, eq:two-sides) */
+    WALLS = BINS, /* index of the left side of (6.5, eq:two-sides) */
+    PAIRS,        /* index of its right side */
     QUANTITIES,
-    PATIENCE = 200000000 /* throws */
+    PATIENCE = 200000000 /* most throws in the study of acceptance */
 };
 
 static struct {
@@ -43,13 +44,13 @@ static const struct options_entry entries[] = {
     {"step", 'd', "D1,..", "of the chain, m (0.1)"},
     {0}};
 
-/* Ends the program when memory runs out. */
+/* Ends the program with a message that there is not enough memory. */
 static _Noreturn void end_without_memory(void)
 {
     program_give_up("no memory; use fewer disks or samples");
 }
 
-/* Makes a unit box for disks of this radius. */
+/* Makes a unit box with disks of this radius. */
 static void make_box(struct sampling *p, double radius)
 {
     if (!sampling_create(p, 2, DISKS_WALLS, (const double[]){1, 1},
@@ -57,8 +58,8 @@ static void make_box(struct sampling *p, double radius)
         end_without_memory();
 }
 
-/* Starts a chain and runs it for a number of sweeps, after which its start
-   has no influence. */
+/* Starts a Markov chain and runs it for this number of sweeps, after which
+   the start should have no influence. */
 static void start_chain(struct sampling *p, double step, uint64_t sweeps,
                         struct random *r)
 {
@@ -69,7 +70,8 @@ static void start_chain(struct sampling *p, double step, uint64_t sweeps,
         sampling_try(p, step, r);
 }
 
-/* Returns the bin of a coordinate, of BINS equal parts of its range. */
+/* Returns the bin of a coordinate; BINS equal bins cover the range of
+   centres. */
 static size_t bin_of(const struct sampling *p, double x)
 {
     const double r = p->disks.disk[0].radius;
@@ -77,8 +79,8 @@ static size_t bin_of(const struct sampling *p, double x)
     return bin < 0 ? 0 : bin < BINS ? (size_t)bin : BINS - 1;
 }
 
-/* Adds both sides of (6.5, eq:two-sides) from one disk; the disks take
-   turns. */
+/* Adds a sample of both sides of (6.5, eq:two-sides) from one disk. The
+   disks take turns. */
 static void count_contacts(struct means *m, const struct sampling *p)
 {
     const size_t count = p->disks.count;
@@ -96,8 +98,8 @@ static void count_contacts(struct means *m, const struct sampling *p)
     means_add(m, PAIRS, pairs);
 }
 
-/* Adds a sample of all coordinates, scaled so that the mean is the density
-   itself. */
+/* Adds a sample of all coordinates and of both sides of (6.5). The weight
+   of a coordinate is such that the mean of a bin is its density. */
 static void count_places(struct means *m, const struct sampling *p)
 {
     const size_t count = p->disks.count;
@@ -114,10 +116,10 @@ enum way { THROWN, KEPT, CHAIN, MOVED, WAYS };
 static const char *const way_names[WAYS] = {"thrown", "kept", "chain",
                                             "moved"};
 
-/* Takes a sample in one of four ways, of which two are wrong. If a disk
-   does not fit, THROWN throws all again, and KEPT only the last one (wrong:
-   disks_place_random does this). CHAIN samples after every try, MOVED only
-   after tries that moved a disk (wrong). */
+/* Takes samples in one of four ways, two of which are wrong. If a disk does
+   not fit, THROWN places all disks again, and KEPT only that disk (wrong:
+   disks_place_random does this). CHAIN takes a sample after every trial
+   move, MOVED only after accepted moves (wrong). */
 static void take(enum way way, struct means *m, struct sampling *p,
                  double step, struct random *r)
 {
@@ -136,8 +138,8 @@ static void take(enum way way, struct means *m, struct sampling *p,
                 count_places(m, p);
 }
 
-/* Writes by how much, in per cent, a wrong density differs from the right
-   one of its kind in bins b and BINS - 1 - b. */
+/* Writes the relative error, in per cent, of a wrong density in bins b and
+   BINS - 1 - b, compared with the corresponding right one. */
 static void write_bias(struct study *s, const char *key,
                        const struct means *wrong, const struct means *right,
                        size_t b)
@@ -149,8 +151,8 @@ static void write_bias(struct study *s, const char *key,
     table_real(s->summary, key, 100 * (got / due - 1));
 }
 
-/* Writes the densities of all ways, both sides of (6.5, eq:two-sides), and
-   by how much the wrong densities are off. */
+/* Writes the densities that the four ways give, both sides of (6.5,
+   eq:two-sides), and the relative errors of the wrong densities. */
 static void write_mistakes(struct study *s, const struct means means[])
 {
     const double width = (1 - 2 * own.radius[0]) / BINS;
@@ -179,8 +181,9 @@ static void write_mistakes(struct study *s, const struct means means[])
     write_bias(s, "moved_middle", &means[MOVED], &means[CHAIN], HALF - 1);
 }
 
-/* Compares wrong samplers with right ones. Each has a run of its own, which
-   begins with a chain so long that nothing is left of the one before. */
+/* Compares two wrong ways of sampling with the right ones. Each way begins
+   with a chain of a thousand sweeps, so that the way before has no
+   influence on it. */
 static void study_mistakes(struct study *s)
 {
     struct means means[WAYS];
@@ -204,8 +207,9 @@ static void study_mistakes(struct study *s)
     sampling_free(&p);
 }
 
-/* Runs a chain and stores for each sweep x of disk 1 and the fraction of
-   all coordinates in the outermost bins. Returns the acceptance. */
+/* Runs a chain. Stores after each sweep the coordinate x of disk 1 and the
+   fraction of all coordinates that are in the outermost bins. Returns the
+   fraction of accepted moves. */
 static double run_chain(struct sampling *p, double step, uint64_t sweeps,
                         double x[], double edge[], struct random *r)
 {
@@ -225,7 +229,8 @@ static double run_chain(struct sampling *p, double step, uint64_t sweeps,
     return (double)moved / (double)(sweeps * count);
 }
 
-/* Returns the number of samples that are worth an independent one. */
+/* Returns the statistical inefficiency of a series: the number of its
+   samples that carry as much information as one independent sample. */
 static double inefficiency(size_t n, const double x[])
 {
     static struct statistics_blocking b;
@@ -234,8 +239,8 @@ static double inefficiency(size_t n, const double x[])
     return b.inefficiency;
 }
 
-/* Runs chain k of all radii and steps; x has room for two series. The keys
-   of the summary end in the number of the chain. */
+/* Runs chain k of all combinations of radius and step. x is memory for two
+   series. The keys of the results end in k + 1. */
 static void study_chain(struct study *s, size_t k, double x[],
                         struct random *r)
 {
@@ -275,8 +280,9 @@ static void study_memory(struct study *s)
     free(x);
 }
 
-/* Measures the fraction of random configurations that fit. It throws until
-   --samples of them have fitted, or PATIENCE times. */
+/* Measures the fraction of random configurations without overlaps. Draws
+   configurations until --samples of them have none, at most PATIENCE
+   times. */
 static void study_acceptance(struct study *s)
 {
     struct random r;
@@ -306,14 +312,15 @@ enum method { DIRECT, MARKOV, DYNAMICS, METHODS };
 static const char *const method_names[METHODS] = {"direct", "markov",
                                                   "dynamics"};
 enum {
-    TIMES = 7, /* at which errors are noted, each four times the last one */
-    SEEDS = 8, /* runs whose errors are averaged */
-    TRIES = 64 /* between two looks at the clock */
+    TIMES = 7, /* times at which errors are found; each is four times the
+                  last */
+    SEEDS = 8, /* runs whose squared errors are averaged */
+    TRIES = 64 /* tries between two readings of the clock */
 };
 static const double first_time = 0.00025; /* s */
 
-/* Makes one try of a method: a throw, a sweep, or a tenth of a second of
-   dynamics. Returns whether there is a sample. */
+/* Makes a throw, a sweep, or a tenth of a second of dynamics. Returns
+   whether the result is a sample. */
 static bool next_try(enum method method, struct sampling *p, double step,
                      struct random *r)
 {
@@ -329,8 +336,8 @@ static bool next_try(enum method method, struct sampling *p, double step,
     }
 }
 
-/* Prepares a method. Dynamics begins at the end of a chain, with all speeds
-   1; the others do not use speeds. */
+/* Prepares a method. Dynamics begins with the end of a chain and all speeds
+   equal to 1 m/s; the other methods do not use speeds. */
 static void begin_method(enum method method, struct sampling *p,
                          double step, struct random *r)
 {
@@ -344,7 +351,8 @@ static void begin_method(enum method method, struct sampling *p,
         end_without_memory();
 }
 
-/* Counts the present coordinates by their distance from the nearer wall. */
+/* Counts the present coordinates by the distance of their bin from the
+   nearer wall. */
 static void add_places(const struct sampling *p, double counts[HALF])
 {
     for (size_t i = 0; i < p->disks.count; ++i) {
@@ -357,8 +365,8 @@ static void add_places(const struct sampling *p, double counts[HALF])
     }
 }
 
-/* Returns the mean square of the deviations of a density from a reference,
-   in units of the mean density. */
+/* Returns the mean square deviation of a density from a reference, in units
+   of the mean density squared. */
 static double deviation(const double counts[HALF],
                         const double reference[HALF])
 {
@@ -375,7 +383,8 @@ static double deviation(const double counts[HALF],
     return sum / HALF;
 }
 
-/* Runs a method and adds its deviation after each of the times. */
+/* Runs a method and adds the square deviation of its density after each of
+   the times to sum[]. */
 static void run_method(enum method method, struct sampling *p, double step,
                        struct random *r, const double reference[HALF],
                        double sum[TIMES])
@@ -392,10 +401,11 @@ static void run_method(enum method method, struct sampling *p, double step,
     }
 }
 
-/* Measures each method, as the mean of eight runs after one that fills the
-   caches. The reference is a run of dynamics far longer than those. Direct
-   sampling is right by construction: that its error falls straight to the
-   end shows that the reference is right, too. */
+/* Measures the error of each method against processor time: the root mean
+   square of eight runs, after one run that fills the caches. The reference
+   is a far longer run of dynamics. The error of direct sampling, which is
+   correct by construction, decreases steadily up to the longest time; this
+   shows that the reference is correct, too. */
 static void study_cost(struct study *s)
 {
     struct random r;
@@ -419,7 +429,7 @@ static void study_cost(struct study *s)
             double until = first_time, sum[TIMES] = {0};
             for (int seed = -1; seed < SEEDS; ++seed) {
                 if (seed == 0)
-                    memset(sum, 0, sizeof sum); /* the first one warms up */
+                    memset(sum, 0, sizeof sum); /* discard the warm-up */
                 run_method((enum method)method, &p, own.step[0], &r,
                            reference, sum);
             }
@@ -432,9 +442,9 @@ static void study_cost(struct study *s)
     }
 }
 
-/* The pressure of 64 disks in a periodic box, measured by moves and the
-   densities at contact, by dynamics and its collisions, and by event
-   chains, which need neither. */
+/* Methods that measure the pressure of 64 disks in a periodic box: a Markov
+   chain with the densities at contact, dynamics with its collisions, and
+   event chains, which need neither. */
 enum gauging { SLIDES, COLLISIONS, CHAINS, GAUGINGS };
 static const char *const gauging_names[GAUGINGS] = {"markov", "dynamics",
                                                     "chains"};
@@ -443,7 +453,7 @@ static const char *const gauging_names[GAUGINGS] = {"markov", "dynamics",
 struct gauge {
     struct sampling p;
     struct random r;
-    double step, sum; /* of the samples' results */
+    double step, sum; /* step: m; sum of the samples' Z - 1 */
     uint64_t samples;
 };
 
@@ -468,7 +478,7 @@ static void begin_gauge(struct gauge *g, enum gauging way, double packing,
 }
 
 /* Makes a sweep. Returns Z - 1 from the densities at contact of one disk
-   with three others, as sample does. */
+   with three others, as in the program sample. */
 static double slide(struct gauge *g)
 {
     const size_t n = g->p.disks.count, i = g->samples % n;
@@ -482,7 +492,7 @@ static double slide(struct gauge *g)
     return sum * (double)(n - 1) * g->p.disks.disk[0].radius / 2;
 }
 
-/* Makes a chain about five diameters long. Returns its Z - 1. */
+/* Makes an event chain of about five diameters. Returns its Z - 1. */
 static double follow_chain(struct gauge *g, size_t axis)
 {
     const double length =
@@ -492,8 +502,8 @@ static double follow_chain(struct gauge *g, size_t axis)
     return gained / length;
 }
 
-/* Returns Z - 1 so far. Dynamics sums the virial of its collisions from the
-   beginning (7.5, eq:virial). */
+/* Returns Z - 1 from the run so far. Dynamics gives it from the virial of
+   all collisions since the start (7.5, eq:virial). */
 static double gauge_value(struct gauge *g, enum gauging way)
 {
     const struct disks *d = &g->p.disks;
@@ -515,7 +525,8 @@ static void take_one(struct gauge *g, enum gauging way)
 
 enum { MARKS = 5, GAUGES = 16 };
 
-/* Adds the squares of the errors after each of the times. */
+/* Runs a measurement and adds the squares of its errors at the MARKS times,
+   divided by GAUGES, to square[]. */
 static void measure_gauge(enum gauging way, double packing, double step,
                           double truth, struct random *r,
                           double square[MARKS])
@@ -535,7 +546,8 @@ static void measure_gauge(enum gauging way, double packing, double step,
     sampling_free(&g.p);
 }
 
-/* Returns the reference value of Z - 1, from this number of chains. */
+/* Returns the reference value of Z - 1, the mean over this number of event
+   chains. */
 static double find_truth(double packing, double step, uint64_t chains,
                          struct random *r)
 {
@@ -575,9 +587,9 @@ static void study_pressure(struct study *s)
     }
 }
 
-/* Measures the pressure with event chains along x alone, beginning on a
-   lattice: every disk stays in its row, so that not all configurations are
-   reached. */
+/* Measures the pressure with event chains along x only, beginning on a
+   lattice. Every disk stays in its row, so that some configurations are
+   never reached. */
 static void study_one_way(struct study *s)
 {
     struct means m;
@@ -624,7 +636,7 @@ static const struct study_entry studies[] = {
                 {"Z_x_error", "1", "its standard error"})},
     {0}};
 
-/* Reads a list of lengths; returns how many there are. */
+/* Reads a list of lengths between 0 and `limit`. Returns their number. */
 static size_t read_lengths(struct options *o, double x[], double limit)
 {
     const size_t n = options_list(o, x, LIST);

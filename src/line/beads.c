@@ -11,10 +11,11 @@
 const char *const bonkers_engine_names[BONKERS_ENGINES + 1] = {
     "auto", "naive", "scan", "heap", "slab", NULL};
 
-/* Prepares a run, as bonkers_create does; points need no shift. Counters of
-   repeats are needed for runs that lose energy, fractions for the scan and
-   the slabs; the heap has room for all gaps, or for those of one island.
-   bonkers_free also frees a run that is only partly made, since its other
+/* Prepares a run, as bonkers_create does. Allocates only what the run
+   needs: no shifts for points, counters of repeats only if energy is lost,
+   fractions only for the scan and slab engines. The heap has room for all
+   gaps in the heap engine, for those of one island in the slab engine. If
+   memory runs out, bonkers_free frees what has been allocated; all other
    pointers are NULL. */
 static bool create(struct bonkers *b, size_t movers, double restitution,
                    enum bonkers_engine engine, bool points)
@@ -67,7 +68,7 @@ bool bonkers_create(struct bonkers *b, size_t movers, double restitution,
 }
 
 /* Subtracts the s_i of (2.2, eq:rods) from the positions. radius and
-   b->shift may be one array. */
+   b->shift may be the same array. */
 static void take_out_radii(struct bonkers *b, const double radius[])
 {
     double sum = 0;
@@ -79,9 +80,10 @@ static void take_out_radii(struct bonkers *b, const double radius[])
     }
 }
 
-/* Bodies that should touch may overlap by a rounding error after the
-   subtraction of the radii; this is corrected. A larger overlap or a NaN is
-   an error of the caller. Points need no shift. */
+/* Bodies that should touch may overlap after the radii have been
+   subtracted; an overlap no larger than the rounding error is corrected. A
+   larger overlap or a NaN is an error of the caller. Points need no
+   shifts. */
 size_t bonkers_start(struct bonkers *b, const double radius[])
 {
     b->extent = 0;
@@ -99,7 +101,7 @@ size_t bonkers_start(struct bonkers *b, const double radius[])
         if (!(right->x - left->x >= -engine_rounding(b, i + 1)))
             return i;
         if (right->x < left->x)
-            right->x = left->x; /* they touch, up to rounding */
+            right->x = left->x; /* they overlap by rounding only */
         b->due[i] = time_due(b, i);
         if (b->fraction)
             b->fraction[i] = fraction(b, i);
@@ -109,9 +111,10 @@ size_t bonkers_start(struct bonkers *b, const double radius[])
     return b->gaps;
 }
 
-/* Mover i of a start becomes body i + 1 of the line, between two walls of
-   infinite mass. Points get no array of shifts, which a million of them
-   would have to read; for other bodies it first takes the radii. */
+/* Mover i of the start becomes body i + 1 of the line, between two walls of
+   infinite mass. Points have no array of shifts, since a run would have to
+   read it. For other bodies the array first contains the radii, which
+   bonkers_start replaces by the shifts. */
 bool bonkers_begin(struct bonkers *b, const struct start *s,
                    double restitution, enum bonkers_engine engine,
                    size_t *wrong)
@@ -149,9 +152,9 @@ void bonkers_settle(struct bonkers *b)
     schedule_clear(&b->schedule);
 }
 
-/* Returns whether no gap will ever close: at no finite gap is the left body
-   faster than the right one. Without gravity no time is computed, so the
-   times `since` of the bodies may differ. */
+/* Returns whether no gap will ever close. Without gravity, a gap of finite
+   length closes if its left body is faster than its right one; the two
+   positions need not be computed for a common time. */
 bool bonkers_is_still(const struct bonkers *b)
 {
     for (size_t i = 0; i < b->gaps; ++i)
@@ -170,8 +173,8 @@ bool bonkers_is_cold(const struct bonkers *b)
     return true;
 }
 
-/* Every engine sums from the left, since another order would have other
-   rounding errors. A wall of infinite mass does not count. */
+/* Adds the bodies from left to right for every engine, since another order
+   would give other rounding errors. The walls are not included. */
 double bonkers_energy(const struct bonkers *b)
 {
     const double low = b->body[0].x, floor = low > -INFINITY ? low : 0;

@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 4110619607 of the lines below */
+/* checksum 3682171056 of the lines below */
 /* Engines that find the next collision on a line and carry it out. */
 #include "line/bonkers.h"
 
@@ -28,8 +28,8 @@ static enum bonkers_stop idle_all(struct bonkers *b, double until)
     return BONKERS_TIME;
 }
 
-/* Moves all bodies to the next collision, which is in gap i. Returns true
-   if the clock has stood still for too many collisions. */
+/* Moves all bodies by `wait`, s, to the next collision, which is in gap i,
+   and carries it out. Returns whether the run ends as BONKERS_COLLAPSE. */
 static bool move_and_collide(struct bonkers *b, size_t i, double wait)
 {
     struct bonkers_body *left = &b->body[i], *right = left + 1;
@@ -42,7 +42,7 @@ static bool move_and_collide(struct bonkers *b, size_t i, double wait)
     return count_repeat(b, i, stands, approach);
 }
 
-/* Computes the time of every gap at every event and moves all bodies. */
+/* For every collision computes the times of all gaps; moves all bodies. */
 static enum bonkers_stop run_naive(struct bonkers *b, double until,
                                    uint64_t limit)
 {
@@ -78,7 +78,8 @@ enum bonkers_stop engine_idle(struct bonkers *b, double until)
     return BONKERS_STILL;
 }
 
-/* Compares the stored times of all gaps at every event; moves 2 bodies. */
+/* For every collision compares the stored times of all gaps; moves only two
+   bodies. */
 static enum bonkers_stop run_scan(struct bonkers *b, double until,
                                   uint64_t limit)
 {
@@ -104,7 +105,8 @@ void engine_reschedule(struct bonkers *b, size_t i)
         schedule_drop(&b->schedule, i);
 }
 
-/* Takes the earliest gap from the top of the heap; moves two bodies. */
+/* For every collision takes the earliest gap from the top of the heap;
+   moves only two bodies. */
 enum bonkers_stop engine_run_heap(struct bonkers *b, double until,
                                   uint64_t limit)
 {

@@ -7,13 +7,14 @@
 
 enum { COLLIDE_DIMENSIONS = 3 }; /* largest number of dimensions */
 
-/* Five forms of the formula; they differ only by rounding. */
+/* Five forms of the formula, which differ only in rounding. Three split the
+   change of the relative velocity into a fraction for each body. */
 enum collide_form {
-    COLLIDE_CM,         /* reverse about the centre (1.4, eq:reverse) */
-    COLLIDE_DIFFERENCE, /* two fractions, divided (1.8, eq:restitution) */
-    COLLIDE_IMPULSE,    /* one impulse for both (1.10, eq:impulse) */
-    COLLIDE_COMPLEMENT, /* smaller fraction as 1 - larger */
-    COLLIDE_SMALLER,    /* smaller, and the rest (1.12, eq:smaller) */
+    COLLIDE_CM,         /* about the centre of mass (1.4, eq:reverse) */
+    COLLIDE_DIFFERENCE, /* fractions by division (1.8, eq:restitution) */
+    COLLIDE_IMPULSE,    /* one common impulse (1.10, eq:impulse) */
+    COLLIDE_COMPLEMENT, /* smaller fraction = 1 - larger fraction */
+    COLLIDE_SMALLER,    /* smaller fraction, remainder (1.12, eq:smaller) */
     COLLIDE_FORMS       /* number of forms */
 };
 
@@ -28,19 +29,19 @@ enum collide_form {
 bool collide(double *v1, double *v2, double im1, double im2,
              double restitution);
 
-/* Collides two smooth bodies; normal is a vector of any length but zero
-   along the line between their centres. normal, v1, v2: arrays of
-   `dimensions` numbers, 1 to COLLIDE_DIMENSIONS. Otherwise as collide, but
-   returns false also if the normal is zero or not finite. With one
-   dimension and normal 1 the results of both functions are equal to the
-   last bit. Source: equation (1.10, eq:impulse). */
+/* Collides two smooth bodies. normal, a vector of any length but zero, is
+   parallel to the line between their centres; normal, v1 and v2 have
+   `dimensions` components, 1 to COLLIDE_DIMENSIONS. Otherwise like collide,
+   but returns false also if the normal is zero or not finite. With one
+   dimension and normal 1 the results equal those of collide to the last
+   bit. Source: equation (1.10, eq:impulse). */
 bool collide_along(size_t dimensions, const double normal[], double v1[],
                    double v2[], double im1, double im2, double restitution);
 
 /* The forms' names, in the order of enum collide_form, then NULL. */
 extern const char *const collide_form_names[COLLIDE_FORMS + 1];
 
-/* Do what collide and collide_along do, in a chosen form, to compare. */
+/* Work as collide and collide_along do, but by a chosen form. */
 bool collide_by(enum collide_form form, double *v1, double *v2, double im1,
                 double im2, double restitution);
 bool collide_along_by(enum collide_form form, size_t dimensions,

@@ -1,10 +1,11 @@
-/* Describes a series with errors; the scatter of counts; two series. */
+/* Errors of a series, the scatter of counts, dependence of two series. */
 #include "line/statistics.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-/* Fills u with x divided by statistics_unit, which it returns. */
+/* Fills u with the numbers x divided by statistics_unit(n, x), and returns
+   this unit. */
 static double in_unit(size_t n, const double x[], double u[])
 {
     const double unit = statistics_unit(n, x), inverse = 1 / unit;
@@ -15,8 +16,8 @@ static double in_unit(size_t n, const double x[], double u[])
 
 enum number { MEAN, VARIANCE, KURTOSIS };
 
-/* Fills y with a series whose mean has the error of the variance of x, or
-   that of its kurtosis, by (3.12, eq:delta). */
+/* Fills y with a series whose mean has the same standard error as the mean,
+   variance or kurtosis of x, as chosen by `of` (3.12, eq:delta). */
 static void series_of(size_t n, const double x[], double y[],
                       const struct statistics_moments *m, enum number of)
 {
@@ -31,9 +32,10 @@ static void series_of(size_t n, const double x[], double y[],
     }
 }
 
-/* Sets *error to the standard error of the mean of y, estimated from blocks
-   if y is a series in time; in *d inefficiency, block and plateau become
-   the worst of all calls. Returns false if memory runs out. */
+/* Sets *error to the standard error of the mean of y. If y is a series in
+   time, it is estimated from blocks, and the inefficiency, block length and
+   plateau in *d become the worst of all calls. Returns false if memory runs
+   out. */
 static bool error_of(size_t n, const double y[], bool serial,
                      struct statistics_description *d, double *error)
 {
@@ -52,8 +54,8 @@ static bool error_of(size_t n, const double y[], bool serial,
     return true;
 }
 
-/* A constant column, such as the position of a wall, has no kurtosis, and
-   its errors are zero. */
+/* A constant column, such as the position of a wall, has no kurtosis; then
+   the kurtosis and all errors are set to 0. */
 bool statistics_describe(size_t n, const double x[], bool serial,
                          struct statistics_description *d)
 {
@@ -93,7 +95,7 @@ bool statistics_describe(size_t n, const double x[], bool serial,
     return done;
 }
 
-/* Returns the covariance of the counts of two cells over the blocks. */
+/* Returns the covariance, over all blocks, of the counts of two cells. */
 static double covariance(size_t blocks, size_t cells, const double a[],
                          const double b[])
 {
@@ -132,7 +134,7 @@ struct statistics_scatter statistics_scatter(size_t blocks, size_t cells,
     square = fmax(square, sum * sum / (double)(cells - 1));
     return (struct statistics_scatter){square / sum, sum * sum / square};
 }
-/* A value of a series and its index there, to be sorted by value. */
+/* A value of a series and its index in the series, for sorting by value. */
 struct placed {
     double value;
     size_t place;
@@ -144,8 +146,9 @@ static int by_value(const void *a, const void *b)
     return (p->value > q->value) - (p->value < q->value);
 }
 
-/* Divides the samples by rank into cells of equal size. Returns the cell of
-   each sample, to be freed by the caller, or NULL if memory runs out. */
+/* Divides the samples by rank into cells of equal size. Returns an array
+   with the cell of each sample, which the caller frees, or NULL if memory
+   runs out. */
 static size_t *cells_of(size_t n, const double x[], size_t cells)
 {
     struct placed *sorted = malloc(n * sizeof sorted[0]);
@@ -163,9 +166,9 @@ static size_t *cells_of(size_t n, const double x[], size_t cells)
     return sorted ? cell : NULL;
 }
 
-/* Sets chi-square of a table of cells x cells, each of which would contain
-   equally many samples if the two series were independent. Returns false if
-   memory runs out. */
+/* Sets chi-square and its degrees of freedom for a table of cells x cells.
+   Each cell would be expected to contain equally many samples if the two
+   series were independent. Returns false if memory runs out. */
 static bool count_table(size_t n, const double x[], const double y[],
                         size_t cells, struct statistics_dependence *d)
 {

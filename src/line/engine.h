@@ -4,11 +4,12 @@
 
 #include "line/bonkers.h"
 
-/* Returns by how much rounding may displace bodies i - 1 and i, m. */
+/* Returns the largest rounding error, m, to be expected in the distance of
+   bodies i - 1 and i. */
 double engine_rounding(const struct bonkers *b, size_t i);
 
-/* Ends a run in which nothing happens before `until`: advances the clock to
-   that time, or, if it is infinite, leaves it at the last collision. */
+/* Ends a run in which nothing happens before `until`: sets the clock to
+   that time or, if it is infinite, to the time of the last collision. */
 enum bonkers_stop engine_idle(struct bonkers *b, double until);
 
 /* Puts gap i into the schedule if it will close; otherwise removes it. */

@@ -13,8 +13,8 @@ double fall_to_floor(double x, double v, double g);
    roof. */
 double fall_to_roof(double x, double v, double g);
 
-/* Returns the speed, m/s, of the body on reaching the floor, or with -x for
-   x the roof; 0 if rounding makes its square negative. */
+/* Returns the speed, m/s, at which the body reaches the floor, or with -x
+   for x the roof; 0 if rounding makes the square of the speed negative. */
 double fall_speed(double x, double v, double g);
 
 #endif

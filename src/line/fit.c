@@ -5,8 +5,9 @@
 #include <math.h>
 
 /* The probability of an interval is a difference of two values of the error
-   function. Far to the right both are almost 1 and their difference is lost
-   in rounding; there erfc is used, whose values are small and accurate. */
+   function. Far to the right of the mean both values are almost 1, and
+   their difference is lost in rounding; the values of erfc are small there,
+   and accurate. */
 double statistics_gaussian_between(double mean, double sd, double a,
                                    double b)
 {
@@ -20,8 +21,7 @@ double statistics_gaussian_between(double mean, double sd, double a,
 /* Returns (z^power) phi(z) / sd with z = (x - mean) / sd and phi the normal
    density. The derivatives of a bin's probability p with respect to mean
    and sd are the differences of phi / sd and z phi / sd between its two
-   ends. At infinity z phi is zero, which is not what floating point
-   gives. */
+   ends. At infinity z phi is zero, but floating point would give NaN. */
 static double bell(double x, double mean, double sd, int power)
 {
     const double z = (x - mean) / sd;
@@ -51,16 +51,17 @@ static void add_bin(struct newton *s, double mean, double sd, double a,
     s->information[2] += total * slope[1] * slope[1] / p;
 }
 
-/* Returns the lower edge of bin i in this unit. In other units the
-   information, which is proportional to the inverse fourth power of the
-   standard deviation, would underflow beyond 1e77. */
+/* Returns the lower edge of bin i in this unit. With a standard deviation
+   above 1e77 in another unit the determinant of the information, which is
+   proportional to its inverse fourth power, would underflow. */
 static double edge_in(double unit, const struct statistics_histogram *h,
                       size_t i)
 {
     return statistics_histogram_edge(h, i) / unit;
 }
 
-/* Returns the sums over all bins and the two infinite ones outside. */
+/* Returns the sums over all bins, including the two infinitely wide ones
+   outside the range. */
 static struct newton newton_sums(const struct statistics_histogram *h,
                                  double unit, double mean, double sd)
 {
@@ -76,8 +77,8 @@ static struct newton newton_sums(const struct statistics_histogram *h,
 
 /* Sets the start of Newton's method: mean and standard deviation as if
    every sample were at the centre of its bin. They are computed relative to
-   the lower end of the range, so that a range far from zero costs no
-   digits. Returns false if the samples have no spread. */
+   the lower end of the range, so that no digits are lost if the range is
+   far from zero. Returns false if the samples have no spread. */
 static bool moments_of_bins(const struct statistics_histogram *h,
                             double unit, double *mean, double *sd)
 {
@@ -127,10 +128,10 @@ static void compare_with(const struct statistics_histogram *h, double unit,
     fit->degrees = groups > 3 ? groups - 3 : 0;
 }
 
-/* A step that is too large is shortened, since the standard deviation must
+/* Each Newton step is the inverse of I times S, computed by Cramer's rule.
+   A step that is too large is shortened, since the standard deviation must
    stay positive. A hundred steps are far more than are ever needed. The
-   step is the inverse of I times S by Cramer's rule; the diagonal of that
-   inverse gives the variances of the two parameters. */
+   diagonal of the inverse gives the variances of the two parameters. */
 bool statistics_fit_gaussian(const struct statistics_histogram *h, double g,
                              struct statistics_gaussian *fit)
 {

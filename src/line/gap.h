@@ -1,6 +1,6 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 2178538619 of the lines below */
-/* A gap between two bodies: when it closes, and the collision then. */
+/* checksum 3380644771 of the lines below */
+/* A gap between two bodies: the time when it closes, and the collision. */
 #ifndef GAP_H
 #define GAP_H
 
@@ -15,7 +15,8 @@ static inline double position(const struct bonkers_body *a, double t)
     return a->x + a->v * (t - a->since);
 }
 
-/* Returns when the gap to the right of a body closes (2.3, eq:gap-time). */
+/* Returns the time, s, at which the gap to the right of a body closes, or
+   INFINITY if it does not (2.3, eq:gap-time). */
 static inline double time_of_gap(const struct bonkers_body *left)
 {
     const struct bonkers_body *right = left + 1;
@@ -33,7 +34,8 @@ static inline double time_due(const struct bonkers *b, size_t i)
                           : time_of_gap(&b->body[i]);
 }
 
-/* Returns body i as it is at the time t if it has no collision before. */
+/* Returns the state of body i at the time t, provided that it has no
+   collision before. */
 static inline struct bonkers_body body_at(const struct bonkers *b, size_t i,
                                           double t)
 {
@@ -45,13 +47,14 @@ static inline struct bonkers_body body_at(const struct bonkers *b, size_t i,
     return a;
 }
 
-/* Returns whether two times are equal up to a few last bits. */
+/* Returns whether t is later than `before` by a rounding error at most. */
 static inline bool same_time(double before, double t)
 {
     return t - before <= 4 * DBL_EPSILON * t;
 }
 
-/* Returns how many collisions of a gap at one time count as a collapse. */
+/* Returns the number of collisions of a gap at one time that counts as a
+   collapse. */
 static inline uint32_t most_repeats(const struct bonkers *b)
 {
     return BONKERS_REPEATS + (b->gaps < 200 ? (uint32_t)b->gaps : 200);
@@ -59,7 +62,7 @@ static inline uint32_t most_repeats(const struct bonkers *b)
 
 /* Counts the collisions of gap i while the clock stands still; resets the
    count when the clock advances. Returns true if there are too many, or if
-   the clock advances but the bodies approach slower than
+   the clock advances but the bodies approach more slowly than
    BONKERS_SLOWEST. */
 static inline bool count_repeat(struct bonkers *b, size_t i, bool stands,
                                 double approach)
@@ -96,8 +99,8 @@ static inline void exchange(struct bonkers *b, size_t i)
     right->v += part[1];
 }
 
-/* Collides the bodies of gap i when the gap is due. Returns true if the
-   clock has stood still for too many collisions. */
+/* Collides the bodies of gap i at the time when it closes. Returns whether
+   the run ends as BONKERS_COLLAPSE. */
 static inline bool collide_gap(struct bonkers *b, size_t i)
 {
     if (b->gravity > 0)
@@ -114,8 +117,8 @@ static inline bool collide_gap(struct bonkers *b, size_t i)
     return count_repeat(b, i, stands, approach);
 }
 
-/* Sets *low and *high to the first and the last gap whose time changes by a
-   collision in gap i. */
+/* Sets *low and *high to the first and the last gap whose times a collision
+   in gap i changes. */
 static inline void find_changed(const struct bonkers *b, size_t i,
                                 size_t *low, size_t *high)
 {

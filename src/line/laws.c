@@ -47,10 +47,10 @@ static bool makes_sense(const struct law *law)
     return false;
 }
 
-/* Reads a colon and numbers separated by commas. Optional numbers must all
-   be given or all be missing: a low end without a high end is an error.
-   Only Maxwell's, each of which makes sense without the next, may end
-   anywhere. Returns false if the text is wrong. */
+/* Reads a colon and numbers separated by commas. Returns false if the text
+   is wrong. Either all optional numbers must be given or none: a low end
+   without a high end is an error. Only in Maxwell's law, where each number
+   makes sense without the next, may some be left out. */
 static bool read_numbers(const char *text, struct law *law)
 {
     for (law->given = 0; *text; ++law->given) {
@@ -90,7 +90,7 @@ size_t laws_complete(struct law *law, double mean, double sd)
         {mean, sd},
         {0, p[0] * sd * sd / 2, 1}, /* <v^2> = 2E/nm */
         {0, 0, 0, 1},
-        {0, 1, 0}}; /* of a component, not of a speed */
+        {0, 1, 0}}; /* d = 0: law of a component, not of a speed */
     law->given = kinds[law->kind].most;
     for (size_t k = given; k < law->given; ++k)
         p[k] = usual[law->kind][k];
@@ -104,8 +104,8 @@ struct stretched {
     double a, b, low, high;
 };
 
-/* Returns a microcanonical or Beta law as a stretched Beta law; that of
-   velocities has two equal parameters (3.5, eq:velocity-cdf). */
+/* Returns a microcanonical or Beta law as a stretched Beta law. In the
+   microcanonical law of a velocity a = b (3.5, eq:velocity-cdf). */
 static struct stretched beta_of(const struct law *law)
 {
     const double *p = law->parameter;
@@ -130,8 +130,8 @@ static double stretched_below(struct stretched s, double x)
                         : gsl_cdf_beta_P(place, s.a, s.b);
 }
 
-/* Maxwell's law for a speed is that of a component times x^(d-1), from the
-   surface of a sphere in velocity space, normalised. */
+/* Maxwell's density of a speed is that of a component times x^(d-1), from
+   the surface of a sphere in velocity space, and normalised. */
 double laws_density(const struct law *law, double x)
 {
     const double *p = law->parameter;
@@ -201,15 +201,15 @@ double laws_chi2(double chi2, double degrees)
     return gsl_cdf_chisq_Q(chi2, degrees);
 }
 
-/* At lambda = 1, worst for both series, the omitted terms are below
-   1e-40. */
+/* The sum is that of one of two series. Both converge most slowly at lambda
+   = 1, where the omitted terms are below 1e-40. */
 double laws_kolmogorov(double lambda)
 {
     const double pi = acos(-1);
     double sum = 0;
     if (lambda <= 0)
         return 1;
-    if (lambda < 1) { /* another series, which converges here */
+    if (lambda < 1) { /* this series converges better here */
         for (int k = 1; k < 8; k += 2)
             sum += exp(-k * k * pi * pi / (8 * lambda * lambda));
         return 1 - sqrt(2 * pi) / lambda * sum;
@@ -239,8 +239,9 @@ static double largest_distance(size_t n, const double below[])
     return distance;
 }
 
-/* Returns the bin of a cumulative probability. If the law is right, these
-   probabilities are uniform from 0 to 1, and the bins equally probable. */
+/* Returns the bin of a cumulative probability. For samples that obey the
+   law these probabilities are uniformly distributed from 0 to 1, and all
+   bins are equally probable. */
 static size_t bin_of(double below)
 {
     return below < 1 ? (size_t)(below * LAW_CELLS) : LAW_CELLS - 1;
@@ -264,13 +265,15 @@ static bool find_scatter(size_t n, const double below[], size_t block,
 }
 
 /* A law that was fitted to the samples is closer to them than (3.16,
-   eq:kolmogorov) expects, so its distance has no probability, NaN. */
+   eq:kolmogorov) expects, so the probability of its distance is unknown,
+   NaN. */
 bool laws_test(const struct law *law, size_t n, const double x[], double g,
                size_t block, size_t fitted, struct law_test *t)
 {
     const double independent = (double)n / g;
     struct statistics_scatter s = {1, LAW_CELLS - 1};
-    double *below = malloc(n * sizeof below[0]); /* the law's, at x */
+    double *below = malloc(n * sizeof below[0]); /* laws_below at each
+                                                    sample */
     if (!below)
         return false;
     for (size_t i = 0; i < n; ++i)

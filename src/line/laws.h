@@ -16,15 +16,15 @@ struct law {
     double parameter[LAW_PARAMETERS];
 };
 
-enum { LAW_CELLS = 20 }; /* equally probable bins of chi-square */
+enum { LAW_CELLS = 20 }; /* number of equally probable bins */
 
 /* How well samples agree with a law. Each probability is that of a result
    at least as bad for samples that obey the law. */
 struct law_test {
-    double distance;               /* Kolmogorov's */
+    double distance;               /* Kolmogorov's distance */
     double distance_probability;   /* NaN if the law was fitted */
-    double chi2, chi2_probability; /* of LAW_CELLS bins */
-    double degrees;                /* of freedom of chi2 */
+    double chi2, chi2_probability; /* from LAW_CELLS bins */
+    double degrees;                /* degrees of freedom of chi2 */
 };
 
 /* Reads a law from text; parts in brackets are optional:
@@ -38,13 +38,13 @@ struct law_test {
    Returns NULL, or an error message. */
 const char *laws_read(const char *text, struct law *law);
 
-/* Sets the parameters that were not given: low = 0 and high = 1, m = 1, all
-   others from a column's mean and standard deviation. Returns how many were
-   computed from the column. */
+/* Sets the parameters that were not given: low = 0, high = 1, m = 1, d = 0
+   for a component, and the others from the mean and standard deviation of a
+   column. Returns how many were computed from the column. */
 size_t laws_complete(struct law *law, double mean, double sd);
 
-/* Return the density of a complete law at x, in the inverse of x's unit,
-   and the probability of less than x (3.2, eq:velocity-law), (3.5,
+/* Return the density of a complete law at x, in the inverse unit of x, and
+   the probability of a value below x (3.2, eq:velocity-law), (3.5,
    eq:velocity-cdf), (3.7, eq:beta). */
 double laws_density(const struct law *law, double x);
 double laws_below(const struct law *law, double x);
@@ -64,8 +64,8 @@ double laws_sd(const struct law *law);
 bool laws_test(const struct law *law, size_t n, const double x[], double g,
                size_t block, size_t fitted, struct law_test *t);
 
-/* Returns the probability that Kolmogorov's distance times the square root
-   of the number of samples, if large, exceeds lambda. */
+/* Returns the probability that Kolmogorov's distance, multiplied by the
+   square root of a large number of samples, exceeds lambda. */
 double laws_kolmogorov(double lambda);
 
 /* Returns the probability that chi-square with this number of degrees of

@@ -1,6 +1,6 @@
 /* From chapters/04-piston.nw: edit there, then run make tangle. */
-/* checksum 774570507 of the lines below */
-/* The piston in steps; its period by quadrature and from standing waves. */
+/* checksum 2906820513 of the lines below */
+/* Time steps of the piston; its period and its frequency with sound. */
 #include "line/piston.h"
 
 #include <math.h>
@@ -109,7 +109,7 @@ double piston_period(const struct piston *p, double energy, size_t points)
     return sqrt(2 * piston_inertia(p) / energy) * pi * sum / (double)points;
 }
 
-/* Returns the length of the near gas at which the piston turns round, m. */
+/* Returns the length, m, of the gas `near` when the piston turns round. */
 static double turning_length(const struct piston_gas *near,
                              const struct piston_gas *far, double box,
                              double energy)
@@ -135,8 +135,8 @@ bool piston_turning_points(const struct piston *p, double energy,
     return true;
 }
 
-/* Returns the force on the piston, N, of a standing wave in a gas, for a
-   velocity amplitude of 1 m/s. */
+/* Returns the force, N, of a standing wave in a gas on the piston if the
+   velocity amplitude of the piston is 1 m/s. */
 static double wave_force(const struct piston_gas *gas, double length,
                          double frequency)
 {
@@ -147,7 +147,8 @@ static double wave_force(const struct piston_gas *gas, double length,
     return gas->mass / length * c / tan(frequency * length / c);
 }
 
-/* Returns the first frequency, 1/s, at which wave_force is infinite. */
+/* Returns the lowest frequency above 0, 1/s, at which wave_force is
+   infinite. */
 static double wave_pole(const struct piston_gas *gas, double length)
 {
     const double K = piston_gas_energy(gas, length);

@@ -8,7 +8,7 @@
 /* A gas on a line between a wall and the piston, compressed so slowly that
    its kinetic energy depends on its length only. */
 struct piston_gas {
-    double energy; /* kinetic energy at this length, J, not negative */
+    double energy; /* kinetic energy at `length`, J, not negative */
     double length; /* m, positive */
     double mass;   /* kg, may be 0; a third moves with the piston */
 };
@@ -34,8 +34,8 @@ double piston_gas_energy(const struct piston_gas *gas, double length);
 double piston_potential(const struct piston *p, double x);
 double piston_force(const struct piston *p, double x);
 
-/* Returns the effective moving mass (kg): the piston's, and a third of each
-   gas's. Source: (4.10, eq:added-mass). */
+/* Returns the effective moving mass (kg): that of the piston and a third of
+   that of each gas. Source: (4.10, eq:added-mass). */
 double piston_inertia(const struct piston *p);
 
 /* Moves the piston by one leapfrog step dt (s), positive or negative.
@@ -51,12 +51,13 @@ bool piston_step_rk4(const struct piston *p, struct piston_state *s,
 /* Returns the energy (J) of the effective moving mass and the two gases. */
 double piston_energy(const struct piston *p, const struct piston_state *s);
 
-/* Returns the position (m) at which the two gases balance, inside the box.
-   Requires both energies positive. Source: (4.6, eq:piston-rest). */
+/* Returns the position (m), inside the box, at which the forces of the two
+   gases balance. Requires both energies positive. Source: (4.6,
+   eq:piston-rest). */
 double piston_rest(const struct piston *p);
 
 /* Returns the angular frequency (1/s) of small oscillations about the
-   position of rest. Source: (4.7, eq:piston-small), M from
+   position of rest. Source: (4.7, eq:piston-small), with M from
    piston_inertia. */
 double piston_frequency(const struct piston *p);
 
@@ -68,14 +69,15 @@ bool piston_turning_points(const struct piston *p, double energy,
 
 /* Returns the period (s) of an oscillation of this energy (J), integrated
    with this many points: 16 give 12 digits if no gas is compressed below a
-   third of its length. NAN without points or turning points. Source: (4.8,
-   eq:piston-large), by the substitution (4.9, eq:piston-circle). */
+   third of its length. Returns NAN if there are no points or no turning
+   points. Source: (4.8, eq:piston-large), by the substitution (4.9,
+   eq:piston-circle). */
 double piston_period(const struct piston *p, double energy, size_t points);
 
-/* Returns the lowest angular frequency (1/s) of small oscillations with
-   sound waves in the gases, whose full masses (kg) count. For gases without
-   mass it equals piston_frequency. Requires both energies positive. Source:
-   (4.11, eq:acoustic). */
+/* Returns the lowest angular frequency (1/s) of small oscillations of the
+   piston coupled to sound waves in the gases, with their full masses. For
+   gases without mass it equals piston_frequency. Requires both energies
+   positive. Source: (4.11, eq:acoustic). */
 double piston_frequency_acoustic(const struct piston *p);
 
 #endif

@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 2915905627 of the lines below */
+/* checksum 4148645003 of the lines below */
 /* Finds the earliest event by comparing all times, or with a heap. */
 #include "line/schedule.h"
 
@@ -17,7 +17,8 @@ size_t schedule_scan(const double time[], size_t n)
     return first;
 }
 
-/* Says whether a comes before b; at equal times the smaller number does. */
+/* Returns whether entry a comes before entry b: at equal times the event
+   with the smaller number comes first. */
 static bool earlier(struct schedule_entry a, struct schedule_entry b)
 {
     return (a.time < b.time) | ((a.time == b.time) & (a.event < b.event));

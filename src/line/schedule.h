@@ -15,16 +15,17 @@ struct schedule_entry {
     uint32_t event;
 };
 
-/* Some of the events 0 to size-1 in a heap, the earliest on top: heap[0],
-   which may be read if count > 0. */
+/* Some of the events 0 to size-1 in a heap. heap[0] is the earliest one and
+   may be read if count > 0. */
 struct schedule {
     struct schedule_entry *heap; /* ordered by (2.5, eq:heap) */
     uint32_t *place;             /* index of each event in heap */
     size_t size, count;
 };
 
-/* Prepares an empty schedule for events 0 to size-1, at most `room` of them
-   at a time. Returns false, with nothing to free, if memory runs out. */
+/* Prepares an empty schedule for events 0 to size-1, of which it can
+   contain `room` at once. Returns false, with nothing to free, if memory
+   runs out. */
 bool schedule_create(struct schedule *s, size_t size, size_t room);
 void schedule_free(struct schedule *s);
 

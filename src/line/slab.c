@@ -16,61 +16,64 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The numbers that a collision overwrites: position, velocity and time of
-   its two bodies, and one counter. The times of the gaps are not stored, as
-   they are computed again from the bodies, with equal bits. */
+/* An entry of the log: the numbers that a collision in `gap` overwrites.
+   These are position, velocity and time of its two bodies, and the counter
+   of the gap. The times of the gaps are not stored: computed again from the
+   bodies, they are equal to the last bit. */
 struct log_entry {
     double x[2], v[2], since[2];
     uint32_t gap, repeats;
 };
 
-/* An island: the gaps first to last. Its entries in the log are those from
-   start to the start of the next island. */
+/* An island consists of the gaps first to last. Its entries in the log
+   begin at index `start` and end before the start of the next island. */
 struct island {
     uint32_t first, last;
     size_t start;
 };
 
-/* A slab, advancing from left to right. A line of a million bodies does not
-   fit into a cache, and loading it from memory for every slab would take as
-   long as the collisions. So up to SLABS slabs follow each other, each
-   BLOCK gaps behind the one before, and share what the first has loaded. */
+/* A slab, which advances from left to right. A line of a million bodies
+   does not fit into a cache, and loading it from memory for every slab
+   would take as long as the collisions. So up to SLABS slabs follow each
+   other, each BLOCK gaps behind the one before, and share the bodies that
+   the first has loaded. */
 struct slab {
-    double end;  /* of the interval of time, s */
+    double end;  /* end of the interval of time, s */
     size_t next; /* the first gap that is not finished */
     struct log_entry *log;
     size_t logged, log_size;
     struct island *island;
     size_t islands, island_size;
-    uint64_t collisions; /* those whose log entries have been dropped */
+    uint64_t collisions; /* number with dropped log entries */
 };
 
 enum {
-    SLABS = 16,     /* most slabs in progress at once */
-    BLOCK = 256,    /* gaps between one slab and the next */
-    MOST_ALONE = 63 /* most slabs run alone after failures */
+    SLABS = 16,     /* largest number of slabs in progress at once */
+    BLOCK = 256,    /* number of gaps between one slab and the next */
+    MOST_ALONE = 63 /* largest number of slabs run alone after a failure */
 };
 
-/* The numbers of a body that collisions change: m, m/s, s. */
+/* The numbers of a body that collisions change: position, m, velocity, m/s,
+   and time, s. */
 struct motion {
     double x, v, since;
 };
 
 /* The state of the engine. slab[0] runs no collisions: it advances first
-   and saves the bodies. slab[1] to slab[count] run theirs; slab[count + 1]
-   only marks how far slab[count] has finished. */
+   and saves the bodies. slab[1] to slab[count] run collisions; slab[count +
+   1] only marks how far slab[count] has finished. */
 struct bonkers_slab {
-    double width;         /* of the next slabs, s; 0: not known */
-    size_t slabs, count;  /* in progress next time, and now */
+    double width;         /* duration of the next slabs, s; 0 if unknown */
+    size_t slabs, count;  /* numbers to run next, and in progress */
     size_t alone;         /* number of slabs still to be run alone */
     size_t after_failure; /* slabs run alone after the last failure */
     struct slab slab[SLABS + 2];
     struct motion *saved;
     uint32_t *repeats; /* the saved counters of b->repeats */
     uint64_t redone;   /* collisions undone in these slabs */
-    bool collapse;     /* the clock stands still, or it is too cold */
+    bool collapse;     /* the run must end as BONKERS_COLLAPSE */
     bool failed;       /* all slabs must be undone */
-    bool crowded;      /* an island has more than SLAB_WAITING gaps due */
+    bool crowded;      /* an island has too many due gaps, SLAB_WAITING */
 };
 
 void slab_free(struct bonkers_slab *s)
@@ -112,7 +115,7 @@ static struct log_entry entry_of(const struct bonkers *b, size_t i)
                               b->repeats ? b->repeats[i] : 0};
 }
 
-/* Undoes one collision. */
+/* Undoes the collision of log entry r. */
 static void undo(struct bonkers *b, const struct log_entry *r)
 {
     struct bonkers_body *pair = &b->body[r->gap];
@@ -126,9 +129,10 @@ static void undo(struct bonkers *b, const struct log_entry *r)
     renew(b, r->gap);
 }
 
-/* Undoes all but the first `start` entries of the log, in reverse order, so
-   that each finds its two bodies as it left them. Adds their number to
-   redone, since a slab that undoes many collisions is too long. */
+/* Undoes the collisions of the log, the last one first, except for the
+   first `start` entries; each entry then finds its two bodies as its
+   collision left them. Adds the number of undone collisions to redone,
+   since a slab that undoes many is too long. */
 static void undo_to(struct bonkers *b, struct slab *s, size_t start)
 {
     b->slab->redone += s->logged - start;
@@ -151,9 +155,8 @@ static bool make_room(void **array, size_t count, size_t *room, size_t size)
     return true;
 }
 
-/* Returns the last gap of an island that has reached gap `last`: the island
-   continues to each next gap that is due by `end`, with at most one gap
-   that is not due in between. */
+/* Returns the last gap of an island that has reached gap `last`: it extends
+   to the right while one of the next two gaps is due by `end`. */
 static size_t end_of_chain(const struct bonkers *b, size_t last, double end)
 {
     for (;;)
@@ -165,8 +168,8 @@ static size_t end_of_chain(const struct bonkers *b, size_t last, double end)
             return last;
 }
 
-/* Schedules the gaps from first to last that are due by `end`; removes the
-   earliest from the schedule and returns it. */
+/* Schedules those of the gaps first to last that are due by `end`, removes
+   the earliest from the schedule and returns it. */
 static size_t schedule_due(struct bonkers *b, size_t first, size_t last,
                            double end)
 {
@@ -177,9 +180,9 @@ static size_t schedule_due(struct bonkers *b, size_t first, size_t last,
     return schedule_take(&b->schedule);
 }
 
-/* Computes the times around gap i anew, and schedules the gaps that are now
-   due. In most islands there are none: then the schedule stays empty and
-   costs nothing. */
+/* Computes the times of gap i and its neighbours again, and schedules those
+   of them that are now due. In most islands none of them is: then the
+   schedule stays empty and costs nothing. */
 static void renew_due(struct bonkers *b, size_t i, double end)
 {
     size_t low, high;
@@ -193,12 +196,12 @@ static void renew_due(struct bonkers *b, size_t i, double end)
     }
 }
 
-/* Returns whether an island of gaps first to last would leave the range
-   that slab s has to itself. The island reads bodies up to last + 2, which
-   the slab before must have finished, and changes the time of gap first -
-   1, which the slab behind must not have read. Within this range every
-   island runs as if the slabs ran one after another, and the proof of
-   chapter 2 applies to each slab. */
+/* Returns whether an island of gaps first to last would leave the range of
+   gaps that only slab s may change. The island reads bodies up to last + 2,
+   which slab s - 1 must have finished, and changes the time of gap first -
+   1, which slab s + 1 must not have read. Within this range every island
+   runs as if the slabs ran one after another, and the proof of chapter 2
+   applies to each slab. */
 static bool leaves_its_slab(const struct slab *s, size_t first, size_t last)
 {
     const struct slab *before = s - 1, *behind = s + 1;
@@ -206,20 +209,21 @@ static bool leaves_its_slab(const struct slab *s, size_t first, size_t last)
            (behind->next > 0 && first <= behind->next);
 }
 
-/* Returns whether the slab has logged or undone many times more collisions
-   than there are gaps, as when a light ball between two heavy ones bounces
-   a million times. The log would become enormous, so the slab is undone and
-   tried at a quarter of the width. */
+/* Returns whether the slab has logged, or all slabs have undone, far more
+   collisions than there are gaps, as when a light ball bounces a million
+   times between two heavy ones. The log would become enormous, so the slab
+   is undone and tried again at a quarter of the width. */
 static bool too_long(const struct bonkers *b, const struct slab *s)
 {
     const size_t most = 8 * b->gaps + 65536;
     return s->logged > most || b->slab->redone > most;
 }
 
-/* Returns false, after extending *first to *last, if a collision in gap i
-   would bring the island too close to another (2.6, eq:islands): to a
-   finished one on the left or a gap that is due on the right. Gap i + 1
-   cannot be due by itself: it would have joined the island before. */
+/* Extends the island of gaps *first to *last if gap i is just outside it.
+   Returns false if it then comes too close to a finished island on its left
+   or to a due gap on its right (2.6, eq:islands); that gap becomes *last.
+   Gap i + 1 needs no test: if it had been due, the island would have
+   included it from the start. */
 static bool keep_apart(const struct bonkers *b, const struct slab *s,
                        size_t i, size_t *first, size_t *last)
 {
@@ -238,12 +242,12 @@ static bool keep_apart(const struct bonkers *b, const struct slab *s,
     return true;
 }
 
-/* Runs the gaps *first to *last, and all that become due, up to the end of
-   the slab. Returns false, perhaps after extending *first to *last, if the
-   island must start again, because it has met another, or if the slabs have
-   failed. Each collision first needs room in the log, and in the schedule
-   for the three gaps whose times change. An island that collapses stops
-   there: its further collisions come after the end of the run. */
+/* Runs the collisions of the island of gaps *first to *last up to the end
+   of the slab. Returns false if the slabs have failed, or if the island
+   must start again because it has come too close to another; keep_apart may
+   have extended it. Before each collision there must be room for it in the
+   log, and for three gaps in the schedule. After a collapse the island
+   stops, since the run ends before its next collision. */
 static bool run_island(struct bonkers *b, struct slab *s, size_t *first,
                        size_t *last)
 {
@@ -277,10 +281,11 @@ static bool run_island(struct bonkers *b, struct slab *s, size_t *first,
 }
 
 /* Runs the island that begins at gap first. Returns the first gap after it
-   that may begin another, or 0 if the slabs have failed. If it meets
-   islands on its left, their collisions and its own are undone, and one
-   larger island starts in their place. It may then meet a third; as islands
-   are logged from left to right, the one to undo is always the last. */
+   that may begin another, or 0 if the slabs have failed. If it comes too
+   close to islands on its left, their collisions and its own are undone,
+   and one larger island starts in their place, which may in turn come too
+   close to a third. As islands are logged from left to right, the one to
+   undo is always the last. */
 static size_t add_island(struct bonkers *b, struct slab *s, size_t first)
 {
     size_t start = s->logged, last = end_of_chain(b, first, s->end);
@@ -308,9 +313,9 @@ static size_t add_island(struct bonkers *b, struct slab *s, size_t first)
     return last + 3;
 }
 
-/* Saves the gaps from..to-1 and the bodies to their left. This also loads
-   them from memory, and prefetches the next block; a compiler without
-   __builtin_prefetch makes large lines slower. */
+/* Saves the bodies and the counters of the gaps from..to-1. This also loads
+   them from memory, and prefetches the next block; with a compiler without
+   __builtin_prefetch large lines are slower. */
 static void save(struct bonkers *b, size_t from, size_t to)
 {
     const size_t count = to - from + (to == b->gaps);
@@ -329,7 +334,7 @@ static void save(struct bonkers *b, size_t from, size_t to)
 #endif
 }
 
-/* Restores all bodies that have been saved. */
+/* Restores all saved bodies and counters, and the times of their gaps. */
 static void undo_all(struct bonkers *b)
 {
     const struct bonkers_slab *s = b->slab;
@@ -346,9 +351,9 @@ static void undo_all(struct bonkers *b)
         b->due[i] = time_due(b, i);
 }
 
-/* Drops the log entries of islands that the slab behind has passed: they
-   can no longer be undone one by one. It waits for MANY entries, since
-   moving the others costs time. */
+/* Drops the log entries of islands that the next slab has passed: they can
+   no longer be undone one by one. Does so only if the log has at least MANY
+   entries, since moving the others costs time. */
 static void drop_safe_entries(struct slab *s)
 {
     enum { MANY = 256 };
@@ -373,10 +378,10 @@ static void drop_safe_entries(struct slab *s)
 }
 
 /* Runs the islands of slab s that begin in the gaps from..to-1. Returns
-   false if the slabs have failed; then all must be undone. The list of due
-   gaps is made without a branch: each number is written, but the index
-   advances only if the gap is due. Branches would be mispredicted at every
-   island. */
+   false if the slabs have failed; then all slabs must be undone. The list
+   of due gaps is made without a branch, which would be mispredicted at
+   every island: each number is written, but the index advances only if the
+   gap is due. */
 static bool run_block(struct bonkers *b, struct slab *s, size_t from,
                       size_t to)
 {
@@ -428,22 +433,23 @@ static bool run_islands(struct bonkers *b)
     return true;
 }
 
-/* Returns how many collisions a slab should have. A short slab passes along
-   the line for few collisions; in a long one islands meet often and many
-   collisions are repeated. Three for every twenty gaps proved fastest. */
+/* Returns how many collisions a slab should have. If they are few, passing
+   along the line for them is expensive; if they are many, islands often
+   come too close to each other and many collisions are repeated. Three for
+   every twenty gaps proved fastest. */
 static double collisions_wanted(const struct bonkers *b)
 {
     return 0.15 * (double)b->gaps + 1;
 }
 
-/* Chooses width and number of the next slabs from the last ones, of this
-   width, and their number of collisions; the width becomes 0, unknown, if
-   there were none. It changes by a factor of two at most, and affects no
-   result. If the width is about right, the number of slabs doubles. A fast
-   ball among many at rest starts a wave that is longer than the range of a
-   slab among others, and will do so again: so after a failure one slab runs
-   alone, after the next three, then seven, up to MOST_ALONE; and half as
-   many after all SLABS have succeeded. */
+/* Chooses width and number of the next slabs from the width of the last
+   ones and the number of their collisions. This affects no result. The
+   width changes by a factor of two at most; it becomes 0, unknown, if there
+   were no collisions. If it is about right, the number of slabs doubles. A
+   fast ball among many at rest starts a wave longer than the range of one
+   slab among several, and will do so again: so after a failure one slab
+   runs alone, after the next failure three, then seven, up to MOST_ALONE.
+   This number is halved whenever all SLABS have succeeded. */
 static void adapt_width(struct bonkers *b, double width,
                         uint64_t collisions)
 {
@@ -462,10 +468,10 @@ static void adapt_width(struct bonkers *b, double width,
     s->alone -= s->alone > 0;
 }
 
-/* Returns a first guess of the width, s: twice the time to the next
-   collision, or INFINITY if there is none; adapt_width corrects it. Late in
-   a run that may be below the clock's last bit, hence the smallest
-   width. */
+/* Returns a first guess of the width, s, which adapt_width corrects: twice
+   the time to the next collision, or INFINITY if there is none. Late in a
+   run that time may be too short for the clock, so the width is at least
+   1e-12 of the clock reading. */
 static double first_width(const struct bonkers *b)
 {
     const double wait = b->due[schedule_scan(b->due, b->gaps)] - b->now;
@@ -473,8 +479,9 @@ static double first_width(const struct bonkers *b)
                             : fmin(fmax(2 * wait, 1e-12 * b->now), DBL_MAX);
 }
 
-/* Runs slabs of this width, s, but not beyond `until`. Returns false if
-   they fail, after undoing all of their collisions. */
+/* Runs slabs of this width, s, from the time `begin`, but not beyond
+   `until`. Returns false if they fail, after undoing all of their
+   collisions. */
 static bool try_slabs(struct bonkers *b, double begin, double width,
                       double until)
 {
@@ -503,8 +510,8 @@ static uint64_t collisions_of(const struct bonkers *b)
     return sum;
 }
 
-/* Returns whether the run may have to stop within these slabs, whose
-   collisions are not in the order of time. */
+/* Returns whether the run may have to stop within these slabs, which do not
+   run their collisions in the order of time. */
 static bool holds_the_end(const struct bonkers *b, uint64_t collisions,
                           uint64_t limit)
 {
@@ -512,7 +519,7 @@ static bool holds_the_end(const struct bonkers *b, uint64_t collisions,
 }
 
 /* Runs up to `end` by the heap engine, which counts collisions in the order
-   of time and copes with any number at one moment, as when a thousand
+   of time and copes with any number of them at one time, as when a thousand
    touching balls are struck. Its heap needs room for every gap: it uses the
    memory of the saved bodies, which have been restored. */
 static enum bonkers_stop run_slab_by_heap(struct bonkers *b, double end,
@@ -529,8 +536,8 @@ static enum bonkers_stop run_slab_by_heap(struct bonkers *b, double end,
     return stop;
 }
 
-/* Returns how many slabs to run next: one for a guessed width or near the
-   end. */
+/* Returns how many slabs to run next: only one if the width is a guess or
+   if the run is near its end. */
 static size_t slabs_to_go(const struct bonkers *b, double width,
                           double until, uint64_t limit)
 {
@@ -542,11 +549,12 @@ static size_t slabs_to_go(const struct bonkers *b, double width,
     return b->slab->width > 0 && most > 1 ? (size_t)most : 1;
 }
 
-/* Slabs that fail are tried alone, then at a quarter of the width, up to
-   four times, as each attempt costs as much as a slab. If too many gaps are
-   due at one time, a shorter slab would not help, and one attempt is made.
-   After that, and in the slab with the last requested collision, the heap
-   takes over; that costs as much as one slab, once in a run. */
+/* After a failure of several slabs one is tried alone; if it fails, it is
+   tried again at a quarter of the width, up to four times in all, as each
+   attempt costs as much as a slab. If too many gaps are due at one time, a
+   shorter slab would not help, and one attempt is made. After that, and in
+   the slab with the last requested collision, the heap takes over; that
+   costs as much as one slab, once in a run. */
 enum bonkers_stop slab_run(struct bonkers *b, double until, uint64_t limit)
 {
     struct bonkers_slab *s = b->slab;

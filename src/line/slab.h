@@ -1,11 +1,11 @@
-/* The engine with slabs; for use by bonkers.c only. */
+/* The slab engine; for the other files of the line only. */
 #ifndef SLAB_H
 #define SLAB_H
 
 #include "line/bonkers.h"
 
-/* How many due gaps of one island the schedule can contain; longer islands
-   are left to the heap engine. */
+/* Largest number of due gaps of one island that the schedule can contain;
+   islands with more are left to the heap engine. */
 enum { SLAB_WAITING = 4096 };
 
 /* Returns the state of the engine, or NULL if memory runs out. */

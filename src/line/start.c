@@ -49,8 +49,9 @@ static void throw_points(struct random *r, size_t n, double a, double b,
         x[i] = a + (b - a) * (x[i] / sum);
 }
 
-/* Draws velocities for movers i to i + n - 1, normal with variances
-   proportional to 1/m, and scales them to this kinetic energy, J. */
+/* Draws velocities for movers i to i + n - 1 from normal distributions with
+   variances proportional to 1/m, and scales them so that the total kinetic
+   energy is `energy`, J. */
 static void warm(struct random *r, struct start *s, size_t i, size_t n,
                  double energy)
 {
@@ -63,8 +64,8 @@ static void warm(struct random *r, struct start *s, size_t i, size_t n,
         s->v[k] *= sqrt(energy / sum);
 }
 
-/* Fills in MacKay's four heavy bodies (C++), or any number in their
-   manner. */
+/* Fills in the four heavy bodies of MacKay's C++ program, or another number
+   of bodies by the same rule. */
 static void fill_four(struct start *s)
 {
     s->wall[1] = (double)s->movers + 1;
@@ -77,7 +78,7 @@ static void fill_four(struct start *s)
 }
 
 /* Fills in the first run of MacKay's Octave program. The masses are 9 kg
-   and 1 kg, some changed by a tenth: equal bodies only exchange
+   and 1 kg, some changed by a tenth, since equal bodies would only exchange
    velocities. */
 static void fill_mixed(struct start *s)
 {
@@ -94,7 +95,7 @@ static void fill_mixed(struct start *s)
 }
 
 /* Fills in the second run of MacKay's Octave program: two heavy bodies fly
-   to the left wall, away from a row of six light ones at rest. */
+   to the left wall, away from a row of six light bodies at rest. */
 static void fill_cradle(struct start *s)
 {
     s->wall[1] = 35;
@@ -117,8 +118,8 @@ static void fill_two(struct start *s, double ratio)
     s->v[1] = -0.3;
 }
 
-/* Fills in Galperin's experiment. There is no right wall, and the run ends
-   by itself after the last collision. */
+/* Fills in Galperin's experiment. There is no right wall; the run ends
+   after the last collision. */
 static void fill_galperin(struct start *s, double ratio)
 {
     s->wall[1] = INFINITY;
@@ -129,8 +130,9 @@ static void fill_galperin(struct start *s, double ratio)
     s->v[1] = -1;
 }
 
-/* Fills in a gas with 1/2 J and 1 m per particle; the left half has masses
-   within a tenth of 1 kg, the right half within a tenth of 4 kg. */
+/* Fills in a gas with 1/2 J and 1 m per particle. In the left half the
+   masses are within a tenth of 1 kg, in the right half within a tenth of 4
+   kg. */
 static void fill_thermal(struct start *s, struct random *r)
 {
     const size_t n = s->movers;
@@ -141,9 +143,10 @@ static void fill_thermal(struct start *s, struct random *r)
     warm(r, s, 0, n, (double)n / 2);
 }
 
-/* Fills in the gas of fill_thermal with masses spread evenly from 1 kg to 9
-   kg, in random order: the inside-out shuffle of Fisher and Yates puts the
-   i-th mass at a random place k <= i, and moves the mass from k to i. */
+/* Fills in a gas like that of fill_thermal, but with masses spread evenly
+   from 1 kg to 9 kg, in random order. The inside-out shuffle of Fisher and
+   Yates puts the i-th mass at a random index k <= i, and moves the mass at
+   k to i. */
 static void fill_random(struct start *s, struct random *r)
 {
     const size_t n = s->movers;
@@ -157,17 +160,18 @@ static void fill_random(struct start *s, struct random *r)
     warm(r, s, 0, n, (double)n / 2);
 }
 
-/* Fills in a piston of 40 kg in the middle of 12 m, and a gas of 40/3 kg,
-   divided among the others. Not warmed, all fly to the right at 1 m/s: 80/3
-   J, three quarters of it in the piston. Warmed, each gas has 10/3 J and
-   the piston moves at 0.1 m/s. The masses increase from the left wall to
-   the piston, by a tenth of their mean either way, and decrease on its
-   right by a little less: the two gases have equal masses and are not
-   mirror images. */
+/* Fills in a piston of 40 kg in the middle of 12 m, and other bodies with a
+   total mass of 40/3 kg. Not warmed, all fly to the right at 1 m/s with
+   80/3 J, three quarters of it in the piston. Warmed, each gas has 10/3 J
+   and the piston moves at 0.1 m/s. The masses increase from the left wall
+   to the piston, from a tenth below to a tenth above their mean. They
+   decrease on its right, over a smaller range, so that the two gases have
+   equal masses but are not mirror images. */
 static void fill_piston(struct start *s, struct random *r, double ratio,
                         bool warmed)
 {
-    const size_t n = s->movers / 2; /* on either side */
+    const size_t n = s->movers / 2; /* bodies on either side of the
+                                       piston */
     const double middle = (s->wall[0] + s->wall[1]) / 2;
     s->until = 200;
     for (size_t i = 0; i < s->movers; ++i) {
@@ -188,8 +192,8 @@ static void fill_piston(struct start *s, struct random *r, double ratio,
     }
 }
 
-/* The default, least and greatest number of movers. A piston needs an odd
-   number, to be in the middle. */
+/* The default, smallest and largest number of movers of each kind. A piston
+   needs an odd number, to be in the middle. */
 static const struct {
     size_t usual, least, most;
     bool odd;
@@ -212,8 +216,9 @@ bool start_allows(enum start_kind kind, size_t movers)
             (!kinds[kind].odd || movers % 2 == 1));
 }
 
-/* Requested walls are set twice: before, for kinds that place random points
-   between them, and after, for kinds that set walls of their own. */
+/* Requested walls are set twice: before filling, for kinds that place
+   random points between them, and afterwards, for kinds that set walls of
+   their own. */
 bool start_fill(struct start *s, const struct start_request *w)
 {
     struct random r;

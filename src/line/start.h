@@ -17,23 +17,23 @@ struct start {
 };
 
 enum start_kind {
-    START_FOUR,      /* four heavy and four light bodies */
-    START_MIXED,     /* four heavy and four light */
+    START_FOUR,      /* four heavy bodies */
+    START_MIXED,     /* four heavy and four light bodies */
     START_CRADLE,    /* two heavy bodies beside six light ones */
     START_THERMAL,   /* left half near 1 kg, right half near 4 kg */
-    START_PISTON,    /* 40 kg among ten of 4/3 kg, all at 1 m/s */
-    START_ADIABATIC, /* that piston between two warm gases */
+    START_PISTON,    /* a piston of 40 kg among ten bodies, all at 1 m/s */
+    START_ADIABATIC, /* a piston between two warm gases */
     START_TWO,       /* two bodies */
     START_RANDOM,    /* masses from 1 to 9 kg, all different */
     START_GALPERIN,  /* two bodies and one wall */
     START_KINDS
 };
 
-/* The kinds' names, in the order of enum start_kind, then NULL. */
+/* The names of the kinds, in the order of enum start_kind, then NULL. */
 extern const char *const start_names[START_KINDS + 1];
 
-/* Allocates a start for this many movers: masses 1, all else 0. Returns
-   false, with nothing to free, if memory runs out. */
+/* Allocates a start for this many movers with masses of 1 kg, all else 0.
+   Returns false, with nothing to free, if memory runs out. */
 bool start_create(struct start *s, size_t movers);
 void start_free(struct start *s);
 
@@ -45,15 +45,15 @@ struct start_request {
                      adiabatic: piston to mean of others */
     bool walls;   /* whether wall is given */
     double wall[2];
-    uint64_t seed; /* of the random numbers */
+    uint64_t seed; /* seed of the random numbers */
 };
 
-/* Says whether this kind of start allows this number of movers; 0 stands
+/* Returns whether this kind of start allows this number of movers; 0 stands
    for its default. */
 bool start_allows(enum start_kind kind, size_t movers);
 
-/* Makes and fills in a start. Returns false, with nothing to free, if
-   memory runs out. Requires start_allows. */
+/* Allocates and fills in a start. Returns false, with nothing to free, if
+   memory runs out. Requires that start_allows returns true. */
 bool start_fill(struct start *s, const struct start_request *request);
 
 #endif

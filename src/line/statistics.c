@@ -1,5 +1,5 @@
 /* From chapters/03-equilibrium.nw: edit there, then run make tangle. */
-/* checksum 2880159284 of the lines below */
+/* checksum 2833696931 of the lines below */
 /* Moments, blocks and correlations of a series, and its histogram. */
 #include "line/statistics.h"
 
@@ -101,7 +101,7 @@ bool statistics_blocking(size_t n, const double x[],
         b->level[b->levels++] = error_of_blocks(n, block, length);
         n /= 2;
         length *= 2;
-        for (size_t i = 0; i < n; ++i) /* the last odd block is dropped */
+        for (size_t i = 0; i < n; ++i) /* a block left over is lost */
             block[i] = (block[2 * i] + block[2 * i + 1]) / 2;
     }
     free(block);
@@ -114,8 +114,8 @@ bool statistics_blocking(size_t n, const double x[],
     return true;
 }
 
-/* Returns what statistics_covariance does, with mean and result in this
-   unit and its square. */
+/* Returns the covariance as statistics_covariance does. The mean is in this
+   unit, the covariance in its square. */
 static double covariance_in(double unit, size_t n, const double x[],
                             double mean, size_t lag)
 {

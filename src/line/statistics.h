@@ -7,18 +7,19 @@
 #include <stdint.h>
 
 /* A series is an array x of n finite numbers in the order of measurement.
-   Every error is one standard deviation, in the unit of its number. */
+   Every error is one standard deviation, in the unit of the number to which
+   it belongs. */
 
-/* Moments of a series, in which its order does not matter. */
+/* Moments of a series; they do not depend on its order. */
 struct statistics_moments {
-    double mean, variance; /* variance: divided by n - 1 */
+    double mean, variance; /* variance: with divisor n - 1 */
     double third, fourth;  /* means of (x - mean)^3 and ^4 */
     double least, greatest;
 };
 
 enum {
-    STATISTICS_LEVELS = 48,       /* most lengths of blocks */
-    STATISTICS_FEWEST_BLOCKS = 16 /* fewer give no reliable error */
+    STATISTICS_LEVELS = 48,       /* largest number of block lengths */
+    STATISTICS_FEWEST_BLOCKS = 16 /* with fewer, errors are unreliable */
 };
 
 /* The error of the mean, estimated from blocks of one length. */
@@ -29,7 +30,7 @@ struct statistics_block {
 
 /* The error of the mean, estimated from blocks of 1, 2, 4, ... samples. */
 struct statistics_blocking {
-    size_t levels, chosen; /* number of lengths; index of the best */
+    size_t levels, chosen; /* number of lengths; index of the chosen one */
     bool plateau;          /* false: the error is only a lower bound */
     double error;          /* of the mean, from the chosen level */
     double inefficiency;   /* samples per independent sample */
@@ -44,15 +45,16 @@ struct statistics_correlation {
     double error; /* of the mean */
 };
 
-/* Counts in equal bins: bin i begins at low + i (high - low) / bins. */
+/* The counts of samples in equal bins. Bin i begins at low + i (high - low)
+   / bins. */
 struct statistics_histogram {
     double low, high;
     size_t bins;
-    uint64_t total, below, above; /* all samples; outside [low, high] */
-    uint64_t count[];             /* one for each bin */
+    uint64_t total, below, above; /* all samples; below low; above high */
+    uint64_t count[];             /* samples in each bin */
 };
 
-/* The best Gaussian for a histogram. */
+/* The Gaussian fitted to a histogram. */
 struct statistics_gaussian {
     double mean, sd, mean_error, sd_error;
     double chi2;    /* of the bins about the fit, divided by g */
@@ -87,21 +89,22 @@ struct statistics_dependence {
 /* Returns the moments of a series. Requires n >= 2. */
 struct statistics_moments statistics_moments(size_t n, const double x[]);
 
-/* Returns a power of two near the largest |x[i]|. With it as the unit,
-   powers of deviations neither overflow nor underflow. */
+/* Returns a power of two near the largest |x[i]|. In this unit powers of
+   deviations neither overflow nor underflow. */
 double statistics_unit(size_t n, const double x[]);
 
 /* Estimates the error of the mean by blocking. Returns false if memory runs
-   out. Requires n >= 2. Source: Flyvbjerg and Petersen, J. Chem. Phys. 91,
-   461 (1989); the choice of the length (3.11, eq:choice). */
+   out. Requires n >= 2. Sources: Flyvbjerg and Petersen, J. Chem. Phys. 91,
+   461 (1989); for the choice of the block length (3.11, eq:choice). */
 bool statistics_blocking(size_t n, const double x[],
                          struct statistics_blocking *b);
 
-/* Sums the correlations of a series (3.8, eq:inefficiency) up to the first
-   lag that is at least six times the correlation time, tau = g / 2, from 6
-   to n / 8. The time is proportional to n times the window. Requires n >=
-   2. Sources: Sokal's lectures (1997); uncertainty and bias: Wolff, Comput.
-   Phys. Commun. 156, 143 (2004). */
+/* Estimates the inefficiency from the sum of the correlations of a series
+   (3.8, eq:inefficiency). The sum ends at the first lag that is at least 6
+   and six times the correlation time, tau = g / 2, or else at n / 8. The
+   time is proportional to n times the window. Requires n >= 2. Sources:
+   Sokal's lectures (1997); uncertainty and bias: Wolff, Comput. Phys.
+   Commun. 156, 143 (2004). */
 struct statistics_correlation statistics_correlation(size_t n,
                                                      const double x[]);
 
@@ -115,15 +118,16 @@ struct statistics_histogram *statistics_histogram_create(double low,
                                                          double high,
                                                          size_t bins);
 
-/* Counts x in its bin; the last bin includes high. */
+/* Adds x to the count of its bin; the last bin includes high. */
 void statistics_histogram_add(struct statistics_histogram *h, double x);
 
-/* Returns the lower edge of bin i; i = bins: the upper one of the last. */
+/* Returns the lower edge of bin i or, for i = bins, the upper edge of the
+   last bin. */
 double statistics_histogram_edge(const struct statistics_histogram *h,
                                  size_t i);
 
 /* Return the density of bin i (3.17, eq:density) and its error (3.18,
-   eq:bar), with `inefficiency` samples for one independent sample. */
+   eq:bar), where `inefficiency` samples count as one independent sample. */
 double statistics_histogram_density(const struct statistics_histogram *h,
                                     size_t i);
 double statistics_histogram_error(const struct statistics_histogram *h,
@@ -144,25 +148,26 @@ bool statistics_fit_gaussian(const struct statistics_histogram *h, double g,
 double statistics_gaussian_between(double mean, double sd, double a,
                                    double b);
 
-/* Describes x, with errors from blocking if serial; otherwise samples are
-   assumed independent. Returns false if memory runs out. Requires n >=
-   2. */
+/* Describes x, with errors from blocking if serial; otherwise the samples
+   are assumed to be independent. Returns false if memory runs out. Requires
+   n >= 2. */
 bool statistics_describe(size_t n, const double x[], bool serial,
                          struct statistics_description *d);
 
 /* Measures the scatter of counts (3.15, eq:scatter) over blocks that are
-   long enough to be independent: count[b * cells + k] samples of block b
-   are in cell k, and `expected` on average. Requires 3 blocks. Source:
-   Satterthwaite, Biometrics Bull. 2, 110 (1946). */
+   long enough to be independent. count[b * cells + k] is the number of
+   samples of block b in cell k, on average `expected`. Requires 3 blocks.
+   Source: Satterthwaite, Biometrics Bull. 2, 110 (1946). */
 struct statistics_scatter statistics_scatter(size_t blocks, size_t cells,
                                              const double count[],
                                              double expected);
 
 /* Compares x with y, measured at the same times: computes their
    correlation, with an error from blocking if serial, and chi-square of a
-   table of cells x cells, equally filled if they are independent, not
-   divided by an inefficiency. Returns false if memory runs out, or if x or
-   y is constant. Requires n >= 2, cells >= 2. */
+   table of cells x cells, which are equally filled if x and y are
+   independent. This chi-square is not divided by an inefficiency. Returns
+   false if memory runs out, or if x or y is constant. Requires n >= 2,
+   cells >= 2. */
 bool statistics_dependence(size_t n, const double x[], const double y[],
                            size_t cells, bool serial,
                            struct statistics_dependence *d);

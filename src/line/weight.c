@@ -1,8 +1,8 @@
 /* Gravity on the line: a vertical wire, with the left wall as the floor. */
 
 /* Chapter 5 (section Weight) derives the differences: two falling bodies
-   meet when they would without gravity, and only a floor or a roof needs a
-   square root. Nothing else in the engines changes, and a run without
+   collide when they would without gravity, and only a floor or a roof needs
+   a square root. Nothing else in the engines changes, and a run without
    gravity does not call these functions. */
 #include "line/weight.h"
 
@@ -15,8 +15,8 @@
 #include <math.h>
 
 /* Returns whether a body does not fall: a wall, or a body lying on the
-   floor. With the radii subtracted all bodies of a pile are at the floor,
-   each with velocity 0. */
+   floor. As the radii have been subtracted, all bodies of a pile are at the
+   position of the floor, each with velocity 0. */
 static bool rests(const struct bonkers *b, const struct bonkers_body *a)
 {
     return a->im == 0 || (a->v == 0 && a->x <= b->body[0].x);
@@ -35,9 +35,10 @@ struct bonkers_body weight_body_at(const struct bonkers *b, size_t i,
     return a;
 }
 
-/* Both bodies are taken at the later of their two times, as in time_of_gap.
-   Gravity does not change the relative velocity of two falling bodies
-   (exercise 05b); a body at rest is a floor or a roof for the other. */
+/* The positions and velocities of both bodies are computed for the later of
+   their two times, as in time_of_gap. Gravity does not change the relative
+   velocity of two falling bodies (exercise 05b); a body at rest is a floor
+   or a roof for the other. */
 double weight_time_of_gap(const struct bonkers *b, size_t i)
 {
     const double t = fmax(b->body[i].since, b->body[i + 1].since);
@@ -53,10 +54,11 @@ double weight_time_of_gap(const struct bonkers *b, size_t i)
     return gap > 0 ? t + gap / approach : t;
 }
 
-/* Collides the bodies of gap i, one of which rests, at the time t, s. The
-   clock is rounded, so a body reaches the floor a little early or late. Its
-   velocity there follows from its energy and not from the time: a bounce
-   then keeps the energy up to rounding, however late it is. */
+/* Moves the bodies of gap i, one of which rests, into contact at the time
+   t, s. The clock is rounded, so a body reaches the floor a little early or
+   late. Its velocity at the floor is computed from its energy and not from
+   the time: a bounce then keeps the energy up to rounding, however late it
+   is. */
 static void land(struct bonkers *b, size_t i, double t)
 {
     struct bonkers_body *left = &b->body[i], *right = left + 1;
@@ -71,11 +73,12 @@ static void land(struct bonkers *b, size_t i, double t)
     left->since = right->since = t;
 }
 
-/* Factor by which more collisions at one time count as a collapse in a
-   pile. Each bounce of an upper body wakes all bodies below it, which must
-   come to rest first: with restitution 1/2 one ball needs fifty bounces,
-   two need hundreds, three thousands, and many of them happen at one clock
-   reading. With nine balls no factor would be enough. */
+/* In a pile the number of collisions at one time that counts as a collapse
+   is multiplied by PILE. Each bounce of an upper body sets all bodies below
+   it in motion, which must come to rest first: with restitution 1/2 one
+   ball needs fifty bounces, two need hundreds, three thousands, and many of
+   them happen at one clock reading. With nine balls no factor would be
+   enough. */
 enum { PILE = 1000 };
 
 /* Returns whether a body is at the floor, up to rounding. */
@@ -84,7 +87,8 @@ static bool is_low(const struct bonkers *b, const struct bonkers_body *a)
     return fabs(a->x - b->body[0].x) <= 4 * DBL_EPSILON * b->extent;
 }
 
-/* Stops a body on the floor if its next bounce is too short in time. */
+/* Stops a body on the floor if its next bounce is too short for the
+   clock. */
 static void stop_bouncing(const struct bonkers *b, struct bonkers_body *a)
 {
     const double flight = 2 * fabs(a->v) / b->gravity;
@@ -95,14 +99,14 @@ static void stop_bouncing(const struct bonkers *b, struct bonkers_body *a)
     }
 }
 
-/* Two falling bodies also meet a little early or late, and at their places
-   at that moment they overlap or do not touch. Moving them to one place, as
-   collide_gap does, would change the energy, since moving a body lifts it:
-   the errors add up to a random walk (2e-9 of the energy in ten million
-   collisions, 1e-11 if the place is the centre of mass). But the overlap
-   tells how late the collision is, so each body moves to where it would be
-   if it had turned at the right moment: this does not move the centre of
-   mass, and makes the places eighty times more accurate. */
+/* Two falling bodies also collide a little early or late: at that time they
+   overlap or do not touch. Moving them to one position, as collide_gap
+   does, would change the energy, since moving a body lifts it: the errors
+   add up to a random walk (2e-9 of the energy in ten million collisions,
+   1e-11 if the position is the centre of mass). But the overlap tells how
+   late the collision is, so each body moves to where it would be if it had
+   turned at the right moment: this does not move the centre of mass, and
+   makes the positions eighty times more accurate. */
 bool weight_collide_gap(struct bonkers *b, size_t i)
 {
     struct bonkers_body *left = &b->body[i], *right = left + 1;
@@ -123,7 +127,7 @@ bool weight_collide_gap(struct bonkers *b, size_t i)
     stop_bouncing(b, left);
     stop_bouncing(b, right);
     b->now = t;
-    const bool pile = is_low(b, right); /* and the body below it, too */
+    const bool pile = is_low(b, right); /* then the left body is low, too */
     return count_repeat(b, i, stands, INFINITY) &&
            (!pile || b->repeats[i] >= PILE * most_repeats(b));
 }

@@ -4,12 +4,13 @@
 
 #include "line/bonkers.h"
 
-/* Returns body i at the time t under gravity, if it has no collision before
-   (5.12, eq:fall). */
+/* Returns the state of body i at the time t under gravity, provided that it
+   has no collision before (5.12, eq:fall). */
 struct bonkers_body weight_body_at(const struct bonkers *b, size_t i,
                                    double t);
 
-/* Returns when gap i closes, s, or INFINITY if it never does. */
+/* Returns the time, s, at which gap i closes, or INFINITY if it never
+   does. */
 double weight_time_of_gap(const struct bonkers *b, size_t i);
 
 /* Collides the bodies of gap i when it is due, as collide_gap does. */

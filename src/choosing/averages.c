@@ -11,8 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Names and symbols of the quantities, by kind. A place has no fixed name;
-   it is named by its axis and body. */
+/* Names and symbols of the quantities, by kind. A position has no fixed
+   name, as its name contains an axis and a body. */
 static const struct {
     const char *name, *symbol;
 } plain[] = {[AVERAGES_PRESSURE] = {"pressure", "Z"},
@@ -61,12 +61,14 @@ struct search {
     const struct averages_request *q;
     struct averages_found *f;
     const struct scene *s;
-    size_t n, axis, dimensions; /* number of bodies; first of 1 or 2 axes */
+    size_t n, axis, dimensions; /* number of bodies; first axis; 1 or 2
+                                   axes */
     bool periodic;
     double box[2]; /* distances between walls, m */
-    double energy; /* kinetic, J; in a periodic box relative to the drift */
-    double mass;   /* total, kg */
-    double radii;  /* their sum, m */
+    double energy; /* kinetic energy, J; in a periodic box without that of
+                      the drift */
+    double mass;   /* total mass, kg */
+    double radii;  /* sum of all radii, m */
     bool equal;    /* whether all masses are equal */
 };
 
@@ -107,10 +109,11 @@ static void add_up(struct search *h)
     }
 }
 
-/* Returns the mean place of a body at equilibrium, m. For a disk in a box
-   between four walls it is the centre, by symmetry. On a line, with all
-   states equally likely, the k-th of n bodies has to its left k/(n + 1) of
-   the free length, plus the lengths of the other bodies. */
+/* Returns the mean position of a body at equilibrium, m. For a disk between
+   four walls this is the centre of the box, by symmetry. On a line, if all
+   states are equally likely, the k-th of n bodies has on its left on
+   average k/(n + 1) of the free length; its radius and the lengths of the
+   bodies on its left are added. */
 static double settled_place(const struct search *h, size_t body)
 {
     const size_t axis = h->q->quantity.axis;
@@ -127,7 +130,8 @@ static double settled_place(const struct search *h, size_t body)
            (h->box[0] - 2 * h->radii) * (double)rank / (double)(h->n + 1);
 }
 
-/* Returns the divisor of errors of the quantity, which has this value. */
+/* Returns the divisor of the errors of the requested quantity, whose mean
+   is `value`. */
 static double scale_of(const struct search *h, double value)
 {
     const struct averages_quantity *q = &h->q->quantity;
@@ -136,11 +140,12 @@ static double scale_of(const struct search *h, double value)
     return q->kind == AVERAGES_PLACE ? h->box[q->axis - h->axis] : value;
 }
 
-/* Fills in *h and returns NULL, or returns why there is no average. No run
-   is needed for these refusals: forces, losses and fixed bodies lead to
-   other equilibria, which are not known here; and bodies that meet only
-   walls, two bodies on a line, and equal masses on a line, which exchange
-   their speeds, have mean places that always depend on the start. */
+/* Fills in *h and returns NULL, or returns why there is no average. These
+   refusals need no run. Forces, losses and fixed bodies lead to other
+   equilibria, which are not known here. A mean position always depends on
+   the start if bodies meet only walls, if a line has only two bodies, or if
+   all masses on a line are equal, since such bodies only exchange
+   speeds. */
 static const char *survey(struct search *h)
 {
     const struct scene *s = h->s;
@@ -188,8 +193,8 @@ static const char *survey(struct search *h)
     return NULL;
 }
 
-/* Rounds x up to two digits, so that the value suggested by a refusal is
-   large enough as printed. */
+/* Returns x rounded up to two digits, so that a value suggested by a
+   refusal is large enough as printed. */
 static double round_up(double x)
 {
     const double unit = pow(10, floor(log10(x)) - 1);
@@ -207,7 +212,8 @@ static void answer_conserved(const struct search *h)
         energy += h->s->mass[i % h->n] * v * v / 2;
         free += h->s->freedom[i];
     }
-    /* A drift is no heat; a rounding error of the sum is no drift. */
+    /* The energy of a drift is not heat, but a difference as small as the
+       rounding error of the sum is not a drift. */
     const bool drifts =
         h->periodic &&
         energy - h->energy > DBL_EPSILON * (double)h->n * energy;
@@ -218,11 +224,11 @@ static void answer_conserved(const struct search *h)
     snprintf(f->text, AVERAGES_TEXT, "elastic contacts change neither");
 }
 
-/* Computes the answer from Tonks's law, with a proven bound of a run's
-   difference from it (12.16, eq:averages-bound). Z is that of the virial,
-   with V the length available to the centres: the box less the radii of the
-   two outer bodies. As NkT is 2K on a line, Z is the ratio of V to the free
-   length. */
+/* Computes the answer from Tonks's law, and a proven bound of the
+   difference between a run and the law (12.16, eq:averages-bound). Z
+   follows from the virial, with V the length available to the centres: the
+   box less the radii of the two outer bodies. As NkT is 2K on a line, Z is
+   the ratio of V to the free length. */
 static void answer_tonks(const struct search *h)
 {
     struct averages_found *f = h->f;
@@ -245,8 +251,8 @@ static void answer_tonks(const struct search *h)
                  round_up(f->error * h->q->until / h->q->tolerance));
 }
 
-/* Most bodies whose mean places are compared with those at equilibrium: the
-   requested body, and up to seven others. */
+/* Largest number of bodies whose mean positions are compared with those at
+   equilibrium: the requested body and up to seven others. */
 enum { WITNESSES = 8 };
 
 /* A run by events, and the results of its last evaluation. */
@@ -255,9 +261,9 @@ struct measurement {
     struct models_run run;
     struct blocks blocks;
     size_t columns, places, body[WITNESSES];
-    double most, interval; /* samples in T; time between them, s */
-    double virial;         /* up to the last sample, J s */
-    bool over;             /* the run cannot continue */
+    double most, interval; /* number of samples in T; interval, s */
+    double virial;         /* virial up to the last sample, J s */
+    bool over;             /* whether the run has ended */
     const char *why;       /* why it is not at equilibrium, or NULL */
     double first;          /* mean of the first quarter */
     double mean, se;       /* of the other three; its standard error */
@@ -268,11 +274,11 @@ static double cost(const struct measurement *w)
     return models_cost(w->run.work);
 }
 
-/* Returns the number of samples in T. A pressure sample is the virial of
-   all the time since the last sample, so none is lost: a quarter of the
-   flight from one body to the next is often enough. A sample of a place is
-   momentary: a sixteenth of the flight through the box. The minimum of 256
-   ensures that there are blocks. */
+/* Returns the number of samples in T. A pressure sample contains the whole
+   virial since the last sample, so an interval of a quarter of the flight
+   from one body to the next is short enough. A position is sampled at an
+   instant, so its interval is a sixteenth of the flight through the box.
+   The minimum of 256 samples ensures that there are enough blocks. */
 static double samples_of(const struct search *h)
 {
     const struct averages_quantity *q = &h->q->quantity;
@@ -285,9 +291,9 @@ static double samples_of(const struct search *h)
     return fmax(256, ceil(T / way * sqrt(kT / mass)));
 }
 
-/* Selects bodies whose mean places at equilibrium are known as well: on a
-   line any bodies, in the plane disks equal to the requested one, which
-   relax equally fast. */
+/* Selects the bodies whose mean positions are compared with those at
+   equilibrium: the requested one and, on a line, any others, or, in the
+   plane, disks equal to it, which relax equally fast. */
 static void choose_witnesses(struct measurement *w)
 {
     const struct scene *s = w->h->s;
@@ -302,8 +308,8 @@ static void choose_witnesses(struct measurement *w)
             w->body[w->places++] = i;
 }
 
-/* Begins the run, of bodies on a line or of disks in the plane. Returns
-   NULL, or why it cannot. A sample has a column for each place, or one for
+/* Begins a run of bodies on a line or of disks in the plane. Returns NULL,
+   or why it cannot. A sample has one column for each position, or one for
    the pressure, and a last one for `relaxation`. */
 static const char *begin_measurement(struct measurement *w,
                                      const struct search *h)
@@ -324,12 +330,12 @@ static const char *begin_measurement(struct measurement *w,
     return why;
 }
 
-/* Returns a function of the velocities whose mean is 1 at equilibrium, if
-   all states of the energy are equally likely. In the plane half of the
-   energy then belongs to the motion along each axis. On a line the square
-   roots of the bodies' fractions e_i of the energy are the coordinates of a
-   random point on a sphere in n dimensions, and the mean of the sum of
-   e_i^2 is 3/(n + 2). */
+/* Returns a number, computed from the velocities, whose mean is 1 at
+   equilibrium, where all states of equal energy are equally likely. In the
+   plane, half of the energy then belongs to the motion along each axis. On
+   a line, the square roots of the bodies' fractions e_i of the energy are
+   the coordinates of a random point on a sphere in n dimensions, and the
+   mean of the sum of e_i^2 is 3/(n + 2). */
 static double relaxation(const struct search *h, const double velocity[])
 {
     double sum = 0;
@@ -346,9 +352,9 @@ static double relaxation(const struct search *h, const double velocity[])
 }
 
 /* Takes the next sample; returns false if the run ends. Each row moves
-   every body to its time, which counts as cost. In a periodic box the
-   centre of mass has one body's share of the energy, so the sum in (7.5,
-   eq:virial) has the factor (N - 1)/N. */
+   every body to the time of the sample, and this work is counted. In a
+   periodic box the centre of mass has one body's share of the energy, so
+   the sum in (7.5, eq:virial) has the factor (N - 1)/N. */
 static bool sample(struct measurement *w, double value[])
 {
     const struct search *h = w->h;
@@ -367,8 +373,8 @@ static bool sample(struct measurement *w, double value[])
     return true;
 }
 
-/* Returns the average of the blocks from..to-1 of a column; fills x with
-   their means. */
+/* Returns the average of a column over the blocks `from` to `to` - 1; fills
+   x with the means of these blocks. */
 static struct blocks_average part(const struct measurement *w,
                                   size_t column, size_t from, size_t to,
                                   double x[])
@@ -379,9 +385,9 @@ static struct blocks_average part(const struct measurement *w,
     return blocks_average_of(to - from, x);
 }
 
-/* Returns the distance of mean places from those at equilibrium, m: of the
-   requested body, or the root mean square of all if larger, in case the
-   former is right by chance. */
+/* Returns how far mean positions are from those at equilibrium, m: for the
+   requested body or, if larger, the root mean square for all selected
+   bodies, since the requested one may be right by chance. */
 static double distance_from_law(const struct measurement *w, size_t from)
 {
     double x[BLOCKS_MOST] = {0}, squares = 0, own = 0;
@@ -394,9 +400,10 @@ static double distance_from_law(const struct measurement *w, size_t from)
     return fmax(own, sqrt(squares));
 }
 
-/* Returns whether the velocities have forgotten the start: whether the mean
-   of relaxation is 1. On a line, where a heavy body relaxes very slowly,
-   its error must also have a plateau. Returns false if memory runs out. */
+/* Returns whether the velocities have relaxed: the mean of `relaxation`
+   must be 1 within its error. On a line, where a heavy body relaxes very
+   slowly, the estimate of that error must also have a plateau. Returns
+   false if memory runs out. */
 static bool has_relaxed(const struct measurement *w, size_t from)
 {
     struct statistics_blocking b;
@@ -409,11 +416,11 @@ static bool has_relaxed(const struct measurement *w, size_t from)
 }
 
 /* Evaluates the last three quarters of the run (the first still depends on
-   the start). The error is reliable when blocks have a plateau, the mean no
-   longer drifts, and places and velocities are at equilibrium. The largest
-   estimate is used: a run that stops when its error is small enough tends
-   to stop when the estimate is too small by chance. Returns false if memory
-   runs out. */
+   the start). The error is reliable if its block estimate has a plateau,
+   the mean no longer drifts, and positions and velocities are at
+   equilibrium. Twice its own uncertainty is added to the estimate: a run
+   that stops when its error is small enough tends to stop when the estimate
+   is too small by chance. Returns false if memory runs out. */
 static bool judge(struct measurement *w)
 {
     const size_t n = w->blocks.count, from = (n + 3) / 4;
@@ -452,9 +459,10 @@ static void conclude(struct averages_found *f, const struct measurement *w)
     f->error = 2 * w->se * sqrt(square) / scale_of(w->h, f->value);
 }
 
-/* Returns by what factor the run must become longer for an error of e. The
-   scatter of a run of length T uses up part of e; INFINITY means that T is
-   too short. At least 2 if the run is not at equilibrium. */
+/* Returns the factor by which the run must become longer for an error of e.
+   The scatter of a run of length T accounts for part of e^2; if for more
+   than half, T is too short, and the result is INFINITY. If the run is not
+   at equilibrium, the factor is at least 2. */
 static double longer_by(const struct measurement *w, double e)
 {
     const double two = 2 * w->se / scale_of(w->h, w->mean);
@@ -466,8 +474,8 @@ static double longer_by(const struct measurement *w, double e)
                                : fmax(1.25, square / (e * e - scatter));
 }
 
-/* Continues the run up to this number of samples, the end of T or of the
-   budget, and evaluates it. Returns false if memory runs out. */
+/* Continues the run up to `to` samples, but not beyond T or the budget, and
+   evaluates it. Returns false if memory runs out. */
 static bool advance(struct measurement *w, double to)
 {
     double value[WITNESSES + 1];
@@ -480,12 +488,13 @@ static bool advance(struct measurement *w, double to)
     return judge(w);
 }
 
-/* Continues until the error is small enough, or cannot become so within the
-   budget: doubling the run while it is not at equilibrium, then for the
-   predicted time, so that evaluations are few. A refusal comes only after a
-   hundredth of the budget, so that it does not rest on a short run; as
-   predicted costs are rough, and errors overestimated, 1.5 times the budget
-   is not yet refused. Returns false if memory runs out. */
+/* Continues the run until the error is small enough, or cannot become so
+   within the budget. A run that is not at equilibrium is doubled; then it
+   is extended to the predicted length, so that evaluations are few. No
+   refusal rests on a run that costs less than a two-hundredth of the
+   budget. As predicted costs are rough, and errors overestimated, a cost of
+   up to 1.5 times the budget is not yet refused at equilibrium. Returns
+   false if memory runs out. */
 static bool go_on_until_sure(struct averages_found *f,
                              struct measurement *w)
 {
@@ -509,9 +518,10 @@ static bool go_on_until_sure(struct averages_found *f,
     return true;
 }
 
-/* Writes why a run at equilibrium gives no answer; brief: T is too short.
-   Suggests the smallest error that T allows, or one within the budget; as
-   predicted costs are rough, three times that cost must be within it. */
+/* Writes why a run at equilibrium gives no answer: T is too short if brief,
+   or the cost is too high. Suggests the smallest error that T and the
+   budget allow; as predicted costs are rough, three times the predicted
+   cost must be within the budget. */
 static void refuse_settled(char *to, const struct measurement *w,
                            double price, bool brief)
 {
@@ -533,9 +543,9 @@ static void refuse_settled(char *to, const struct measurement *w,
              fits < 0.25 ? "; %.2g fits" : "; no tolerance fits", fits);
 }
 
-/* Writes why events give no answer. A run that is not at equilibrium may
-   never reach it; a mean that depends on the start is not given, but the
-   rows of a run would be. */
+/* Writes why a run by events gives no answer. A run that is not at
+   equilibrium may never reach it; its mean depends on the start and is not
+   given, but the rows of a run can be requested instead. */
 static void refuse(char *to, const struct measurement *w)
 {
     const struct averages_request *q = w->h->q;
@@ -579,8 +589,9 @@ static bool measure(const struct search *h)
     return well;
 }
 
-/* Computes the answer by the way that suits the quantity and the scene; a
-   way requested by name must be that one. False if memory runs out. */
+/* Computes the answer by the method that suits the quantity and the scene;
+   refuses if another method was requested by name. Returns false if memory
+   runs out. */
 static bool answer(const struct search *h)
 {
     const enum averages_kind kind = h->q->quantity.kind;

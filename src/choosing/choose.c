@@ -10,10 +10,11 @@
 
 static const double first_limit = 0.1; /* cost of a run that may fail, s */
 
-/* Returns the cost of one of two twins that were stopped at the limit, s.
-   It is extrapolated from the rows reached by r, the slower one. If there
-   are none, twins are run through a sixteenth of a row, then a sixteenth of
-   that, and so on. INFINITY if they differ in the first row. */
+/* Returns the predicted cost, s, of one of two twins that were stopped at
+   the cost limit. It is extrapolated from the rows that r, the slower one,
+   has reached. If r has reached none, the first row is divided into sixteen
+   shorter rows, then the first of these, and so on, until one is reached;
+   if the twins differ there, the result is INFINITY. */
 static double price_of_twin(const struct task *t, const struct record *r)
 {
     double cost = r->cost, part = 1;
@@ -33,8 +34,8 @@ static double price_of_twin(const struct task *t, const struct record *r)
                        : INFINITY;
 }
 
-/* Stores the result of twins of an exact run a in its candidate: its error,
-   or that they differ, or how one of them ended. */
+/* Stores the result of an exact run a and its twin b in the candidate: the
+   error of a, or that they differ, or how one of them ended. */
 static void judge_twins(const struct task *t, struct choose_candidate *k,
                         struct record *a, struct record *b, bool parted)
 {
@@ -49,10 +50,10 @@ static void judge_twins(const struct task *t, struct choose_candidate *k,
         task_explain(k, task_ending(a->end != MODELS_DONE ? a : b));
 }
 
-/* Tries a model without steps, whose only error is due to rounding: with a
-   small cost limit first, and again if that was too little and more is
-   worthwhile. Twins of events that differ show the horizon of the scene;
-   those of a formula only show the accuracy of the formula. */
+/* Tries a model without steps, which has only rounding errors: first with a
+   small cost limit, and again if this was exceeded and a full run may be
+   within the budget. If a run by events and its twin differ, the scene has
+   a horizon; if runs of a formula do, only the formula is inaccurate. */
 static void try_exact(const struct task *t, const struct models_model *m)
 {
     struct record a = {0}, b = {0};
@@ -83,11 +84,12 @@ static int by_price(const void *a, const void *b)
     return one->price < other->price ? -1 : one->price > other->price;
 }
 
-/* Adds a ladder, and makes its first run, which predicts the cost of a run
-   within the tolerance. If the reference uses this method, its coarser run
-   serves as the first rung at no cost, and the two runs show how the cost
-   rises: slowly for adaptive methods, as with an order of about seven a
-   tenfold accuracy takes a third more steps. */
+/* Adds the ladder of a method, its runs with finer and finer steps, and
+   makes the first run, which predicts the cost of one within the tolerance.
+   If the reference uses this method, its coarser run serves as the first at
+   no cost, and its two runs show how the cost rises. For adaptive methods
+   it rises slowly: of an order of about seven, they need only 40 % more
+   steps for a tenth of the error. */
 static void add_ladder(const struct task *t, struct ladder ladder[],
                        size_t *count, const struct models_model *m,
                        unsigned cuts)
@@ -115,9 +117,9 @@ static void add_ladder(const struct task *t, struct ladder ladder[],
             log2(f->run.cost / f->coarser.cost) /
             (rung_fineness(&f->run.plan) - rung_fineness(&f->coarser.plan));
     } else {
-        /* An adaptive method with the requested tolerance has ten times
-           that error or more, so it needs finer steps: at a quarter of the
-           best cost it may still win. */
+        /* With the requested tolerance an adaptive method has ten times
+           that error or more, so finer steps must follow. It may still win
+           if this run costs at most a quarter of the best. */
         const double may =
             l->rise < 1 ? task_best_cost(t) / 4 : task_best_cost(t);
         climb_note(t, l, rung_try(t, l, l->foot, may, k));
@@ -125,14 +127,14 @@ static void add_ladder(const struct task *t, struct ladder ladder[],
     l->price = climb_price(t, l);
 }
 
-/* The simplifications for which leapfrog has ladders of its own. Other
-   methods need none: the error of a simplification does not depend on the
-   order, and no other method supports rods. */
+/* The simplifications with each of which leapfrog is tried. Other methods
+   are tried without any: the error of a simplification does not depend on
+   the order, and no other method supports rods. */
 static const unsigned left_out[] = {0, MODELS_NO_LIGHT, MODELS_RODS};
 enum { LEFT_OUT = sizeof left_out / sizeof *left_out };
 
-/* Adds the ladders of a model if its method takes part in the
-   comparison. */
+/* Adds the ladders of a model whose method takes part in the comparison and
+   is adaptive or not, as requested. */
 static void add_model(const struct task *t, struct ladder ladder[],
                       size_t *count, const struct models_model *m,
                       bool adaptive)
@@ -219,17 +221,19 @@ static void compare(const struct task *t)
     race(t, true);
 }
 
-/* Divisor of the tolerance. Two references that agree this well need no
-   further test: if their errors were as large as the tolerance, they would
-   do so by chance once in pi/2 seldom = 630 cases (the book's P_1 of one
-   twin), which is no worse than the chance that is_near_floor is wrong. */
+/* Two references that differ by less than the tolerance divided by this
+   number need no further test: if their errors were as large as the
+   tolerance, they would agree so well by chance only once in pi/2 seldom =
+   630 cases (the book's P_1 of one twin), which is no worse than the chance
+   that is_near_floor is wrong. */
 static const double seldom = 400;
 
-/* Returns whether a twin of the chosen run differs from it by a 300th of
-   the tolerance or more. If rounding errors could exceed the tolerance, the
-   twin would differ less only by chance, in less than one of a hundred
-   cases; and the two references would agree to a twentieth only by chance,
-   in one of a dozen. Both together are too rare to matter. */
+/* Returns whether a twin of the chosen run differs from it by more than a
+   300th of the tolerance. If rounding errors could exceed the tolerance, a
+   smaller difference would be a coincidence that happens in less than one
+   of a hundred cases; that the two references agree to a twentieth of the
+   tolerance would be another, in one of a dozen cases. It is too rare that
+   both happen together. */
 static bool is_near_floor(const struct task *t)
 {
     struct record twin;
@@ -242,8 +246,9 @@ static bool is_near_floor(const struct task *t)
 }
 
 /* Compares all candidates with the reference. If rounding errors turn out
-   to be near the tolerance, the reference gets further twins, and all
-   candidates are compared with it once more. */
+   to be near the tolerance, further twins of the reference bound its error.
+   If the run taken is then no longer within the tolerance, all candidates
+   are compared once more. */
 static void compare_surely(const struct task *t)
 {
     struct choose_choice *c = t->c;
@@ -265,7 +270,7 @@ static void compare_surely(const struct task *t)
         return;
     c->candidates = candidates;
     c->points = points;
-    if (!f->coarser.value) { /* its rows were taken or suggested */
+    if (!f->coarser.value) { /* its rows became the answer, now freed */
         const struct record_setup o =
             task_setup(t, f->coarser.plan, INFINITY);
         task_run(t, &f->coarser, &o);
@@ -275,8 +280,8 @@ static void compare_surely(const struct task *t)
 
 /* Finds the answer. Exact models come first, as they need no reference; if
    one is within the tolerance it is taken, since searching for a cheaper
-   one would cost more than it could save. If only collisions act, a fork
-   seen in a run by events is final. */
+   one would cost more than it could save. In a scene with only collisions,
+   a horizon found in a run by events is final. */
 static void decide(const struct task *t)
 {
     const struct models_plan *only = t->q->only;
@@ -288,13 +293,13 @@ static void decide(const struct task *t)
     const bool falls = a->gravity || a->springs || a->weight || a->friction;
     if (t->c->run.value && t->c->horizon < INFINITY &&
         t->c->run.plan.model->family == MODELS_EVENTS)
-        record_free(&t->c->run); /* another model has shown a fork */
+        record_free(&t->c->run); /* another model has shown a horizon */
     if (!t->c->run.value && (t->c->horizon == INFINITY || falls) &&
         task_budget(t) > 0 && reference_find(t, t->f))
         compare_surely(t);
 }
 
-/* Writes why no run was taken, unless a reason has been written. */
+/* Writes why no run was taken, unless a reason is already written. */
 static void refuse(const struct task *t)
 {
     struct choose_choice *c = t->c;
@@ -322,8 +327,9 @@ static void refuse(const struct task *t)
                  t->q->tolerance, c->spent);
 }
 
-/* Refuses bodies that overlap at the start, since their motion would depend
-   on the length of steps. Returns whether it did. */
+/* Returns whether bodies overlap at the start by more than the tolerance;
+   if so, writes a refusal, since their motion would depend on the time
+   step. */
 static bool overlaps(const struct task *t)
 {
     const double depth = spheres_depth(t->q->scene);
@@ -337,12 +343,12 @@ static bool overlaps(const struct task *t)
     return true;
 }
 
-/* Most bodies whose pairs are all measured: for more it would take longer
-   than the answer. */
+/* Largest number of bodies for which all distances are computed; for more
+   bodies this would take longer than finding the answer. */
 enum { PAIRS_MOST = 2000 };
 
-/* Records a pair nearer to each other than the tolerance, if a single body
-   far from all others makes the scale so long. */
+/* Records the closest pair of bodies if its distance is below the tolerance
+   because a single body, far from all others, makes the scale so large. */
 static void look_for_hidden(const struct task *t)
 {
     const struct scene *s = t->q->scene;
@@ -391,12 +397,12 @@ void choose_free(struct choose_choice *c)
     *c = (struct choose_choice){0};
 }
 
-/* The highest order of methods with equal steps is eight. */
+/* Names of the orders of methods with equal steps, at most eight. */
 static const char *const order_in_words[] = {"",      "first",   "second",
                                              "third", "fourth",  "fifth",
                                              "sixth", "seventh", "eighth"};
 
-/* Returns the cheapest candidate that was not taken and costs more, and
+/* Returns the cheapest candidate that costs more than the one taken, and
    sets *price to its actual or predicted cost. */
 static const struct choose_candidate *next_best(
     const struct choose_choice *c, double *price)

@@ -1,4 +1,4 @@
-/* The cheapest way to compute a scene within a tolerance, or a refusal. */
+/* Finds the cheapest way to compute a scene within a tolerance. */
 #ifndef CHOOSE_H
 #define CHOOSE_H
 
@@ -13,20 +13,20 @@ enum { CHOOSE_MOST = STEPPING_MOST + 40, CHOOSE_POINTS = 400 };
 /* A question: a scene, a time, a tolerance, and the observables. */
 struct choose_request {
     const struct scene *scene;
-    const char *program;             /* its name, for messages */
-    double until, every;             /* of the last row; between rows; s */
-    double tolerance;                /* of errors, fraction of the scale */
+    const char *program;             /* name of the program, for messages */
+    double until, every;             /* time of the last row; interval; s */
+    double tolerance;                /* largest error, over the scale */
     const struct observables *asked; /* NULL: all positions */
     double budget; /* largest total cost, s by the price list */
     const struct models_plan *only; /* NULL, or the only plan allowed */
-    void (*watch)(void *with, double spent); /* NULL, or is told the cost */
+    void (*watch)(void *with, double spent); /* NULL, or gets the cost */
     void *with;
 };
 
 /* A candidate: a model with its simplifications, and its results so far. */
 struct choose_candidate {
     struct models_plan plan;
-    double error, cost; /* error over scale; s by the price list */
+    double error, cost; /* fraction of the scale; s by the price list */
     double foreseen;    /* predicted cost, s, or INFINITY */
     bool holds;
     char text[CHOOSE_TEXT]; /* the result, or why it is excluded */
@@ -38,11 +38,11 @@ struct choose_point {
     double error, cost;
 };
 
-/* Bodies a and b that are nearer to each other than the tolerance, since
-   body `far` makes the scale long; a == b: there are none. */
+/* Two bodies, a and b, whose distance is below the tolerance because body
+   `far` makes the scale so large; a == b if there are none. */
 struct choose_hidden {
     size_t a, b, far;
-    double distance, without; /* of a and b; scale without `far`; m */
+    double distance, without; /* of a and b, m; scale without `far`, m */
 };
 
 /* The answer, a run with its rows or a refusal, and how it was found. */
@@ -52,28 +52,29 @@ struct choose_choice {
     struct choose_point point[CHOOSE_POINTS];
     size_t points;
     struct models_acts acts;
-    double scale; /* divisor of errors, in the unit of judged */
+    double scale; /* divisor of errors, in the unit of `judged` */
     const char *judged;
     struct choose_hidden hidden;
     size_t rows, columns;
-    struct record run;            /* of the taken candidate */
+    struct record run;            /* run of the candidate taken */
     struct models_plan reference; /* its model is NULL if there is none */
-    double doubt;                 /* distance of the two references */
-    double rounding;              /* bound of an exact run's error */
+    double doubt;                 /* bound of the reference's error */
+    double rounding;              /* bound of the error of an exact run */
     double horizon;               /* predictable up to this time, s */
     double spent;                 /* total cost, s by the price list */
     char refusal[CHOOSE_REFUSAL];
 };
 
-/* Finds the cheapest way; a refusal counts as a result. Returns false,
-   after an error message and with nothing to free, if memory runs out or
-   the scene cannot be set in motion. */
+/* Answers a request; a refusal counts as an answer. Returns false, after an
+   error message and with nothing to free, if memory runs out or the scene
+   cannot be set in motion. */
 bool choose(struct choose_choice *c, const struct choose_request *q);
 void choose_free(struct choose_choice *c);
 
 /* Writes a sentence about the candidate taken, and the cost of another way:
    "pefrl:56: its fourth order meets 0.0001 at 56 steps a row; leapfrog
-   would cost 20 times as much". Says so if that cost is only predicted. */
+   would cost 20 times as much". If that cost is only predicted, the
+   sentence says so. */
 void choose_sentence(const struct choose_choice *c, double tolerance,
                      char text[CHOOSE_SENTENCE]);
 

@@ -1,18 +1,20 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1429344638 of the lines below */
+/* checksum 3611776349 of the lines below */
 /* Tries finer and finer steps of one method while they may be cheaper. */
 #include "choosing/task.h"
 
 #include <math.h>
 
-static const double lost = 0.1; /* of the scale: entirely wrong */
+static const double lost = 0.1; /* an error so large, as a fraction of the
+                                   scale, that the run is useless */
 
 static bool is_lost(double error)
 {
     return error > lost;
 }
 
-/* Returns whether finer rungs are useless if the next has this error. */
+/* Returns whether finer steps are useless, given the error of the next
+   rung. */
 static bool is_vain(const struct ladder *l, double error)
 {
     const double before = l->best.error;
@@ -21,9 +23,9 @@ static bool is_vain(const struct ladder *l, double error)
                               fabs(error - before) < 0.01 * error;
 }
 
-/* Returns whether the last error says nothing about the order, so that much
-   finer steps are tried next. On a ladder with simplifications these may
-   cause all of a large error, so it is no sign of that. */
+/* Returns whether the last error is too large to extrapolate from, so that
+   much finer steps are tried next. With simplifications a large error is no
+   sign of that, as they may cause all of it. */
 static bool is_blind(const struct ladder *l)
 {
     const double error = l->best.error;
@@ -51,7 +53,7 @@ static double order_of_method(const struct ladder *l)
     return m->adaptive ? 1 : m->order;
 }
 
-/* Returns by how many octaves the error must fall; INFINITY: unknown. */
+/* Returns the octaves by which the error must fall, INFINITY if unknown. */
 static double excess(const struct task *t, const struct ladder *l)
 {
     return log2(l->best.error / t->q->tolerance);
@@ -71,7 +73,7 @@ static double octaves_up(const struct task *t, const struct ladder *l)
     return fmin(more, FAR);
 }
 
-/* Returns the cost, s, at which a ladder may meet the tolerance, as
+/* Returns the cost, s, of a run of this ladder within the tolerance, as
    predicted from its first run. */
 double climb_price(const struct task *t, const struct ladder *l)
 {
@@ -79,7 +81,8 @@ double climb_price(const struct task *t, const struct ladder *l)
                               : INFINITY;
 }
 
-/* Returns the next rung worth a run; its model is NULL if there is none. */
+/* Returns the next rung that is worth a run; its model is NULL if there is
+   none. */
 static struct models_plan next_rung(const struct task *t,
                                     const struct ladder *l)
 {

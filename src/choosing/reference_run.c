@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 2437174789 of the lines below */
+/* checksum 3248562924 of the lines below */
 /* Finds reference runs: two that agree, the second finer and a twin. */
 #include "choosing/task.h"
 
@@ -23,7 +23,7 @@ static void run_pair(const struct task *t, struct reference *f,
     task_bill(t, &f->run);
 }
 
-/* Returns whether the two runs agree on the closest contact or miss. */
+/* Returns whether the two runs agree on the narrowest contact or miss. */
 static bool is_decided(const struct reference *f)
 {
     const double a = f->coarser.least, b = f->run.least;

@@ -26,8 +26,8 @@ double closed_exp(double x)
 }
 
 /* Returns phi_2 = (e^-z - 1 + z) / z^2 for z from 0 to 1, by its series,
-   since the formula would lose all digits; the other phi follow from it
-   without loss. */
+   since the formula would lose all digits if z is small; phi_1 and e^-z
+   follow from it without such a loss. */
 static double phi2(double z)
 {
     double sum = 1;
@@ -65,15 +65,16 @@ static double series(double z, int first)
 }
 
 /* One series covers weak and strong friction, as it contains only squares
-   (12.5, eq:models-swing). Beyond |z| = 1 it uses a sine and cosine, whose
-   angle is first reduced to one turn, or exponentials: half the sum and
-   difference of two that decay, since a product of a small and a large
-   number may be 0 times infinity, and a difference of rates may cancel. */
+   (12.5, eq:models-swing). For z > 1 a sine and a cosine are used, whose
+   angle is first reduced to one turn; for z < -1 half the sum and half the
+   difference of two decaying exponentials, since a growing one times a
+   small factor may be infinity times 0. The smaller rate is a quotient, as
+   a difference may cancel. */
 void closed_oscillate(double t, double square, double rate, double *y,
                       double *v)
 {
     const double half = rate / 2, w = square - half * half, z = w * t * t;
-    double c, s, decay = closed_exp(-half * t); /* sine times t */
+    double c, s, decay = closed_exp(-half * t); /* s: t sin(x)/x */
     if (z > 1) {
         const double angle = sqrt(w) * t, whole = 2 * KEPLER_PI;
         kepler_turn(angle - whole * floor(angle / whole), &c, &s);
@@ -97,8 +98,9 @@ struct point {
     double x, v;
 };
 
-/* Compares two points for qsort: by place, and at one place by velocity,
-   since of two points that have just met the left one is slower. */
+/* Compares two points for qsort: by position, and at equal positions by
+   velocity, since of two points that have just met the left one is
+   slower. */
 static int by_place(const void *one, const void *other)
 {
     const struct point *a = one, *b = other;
@@ -107,8 +109,9 @@ static int by_place(const void *one, const void *other)
     return (a->v > b->v) - (a->v < b->v);
 }
 
-/* Returns the point between two walls for a point at u, from 0 to twice the
-   width, with velocity v on a circle that leads there and back. */
+/* Returns the point between two walls that corresponds to a point at u with
+   velocity v on a circle of twice the width, which leads from the lower
+   wall to the upper one and back. */
 static struct point unfold(double low, double width, double u, double v)
 {
     u -= 2 * width * floor(u / (2 * width));
@@ -119,8 +122,8 @@ static struct point unfold(double low, double width, double u, double v)
     return (struct point){low + u, u == width ? -fabs(v) : v};
 }
 
-/* Returns where a point that has flown freely would be with walls, at which
-   it is reflected. A single wall is met at most once. */
+/* Returns the state that a freely moved point has after its reflections at
+   the walls. A single wall reflects it at most once. */
 static struct point fold(double low, double high, struct point p)
 {
     const bool left = low > -INFINITY, right = high < INFINITY;
@@ -152,10 +155,10 @@ bool closed_relabel(double low, double high, size_t n, double x[],
     return true;
 }
 
-/* Returns by how many whole turns the faster of two points is ahead of the
-   slower; way and v are the differences of place and velocity. A line with
-   fewer than two walls is an infinite circle: -1 while the faster is
-   behind, then 0. */
+/* Returns the number of whole turns by which the faster of two points on a
+   circle is ahead of the slower; way and v are the differences of their
+   positions and velocities. A line with fewer than two walls is an infinite
+   circle: the result is -1 while the faster point is behind, then 0. */
 static double turns_ahead(double way, double v, double circle)
 {
     if (v == 0)
@@ -165,9 +168,9 @@ static double turns_ahead(double way, double v, double circle)
     return circle < INFINITY ? floor(way / circle) : way < 0 ? -1 : 0;
 }
 
-/* Returns the sum of turns_ahead over all pairs after the time t, s; with a
-   wall also over images at -x with velocity -v, each point's own
-   included. */
+/* Returns the sum of turns_ahead over all pairs after the time t, s. With a
+   wall it includes the pairs of each point with the images of all points,
+   at -x with velocity -v. */
 static double count_until(size_t n, const double x[], const double v[],
                           double t, double wall, double circle, bool images)
 {

@@ -6,8 +6,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Returns e to the x, with a relative error of 1e-15 if x > -708 and equal
-   bits on every machine. */
+/* Returns e to the power x, with a relative error of 1e-15 for x > -708 and
+   bitwise identical on every machine. */
 double closed_exp(double x);
 
 /* Moves a body by the time t (s) under a constant acceleration g (m/s^2)

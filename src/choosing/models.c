@@ -11,15 +11,15 @@
    make. No unit occurs alone: `bonk-studies --study prices` runs a scene
    with much of one unit and little of the others, subtracts the cost of the
    others by the list, and divides; a few rounds of measuring and correcting
-   converge. Then the list was balanced over more than two hundred scenes by
-   all models that can compute them, with the factors that turn passes,
-   examined pairs and springs into units: predicted costs are rarely wrong
-   by more than a factor of one and a half. Costs are not exact sums: work
-   that overlaps in the processor costs less, and the place where the linker
-   puts code matters. A nanosecond is about three cycles. A pair in gravity
-   has a root and a division, more than thirty cycles in sequence, but its
-   price is twenty, as several overlap; the collision of two disks cannot
-   overlap with others. */
+   converge. Then the prices, and the factors that turn passes, examined
+   pairs and springs into units, were fitted to more than two hundred
+   scenes, each computed by all models that can: predicted costs are rarely
+   wrong by more than a factor of one and a half. Costs are not exact sums:
+   work that overlaps in the processor costs less, and the address at which
+   the linker puts code matters. A nanosecond is about three cycles. Gravity
+   of a pair has a root and a division, more than thirty cycles in sequence,
+   but its price is twenty cycles, as several pairs overlap; the collision
+   of two disks cannot overlap with others. */
 const struct models_price models_prices[MODELS_UNITS] = {
     [MODELS_EVALUATION] = {"evaluation", "call of the forces", 18},
     [MODELS_BODY] = {"body", "body in a call of the forces", 3},
@@ -52,16 +52,17 @@ double models_cost(const double work[MODELS_UNITS])
 
 const char models_no_memory[] = "there is no memory";
 
-/* The messages for models that cannot compute what acts, one for each bit,
-   the most useful to a reader first. */
+/* Error messages for what a model does not support, one for each bit. The
+   first that applies is shown, so the most useful ones come first. */
 enum { ACTS = 6 };
 static const char *const unsupported[ACTS] = {
     "it knows no rods", "it does not ask who pulls",
     "springs act",      "the bodies attract each other",
     "bodies may meet",  "there is friction"};
 
-/* Returns NULL if the model can compute the scene, or why not: because of
-   what acts, or for a reason of its own. */
+/* Returns NULL if the model can compute the scene, or the reason why it
+   cannot: an interaction that it does not support, or one of its own
+   reasons. */
 static const char *refusal(const struct models_run *r)
 {
     const struct models_model *m = r->plan.model;
@@ -134,7 +135,8 @@ void models_write(const struct models_plan *p, char text[MODELS_TEXT])
                                      models_cut_names[k]);
 }
 
-/* Returns name k of the models or simplifications; NULL after the last. */
+/* Returns the name of model k or, if cuts, of simplification k; NULL after
+   the last. */
 static const char *name_of(size_t k, bool cuts)
 {
     return cuts ? models_cut_names[k] : models_all()[k].name;
@@ -154,7 +156,8 @@ static bool complain(char message[MODELS_MESSAGE], const char *word,
     return false;
 }
 
-/* Reads the number after the colon. Returns NULL, or what was expected. */
+/* Reads the number after the colon. Returns NULL, or what was expected
+   instead of it. */
 static const char *read_number(struct models_plan *p, const char *text)
 {
     char *end;

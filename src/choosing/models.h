@@ -11,22 +11,22 @@
 
 /* The units of work that are counted while a model computes a run. */
 enum models_unit {
-    MODELS_EVALUATION, /* calls of the force function */
-    MODELS_BODY,       /* passes over bodies; several in a stage */
-    MODELS_PAIR,       /* gravity of a pair; beyond 32 bodies, of 8 */
-    MODELS_SPRING,     /* force of a spring; ten times that if in no band */
+    MODELS_EVALUATION, /* call of the force function */
+    MODELS_BODY,       /* pass over a body; several in each stage */
+    MODELS_PAIR,       /* gravity of a pair; of 8 if above 32 bodies */
+    MODELS_SPRING,     /* force of a spring; counts 10 outside bands */
     MODELS_ROD,        /* correction of a rod */
-    MODELS_CONTACT,    /* body in a part of a step, with contacts */
+    MODELS_CONTACT,    /* body in a part of a step with contacts */
     MODELS_OVERLAP,    /* pair examined for contacts */
-    MODELS_CURVE,      /* product of coefficients for a gap */
+    MODELS_CURVE,      /* product for the polynomial of a gap */
     MODELS_ROOT,       /* polynomial of a gap that has a root */
     MODELS_LINE_EVENT, /* collision on a line */
     MODELS_LINE_SCAN,  /* gap examined on a line */
     MODELS_DISK_EVENT, /* collision of disks, or with a wall */
-    MODELS_DISK_SCAN,  /* disk examined for a plan */
-    MODELS_RENEWAL,    /* neighbour list made */
+    MODELS_DISK_SCAN,  /* disk examined to predict a collision */
+    MODELS_RENEWAL,    /* construction of a neighbour list */
     MODELS_ELLIPSE,    /* body moved along its ellipse */
-    MODELS_FLIGHT,     /* free coordinate; damped or on a spring: ten */
+    MODELS_FLIGHT,     /* free coordinate; counts 10 if damped or a mode */
     MODELS_ORDER,      /* comparison in sorting bodies */
     MODELS_MODE,       /* operation in finding and summing modes */
     MODELS_ROW,        /* output of a row */
@@ -42,15 +42,16 @@ extern const struct models_price models_prices[MODELS_UNITS];
 
 /* The simplifications of a scene: bits of a set. */
 enum models_cut {
-    MODELS_NO_LIGHT = 1, /* bodies below a hundredth of the heaviest have no
-                            pull */
+    MODELS_NO_LIGHT = 1, /* bodies lighter than a hundredth of the heaviest
+                            attract no others */
     MODELS_RODS = 2,     /* springs a hundred times stiffer than the softest
                             become rods */
     /* Quantities of the scene that become 0: */
     MODELS_NO_SOFTENING = 4,
-    MODELS_NO_FRICTION = 8, /* the line damp */
+    MODELS_NO_FRICTION = 8, /* `damp` in a scene file */
     MODELS_NO_DASHPOTS = 16,
-    MODELS_NO_WEAK = 32, /* springs below a hundredth of the stiffest */
+    MODELS_NO_WEAK = 32, /* less than a hundredth as stiff as the
+                            stiffest */
     MODELS_NO_WEIGHT = 64,
     MODELS_NO_PULL = 128,
     MODELS_NO_ACROSS = 256, /* motion across the longest axis */
@@ -65,7 +66,7 @@ struct models_acts {
     bool contact; /* two bodies, or a body and a wall, may meet */
     bool gravity, springs, weight, friction, dashpots;
     unsigned axes;     /* bit k: something may move along axis k */
-    unsigned offset;   /* bit k: bodies have different places along k */
+    unsigned offset;   /* bit k: positions differ along axis k */
     size_t dimensions; /* number of axes that matter */
     size_t free;       /* number of bodies that may move */
     unsigned cuts;     /* simplifications made */
@@ -76,15 +77,15 @@ struct models_acts {
 struct models_plan {
     const struct models_model *model;
     unsigned cuts;
-    uint64_t steps;   /* in each row; 0 for models without steps */
+    uint64_t steps;   /* steps in each row; 0 for models without steps */
     double tolerance; /* of an adaptive method */
-    /* Two bodies passing each other matter if that moves a body by more
-       than `negligible`, m, in the remaining time, s. */
+    /* A passage of two bodies matters if it moves one of them by more than
+       `negligible`, m, in the remaining time, s. */
     double negligible, time_left;
-    double slack; /* by which steps stay below limits */
+    double slack; /* fraction by which steps stay below their limits */
     /* Contacts made or missed by less than this are recorded, m. */
     double contact_margin;
-    double start_limit; /* of a start, s by the price list; 0: no limit */
+    double start_limit; /* largest cost of a start, s; 0: no limit */
 };
 
 enum { MODELS_TEXT = 256, MODELS_MESSAGE = 2048 };
@@ -111,9 +112,9 @@ struct models_model {
     enum models_end (*row)(struct models_run *r);
     const char *(*begin)(struct models_run *r); /* NULL, or why not */
     void (*end)(struct models_run *r); /* after begin, even a failed one */
-    /* Returns another reason why it cannot compute this scene, exactly up
-       to rounding or in steps, or NULL. NULL pointer: it has no other
-       reasons. */
+    /* Returns a further reason why the model cannot compute this scene
+       (exactly up to rounding, or in steps), or NULL. The pointer is NULL
+       if the model has no further reasons. */
     const char *(*refuses)(const struct scene *s,
                            const struct models_acts *a);
     bool approximate; /* not exact even for scenes it accepts */
@@ -130,12 +131,12 @@ struct models_run {
     struct models_acts acts;
     double start, every; /* s */
     double elapsed;      /* time from the start to the next row, s */
-    double clock;        /* bound of the relative error of time in closed
-                            forms and their twins; or 0 */
+    double clock;        /* bound of the relative error of time that a
+                            closed form shares with its twins, or 0 */
     uint64_t rows;       /* number of rows so far */
     uint64_t collisions; /* for relabel use models_collisions */
-    double least;        /* closest miss of a contact, or if < 0 shallowest
-                            contact, m */
+    double least;        /* smallest gap of a near miss or, if negative,
+                            shallowest contact, m */
     double virial;       /* as in struct disks, J s; NaN: unknown */
     double work[MODELS_UNITS];
     uint64_t all; /* rows of the whole run; 0: unknown. May be written */

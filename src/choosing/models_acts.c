@@ -34,12 +34,12 @@ double models_square(const struct scene *s, size_t i, size_t j)
 /* An interaction is absent only if it is exactly zero. An axis does not
    matter if nothing moves along it at the start and nothing pushes: there
    is no uniform gravity along it, and no two bodies that interact have
-   different places along it. Then nothing ever moves along it: forces are
-   along the line between two bodies, or along their relative velocity, and
-   the difference of equal numbers is exactly 0. Friction only slows down.
-   For gravity and contacts the places of all bodies count, since any two
-   may interact; for springs those of the two ends of each: a flat membrane
-   stays flat. */
+   different positions along it. Then nothing ever moves along it: forces
+   are along the line between two bodies, or along their relative velocity,
+   and the difference of equal numbers is exactly 0. Friction only slows
+   bodies down. For gravity and contacts the positions of all bodies count,
+   since any two may interact; for springs only those of the two ends of
+   each spring, so that a flat membrane stays flat. */
 void models_analyse(struct models_acts *a, const struct scene *s)
 {
     const size_t n = s->bodies;
@@ -109,9 +109,9 @@ static double square_of_pair(const struct scene *s, size_t i, size_t j)
 
 enum { MOST_PAIRED = 4000 };
 
-/* Returns square_of_pair for the fastest pair. All pairs of four thousand
-   bodies are eight million roots, some hundredths of a second; for more
-   bodies an estimate from pairs with a heavy one suffices. */
+/* Returns the largest square_of_pair. Up to four thousand bodies all pairs
+   are examined: eight million roots take some hundredths of a second. For
+   more bodies an estimate from pairs with a heavy one suffices. */
 static double square_of_gravity(const struct scene *s)
 {
     const double heavy = models_heaviest(s);
@@ -142,8 +142,9 @@ static void add_rows(const struct scene *s, const struct scene_spring *p,
 }
 
 /* Returns the stiffness of a spring, N/m: the larger eigenvalue of its
-   block of the matrix. These are D along the spring and D(1 - l/r) across
-   it, which is larger if the spring is compressed to less than half. */
+   block of the matrix. The eigenvalues are D along the spring and D(1 -
+   l/r) across it; the latter is larger if the spring is compressed to less
+   than half its rest length. */
 static double stiffness(const struct scene *s, const struct scene_spring *p)
 {
     const double length = sqrt(models_square(s, p->a, p->b));
@@ -215,8 +216,8 @@ const char *const models_cut_names[MODELS_CUTS + 1] = {
     "no-light", "rods",      "no-softening", "no-friction", "no-dashpots",
     "no-weak",  "no-weight", "no-pull",      "no-across",   NULL};
 
-/* Removes the motion across the line, which is the axis along which a body
-   is farthest from the first one. */
+/* Removes the motion across the axis along which some body is farthest from
+   the first one. */
 static void flatten(struct scene *s)
 {
     const size_t n = s->bodies;

@@ -14,7 +14,10 @@
 /* A closed form computes every row from the start, which the run keeps, so
    errors do not add up from row to row. */
 
-enum { WITH_EXPONENTIAL = 10 }; /* cost in flights of one with friction */
+enum {
+    WITH_EXPONENTIAL = 10
+}; /* cost of a flight with friction, in free
+      flights */
 
 /* Moves each coordinate independently of the others. */
 static enum models_end row_free(struct models_run *r)
@@ -86,8 +89,8 @@ static void end_kepler(struct models_run *r)
     particles_free(r->engine);
 }
 
-/* Returns the places at the start, followed by the velocities, in the order
-   of the particles. */
+/* Returns the positions at the start, followed by the velocities, in the
+   order of the particles. */
 static double *at_start(const struct models_run *r)
 {
     const struct particles *l = r->engine;
@@ -173,8 +176,8 @@ const struct models_model models_kepler = {
     .end = end_kepler,
     .refuses = refuse_kepler};
 
-/* Four hundred modes take some seconds, a thousand a minute, and then other
-   models are cheaper. */
+/* Finding four hundred modes takes some seconds, a thousand a minute; then
+   other models are cheaper. */
 enum { MOST_MODES = 400, MOST_TRIES = 30 };
 
 /* Springs near equilibrium have modes, each of which is an oscillator. The
@@ -218,11 +221,13 @@ static const char *refuse_oscillator(const struct scene *s,
 struct vibration {
     struct springs springs;
     struct modes modes;
-    double *rest, *push;     /* [3 * bodies] equilibrium; scratch */
-    double *amount, *change; /* [size] of each mode, at the start */
+    double *rest, *push;     /* [3 * bodies] equilibrium; [6 * bodies]
+                                scratch */
+    double *amount, *change; /* [size] amplitude, velocity at the start */
     double *pull;            /* [size] force on each mode at equilibrium */
-    double rate;             /* friction over mass, 1/s */
-    double slack;            /* smaller squares count as 0, 1/s^2 */
+    double rate;             /* friction divided by mass, 1/s */
+    double slack;            /* squared frequencies below this count as 0,
+                                1/s^2 */
 };
 
 static void end_modes(struct models_run *r)
@@ -294,7 +299,8 @@ static const char *find_rest(struct vibration *w, struct models_run *r)
 }
 
 /* Computes the amplitudes of the modes in a displacement x - from, or in
-   velocities: shapes are orthogonal, so each is a scalar product. */
+   velocities x, with from NULL. As shapes are orthogonal, each amplitude is
+   a scalar product. */
 static void take_apart(const struct modes *m, const double x[],
                        const double from[], double amount[])
 {
@@ -335,8 +341,8 @@ static bool keeps_sides(const struct vibration *w, const struct scene *s,
     return true;
 }
 
-/* Finds the equilibrium, and the amplitudes of places and velocities about
-   it. Coordinates along axes that do not matter are fixed. */
+/* Finds the equilibrium, and the amplitudes of displacements from it and of
+   velocities. Coordinates along axes that do not matter are fixed. */
 static const char *begin_modes(struct models_run *r)
 {
     struct vibration *w = r->engine;

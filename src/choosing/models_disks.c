@@ -7,14 +7,14 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* The scene's axes in the order of the engine: first those that matter,
-   with the axis of the floor, or that of the only walls, second, since
-   chapter 5 has gravity along the second axis, and walls across it with
-   other axes periodic. An axis that does not matter is open for the engine,
-   whatever its walls. */
+/* The scene's axes in the order of the engine. Those that matter come
+   first. The axis of the floor, or of the only walls, is the second, since
+   in chapter 5 gravity acts along the second axis, and a box that is
+   periodic along the others has its walls there. For the engine an axis
+   that does not matter is open, whatever its walls. */
 struct box_axes {
     size_t axes, axis[SCENE_AXES];
-    size_t count[3]; /* numbers of axes with each kind of wall */
+    size_t count[3]; /* number of axes with each kind of wall */
     unsigned live;
 };
 
@@ -83,9 +83,9 @@ struct box_run {
     struct cells cells;
     bool celled;
     struct box_axes view;
-    double sign[SCENE_AXES], origin[SCENE_AXES]; /* scene to engine, along
-                                                    its axes */
-    double crossed; /* crossings of the box by free disks */
+    double sign[SCENE_AXES], origin[SCENE_AXES]; /* from scene to engine,
+                                                    along its axes */
+    double crossed; /* estimated crossings of the box */
 };
 
 static void end_disks(struct models_run *r)
@@ -121,10 +121,10 @@ static void put_in_box(struct box_run *d, const struct scene *s)
     }
 }
 
-enum { SCANNED = 100 }; /* most disks for which all are examined */
+enum { SCANNED = 100 }; /* largest number of disks without cells */
 
-/* Begins a run: by examining all disks, or for many of them with cells, if
-   the box suits these. Returns NULL, or why it cannot. */
+/* Begins a run, with cells if there are many disks and the box suits cells,
+   otherwise by examining all disks. Returns NULL, or why it cannot. */
 static const char *begin_disks(struct models_run *r)
 {
     const struct scene *s = &r->scene;
@@ -153,14 +153,13 @@ static const char *begin_disks(struct models_run *r)
     return d->celled || disks_plan(&d->disks) ? NULL : models_no_memory;
 }
 
-/* Counts the work: events and pairs examined. A collision of two disks
-   makes two new plans, one with a wall a single one. For a plan the scan
-   examines all disks (with four disks a collision costs two plans of four
-   pairs); cells examine the neighbours, and half as many more for stale
-   events. The start counts, too: the scan tests every pair for an overlap
-   and for a meeting, at twice the price of a pair; with cells every disk
-   gets a list of its neighbours, as it does each time it leaves its
-   skin. */
+/* Counts the work: events and examined disks. After a collision of two
+   disks the next events of both are predicted anew, after one with a wall
+   those of one disk. A prediction examines all disks; with cells it
+   examines the neighbours, and half as many more for stale events. The
+   start counts, too: without cells every pair is examined once for an
+   overlap and twice for a collision; with cells a neighbour list is made
+   for every disk, and again whenever a disk leaves its skin. */
 static void count_disks(struct models_run *r, const struct box_run *d)
 {
     const double met = (double)d->disks.collisions;
@@ -177,10 +176,10 @@ static void count_disks(struct models_run *r, const struct box_run *d)
         ((double)r->rows + 1) * (double)(d->view.axes * d->disks.count);
 }
 
-/* Returns whether the crossings of the box alone, including the next row,
-   will exceed the cost limit. A disk without collisions would meet a wall,
-   or need a new plan in a periodic box, |v| t/L times in the time t along
-   each axis. */
+/* Returns whether the work so far and the crossings of the box up to the
+   next row exceed the cost limit. In a time t a disk without collisions
+   would meet a wall, or need a new prediction in a periodic box, |v| t/L
+   times along each axis. */
 static bool is_endless(const struct models_run *r, struct box_run *d)
 {
     const double time = r->elapsed - d->disks.now;
@@ -193,9 +192,9 @@ static bool is_endless(const struct models_run *r, struct box_run *d)
     return models_cost(r->work) + price * d->crossed > r->limit;
 }
 
-/* Runs to the next row. The engines stop early only if memory for longer
-   lists runs out. Positions in a periodic box are not folded back, as in
-   the models with steps. */
+/* Runs to the next row. The engines stop before AT_A_TIME collisions only
+   if memory for longer lists runs out. Positions in a periodic box are not
+   folded back, as in the models with steps. */
 static enum models_end row_disks(struct models_run *r)
 {
     struct box_run *d = r->engine;

@@ -13,7 +13,7 @@ struct row_of_bodies {
     size_t axis;
     double sign;        /* -1: axis reversed, so that gravity points left */
     double gravity;     /* towards the left wall, m/s^2 */
-    double left, right; /* surfaces of walls or of end bodies, m */
+    double left, right; /* surfaces of walls or fixed end bodies, m */
 };
 
 /* Returns the row of bodies along the axis of motion, or else along the
@@ -84,10 +84,11 @@ struct line {
     struct bonkers bonkers;
     struct row_of_bodies row;
     size_t *body;
-    double *x, *v; /* of the engine's bodies, with two walls */
+    double *x, *v; /* positions, m, and velocities, m/s, of the engine's
+                      bodies and two walls */
 };
 
-/* Makes a start of the free bodies, sorted from left to right, and stores
+/* Fills *start with the free bodies, sorted from left to right, and stores
    their numbers in l->body; fixed bodies have become walls. Returns false
    if memory runs out. */
 static bool start_row(struct line *l, struct start *start,
@@ -127,7 +128,7 @@ static void end_line(struct models_run *r)
     free(l->x);
 }
 
-/* Begins a run; returns NULL, or why not, if bodies overlap. */
+/* Begins a run; returns NULL, or why it cannot, such as an overlap. */
 static const char *begin_line(struct models_run *r)
 {
     struct start start = {0};
@@ -148,8 +149,8 @@ static const char *begin_line(struct models_run *r)
                                       : "bodies overlap at the start";
 }
 
-/* Cost of finding a collision among more than 32 bodies, in examined gaps;
-   for fewer bodies the engine examines all gaps. */
+/* Cost of finding the next collision if there are more than 32 bodies, in
+   examined gaps; with fewer bodies the engine examines all gaps. */
 enum { SLAB_WORTH = 30 };
 
 static void count_line(struct models_run *r, const struct bonkers *b)
@@ -162,8 +163,8 @@ static void count_line(struct models_run *r, const struct bonkers *b)
     r->work[MODELS_FLIGHT] = 3 * rows * (double)b->gaps;
 }
 
-/* Copies places and velocities to the scene: the order of the bodies on the
-   line never changes. */
+/* Copies positions and velocities to the scene; the order of the bodies on
+   the line never changes. */
 static void take_from_line(struct models_run *r, const struct line *l)
 {
     for (size_t j = 1; j < l->bonkers.gaps; ++j) {
@@ -174,8 +175,9 @@ static void take_from_line(struct models_run *r, const struct line *l)
     r->virial = NAN;
 }
 
-/* Runs to the next row, in pieces between which the cost is checked, with
-   the bits of an undivided run. After a collapse a run cannot continue. */
+/* Runs to the next row, in parts between which the cost is checked; the
+   result is bitwise that of an undivided run. After an inelastic collapse a
+   run cannot continue. */
 static enum models_end row_line(struct models_run *r)
 {
     struct line *l = r->engine;
@@ -230,9 +232,9 @@ static const char *refuse_relabel(const struct scene *s,
     return NULL;
 }
 
-/* Fills l->x and l->v with the places and velocities at the start, from
-   which the engine has subtracted the radii (2.2, eq:rods). Returns the
-   number of points. */
+/* Fills l->x and l->v with the positions and velocities at the start; the
+   engine has subtracted the radii from the positions (2.2, eq:rods).
+   Returns the number of points. */
 static size_t put_points(const struct line *l)
 {
     for (size_t j = 0; j <= l->bonkers.gaps; ++j) {
@@ -260,8 +262,9 @@ static enum models_end row_relabel(struct models_run *r)
     return MODELS_DONE;
 }
 
-/* Counts the collisions up to the last row; only on request, since it costs
-   more than the row: it examines all pairs, with images, at two times. */
+/* Counts the collisions up to the last row. This is done only on request,
+   since it costs more than the row: it examines all pairs, including
+   images, at the start and at the last row. */
 static void count_relabelled(struct models_run *r)
 {
     const struct line *l = r->engine;

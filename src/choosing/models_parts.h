@@ -30,7 +30,7 @@ static inline unsigned freedom_of(const struct scene *s, size_t i)
     return axes;
 }
 
-/* Returns body j relative to body i, for places x and velocities v. */
+/* Returns body j relative to body i, for positions x and velocities v. */
 static inline struct pair pair_of(const struct scene *s, size_t i, size_t j,
                                   const double x[], const double v[])
 {
@@ -43,7 +43,7 @@ static inline struct pair pair_of(const struct scene *s, size_t i, size_t j,
     return p;
 }
 
-/* Bits for interactions and simplifications that a model supports: rods,
+/* Bits of the interactions and simplifications that a model supports: rods,
    light bodies as test particles, springs, gravity, contacts, friction. */
 enum {
     BEARS_RODS = 1,
@@ -63,10 +63,11 @@ extern const char models_no_memory[];
 bool models_is_costly(const struct models_run *r);
 
 /* Event-driven engines stop after this number of collisions so that the
-   cost can be checked: a gas can have very many before the next row. */
+   cost can be checked: in a gas there may be very many before the next
+   row. */
 enum { AT_A_TIME = 4096 };
 
-/* Counts the comparisons needed to sort n bodies `times` times. */
+/* Adds the comparisons for sorting n bodies `times` times to the work. */
 void models_count_sorting(struct models_run *r, size_t n, double times);
 
 /* ---- models_acts.c */
@@ -85,7 +86,7 @@ size_t models_central_body(const struct scene *s, unsigned axes);
    models themselves handle light bodies and rods. */
 void models_leave_out(struct scene *s, unsigned cuts);
 
-/* Moves the springs that become rods from the list to the places after it.
+/* Moves the springs that become rods behind the end of the list of springs.
    Returns their number. */
 size_t models_take_stiff(struct scene *s, const struct scene *origin);
 

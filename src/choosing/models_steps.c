@@ -32,15 +32,16 @@ static const char *refuse_steps(const struct scene *s,
                : NULL;
 }
 
-/* Sorts bodies outwards, after the central one, since ellipses need that
-   order and numbers in a file have no meaning. False if memory runs out. */
+/* Sorts the bodies by their distance from the central one, since ellipses
+   need that order and the order in a file has no meaning. Returns false if
+   memory runs out. */
 static bool order_outwards(struct particles *l, const struct scene *s)
 {
     return particles_create(l, s, INFINITY,
                             models_central_body(s, ALL_AXES), false);
 }
 
-/* Copies the state into this order, or back. */
+/* Copies masses, positions and velocities into this order, or back. */
 static void permute(struct scene *to, const struct scene *from,
                     const uint32_t order[], bool back)
 {
@@ -76,7 +77,8 @@ static const char *refuse_orbits(const struct scene *s,
 /* A run in steps, with or without rods. */
 struct steps {
     struct motion motion;
-    struct scene scene; /* a copy to be stepped, fixed in memory */
+    struct scene scene; /* the copy that is stepped; it must not move in
+                           memory */
     struct models_plan plan;
     struct particles particles;
     struct rods rods;
@@ -106,10 +108,10 @@ static bool keeps_momentum(const struct scene *s,
     return !a->contact && !a->springs && !a->friction;
 }
 
-/* Returns whether two bodies passing each other matter: whether this may
-   move a body by more than `negligible` in the remaining time (12.13,
-   eq:choose-passage). Their smallest distance is that of straight paths,
-   less the bending of the paths. */
+/* Returns whether a passage of two bodies matters: whether it may move one
+   of them by more than `negligible` in the remaining time (12.13,
+   eq:choose-passage). The smallest distance is that on straight paths, less
+   the bending of the paths. */
 static bool passage_counts(const struct steps *t, const struct pair *p,
                            double pull, double a2)
 {
@@ -121,7 +123,8 @@ static bool passage_counts(const struct steps *t, const struct pair *p,
 }
 
 /* Returns the inverse of the time, 1/s, in which two bodies move by 0.7 of
-   their distance, or approach by that much with their accelerations. */
+   their distance relative to each other, or approach by that much because
+   of their accelerations, whichever is shorter. */
 static double passage_rate(const struct pair *p, double a2)
 {
     const double way = 0.7 * sqrt(p->r2), fall = 2 * sqrt(a2) * way;
@@ -164,9 +167,9 @@ static uint64_t steps_of(const struct models_run *r)
 
 /* Begins a run; returns NULL, or why it cannot. Springs that become rods
    are removed first, so that they exert no forces; contacts are located at
-   their times. Light bodies that attract no others are stepped in a scene
-   of their own, in Jacobi's coordinates, with the heavy bodies as the
-   sources of gravity, and a factor on the acceleration of each body. */
+   their times. Light bodies that attract no others are stepped in Jacobi's
+   coordinates, with the heavy bodies as the only sources of gravity, and a
+   factor on the acceleration of each body. */
 static const char *begin_steps(struct models_run *r)
 {
     struct steps *t = r->engine;
@@ -207,7 +210,7 @@ static const char *begin_steps(struct models_run *r)
         g->source = t->particles.order;
         g->sources = t->particles.heavy;
         g->factor = t->particles.factor;
-        models_count_sorting(r, s->bodies, 5); /* five times, with the
+        models_count_sorting(r, s->bodies, 5); /* five times, for the
                                                   coordinates */
     }
     if (count > 0) {
@@ -222,10 +225,11 @@ static const char *begin_steps(struct models_run *r)
     return NULL;
 }
 
-/* Returns the number of pairs in an evaluation of gravity, by their cost.
-   Up to 32 bodies share the root of a pair; the kernel for more computes
-   every root twice, but about eight at a time, so that eight count as one.
-   With test particles each heavy body attracts all other bodies. */
+/* Returns the number of pairs in an evaluation of gravity, weighted by
+   their cost. Up to 32 bodies each root is computed once; the kernel for
+   more bodies computes it twice, but about eight roots at once, so that
+   eight count as one. With test particles each heavy body attracts all
+   others. */
 static double count_pulls(const struct steps *t)
 {
     const double n = (double)t->motion.scene->bodies;
@@ -236,12 +240,11 @@ static double count_pulls(const struct steps *t)
     return n <= 32 ? n * (n - 1) / 2 : n * (n - 1) / 8;
 }
 
-/* Returns the passes over bodies in each evaluation, a measured number: n
-   for a kick and a drift of a splitting; twice that for a stage of an
-   explicit method, which combines those before it; more for an implicit
-   method, which combines all of them repeatedly; 8 n for a pair, with its
-   error estimate; for Radau's method 4 n, plus as much as for eight
-   bodies. */
+/* Returns the measured cost of an evaluation, in passes over a body: n for
+   a kick and a drift of a splitting method; 2 n for a stage of an explicit
+   method, which combines the stages before it; more for an implicit method,
+   which combines all stages repeatedly; 8 n for an embedded pair, with its
+   error estimate; 4 (n + 8) for Radau's method. */
 static double body_passes(const struct stepping_method *m, double n)
 {
     switch (m->family) {
@@ -253,11 +256,12 @@ static double body_passes(const struct stepping_method *m, double n)
     }
 }
 
-/* Cost of a spring in no band, relative to one in a band, since its forces
-   are scattered. A pendulum has only such springs, a small beam mostly. */
+/* Cost of a spring outside all bands, relative to one in a band: its forces
+   are scattered in memory. All springs of a pendulum, and most springs of a
+   small beam, are outside bands. */
 enum { LISTED = 10 };
 
-/* Counts the work of this number of force evaluations. */
+/* Counts the work of `asked` force evaluations. */
 static void count_evaluations(const struct models_run *r,
                               const struct steps *t, double asked,
                               double work[MODELS_UNITS])
@@ -271,18 +275,19 @@ static void count_evaluations(const struct models_run *r,
         asked * ((double)p->count + (LISTED - 1) * (double)p->listed);
 }
 
-/* Cost for a body of converting Jacobi's coordinates back for a row, in
-   passes; needed for light bodies that attract no others. */
+/* Cost of converting a body's Jacobi coordinates back for a row, in passes;
+   needed if light bodies attract no others. */
 enum { LEAVING = 5 };
 
-/* Computes the total work anew from the counts of all modules since the
-   start. An adaptive method evaluates its polynomial at each row, at the
-   cost of eighteen passes. Successive points on an ellipse are close
-   together, so Kepler's equation costs 0.8 of its price there. Located
-   contacts divide a step into parts: each has a path for every body, pairs
-   close along the widest axis, polynomials of their gaps, and roots.
-   Contacts after each step, as with rods, cost a third. For rods each pass
-   counts, with or without corrections: three in a step. */
+/* Recomputes the total work from the counts of all modules since the start.
+   An adaptive method evaluates its polynomial at the end of each call, at
+   the cost of eighteen passes. Successive points on an ellipse are close
+   together, so Kepler's equation costs only 0.8 of its price. If contacts
+   are located, they divide steps into parts: each part has a path for every
+   body, pairs that are close along the widest axis, polynomials of their
+   gaps, and roots. Contacts handled after each step, as with rods, cost 0.3
+   of that. For rods each correction counts, and three passes over all rods
+   in each step. */
 static void count_steps(struct models_run *r, const struct steps *t)
 {
     const struct stepping *p = &t->motion.stepping;
@@ -316,9 +321,9 @@ static void count_steps(struct models_run *r, const struct steps *t)
 
 enum { STEPS_AT_A_TIME = 256 };
 
-/* Returns whether the run will exceed its limit at the present rate of
-   cost: by a tenth, or twofold for adaptive methods, whose cost varies
-   along the run, and whose last step may end beyond the row. */
+/* Returns whether at the present rate of cost the run will exceed its limit
+   by a tenth, or twofold if the method is adaptive, since then the cost
+   varies along the run, and the last step may end beyond the row. */
 static bool is_hopeless(const struct models_run *r, const struct steps *t,
                         uint64_t left)
 {
@@ -333,8 +338,9 @@ static bool is_hopeless(const struct models_run *r, const struct steps *t,
 }
 
 /* Limits the evaluations in a call of an adaptive method to the rest of the
-   cost limit, and to eight times an equal part of the limit for each call
-   of the run (or 0.1 s): one row must not use up the cost of all. */
+   cost limit and, as one row must not use up the cost of all, to eight
+   times an equal share of the limit for each call, or 0.1 s if this is
+   more. */
 static void bound_evaluations(const struct models_run *r, struct steps *t)
 {
     struct adaptive *own = t->motion.stepping.own;
@@ -345,8 +351,8 @@ static void bound_evaluations(const struct models_run *r, struct steps *t)
     count_evaluations(r, t, 1, work);
     if (t->motion.located && cost == 0) {
         const double n = (double)r->scene.bodies;
-        work[MODELS_CONTACT] = n / 4; /* guess: all pairs, every fourth
-                                         time */
+        work[MODELS_CONTACT] = n / 4; /* guess: all pairs, in every fourth
+                                         evaluation */
         work[MODELS_OVERLAP] = n * (n - 1) / 8;
     }
     const double asked = fmax(r->work[MODELS_EVALUATION], 1);
@@ -354,7 +360,7 @@ static void bound_evaluations(const struct models_run *r, struct steps *t)
     own->most = more < 1e15 ? own->evaluations + (uint64_t)more + 100 : 0;
 }
 
-/* Takes the steps of a row, checking the cost between some of them. */
+/* Takes the steps of a row; checks the cost after every few of them. */
 static enum models_end run_steps(struct models_run *r, struct steps *t)
 {
     const struct adaptive *own = t->motion.stepping.own;
@@ -376,9 +382,9 @@ static enum models_end run_steps(struct models_run *r, struct steps *t)
     return MODELS_DONE;
 }
 
-/* Moves to the next row. Other coordinates are converted back only for the
-   row; the run continues from them. Rods end each row without relative
-   velocities along them. */
+/* Moves to the next row. Jacobi's coordinates are converted back only for
+   the row; the run continues in them. At the end of each row, relative
+   velocities along rods are removed. */
 static enum models_end row_steps(struct models_run *r)
 {
     struct steps *t = r->engine;
@@ -400,9 +406,9 @@ static enum models_end row_steps(struct models_run *r)
     return end;
 }
 
-/* The model is made from the row of the method in chapter 8's table, so
-   that there is no second list. Only leapfrog supports rods, and with
-   ellipses all bodies attract. */
+/* Returns the model of a method, made from the method's row in chapter 8's
+   table, so that there is no second list. Only leapfrog supports rods;
+   methods with ellipses do not support test particles. */
 struct models_model models_of_method(const struct stepping_method *m)
 {
     const unsigned no = (m->orbits ? BEARS_PARTICLES : 0) |

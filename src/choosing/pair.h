@@ -1,17 +1,18 @@
-/* Two bodies, the second relative to the first: how close they pass. */
+/* Two bodies, one relative to the other, and how closely they pass. */
 #ifndef PAIR_H
 #define PAIR_H
 
 #include <math.h>
 
 /* Body j relative to body i. The functions are inline, and compute only
-   what is needed, since for millions of pairs passing these numbers in
-   memory would take longer than computing them. */
+   what is needed, since for millions of pairs storing and loading these
+   numbers would take longer than computing them. */
 struct pair {
-    double r2, v2, rv; /* squared distance, m^2, and speed; r . v */
+    double r2, v2, rv; /* r . r, m^2; v . v, m^2/s^2; r . v, m^2/s */
 };
 
-/* Adds the terms of one axis to the sums: r, m, and v, m/s. */
+/* Adds the terms of one axis, along which the bodies are r apart, m, and
+   have the relative velocity v, m/s. */
 static inline void pair_add(struct pair *p, double r, double v)
 {
     p->r2 += r * r;

@@ -85,7 +85,7 @@ static bool split(struct particles *l, const struct scene *s,
     return sort_by_distance(l, s);
 }
 
-/* Jacobi's coordinates add up the masses from the inside outwards, and the
+/* In Jacobi's coordinates masses add up from the inside outwards, and the
    acceleration of a light body by the heavy ones has the factor M_i/M_0
    (12.3, eq:light-ellipse). If a body is fixed, or another force acts,
    momentum is not conserved, and they cannot be used. Then each light body
@@ -119,9 +119,9 @@ void particles_free(struct particles *l)
     *l = (struct particles){0};
 }
 
-/* Replaces places by (12.2, eq:light-jacobi); velocities are transformed
-   like places. Nothing changes if the heavy bodies are not moving. centre:
-   the centre of mass of all bodies. */
+/* Replaces positions by (12.2, eq:light-jacobi), and velocities in the same
+   way, unless the heavy bodies are not moving: then nothing changes. Sets
+   centre to the centre of mass of all bodies. */
 static void to_jacobi(const struct particles *l, const struct scene *s,
                       double x[], double centre[])
 {
@@ -146,8 +146,8 @@ void particles_to_jacobi(struct particles *l, const struct scene *s,
     to_jacobi(l, s, v, l->drift);
 }
 
-/* Converts Jacobi's coordinates back to positions or velocities: from the
-   known centre of mass inwards; the heavy bodies come last. */
+/* Converts Jacobi's coordinates back to positions or velocities, starting
+   with the centre of mass; the heavy bodies are shifted together. */
 static void from_jacobi(const struct particles *l, const struct scene *s,
                         double x[], const double centre[])
 {
@@ -169,8 +169,8 @@ static void from_jacobi(const struct particles *l, const struct scene *s,
         }
 }
 
-/* The centre of mass moves uniformly, and falls unless bodies are fixed
-   along an axis. */
+/* The centre of mass moves uniformly along axes on which bodies are fixed,
+   and falls along the others. */
 void particles_from_jacobi(const struct particles *l, const struct scene *s,
                            double t, double x[], double v[])
 {

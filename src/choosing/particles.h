@@ -1,4 +1,4 @@
-/* Light bodies as test particles: each feels all bodies inside it. */
+/* Light bodies as test particles, attracted only by bodies further in. */
 #ifndef PARTICLES_H
 #define PARTICLES_H
 
@@ -15,11 +15,11 @@ struct particles_place {
    if only the heavy bodies and the light ones closer to these existed. */
 struct particles {
     size_t bodies, heavy;
-    uint32_t *order; /* [bodies] the heavy ones, by number; the light ones,
-                        outwards */
+    uint32_t *order; /* [bodies] heavy bodies by number, then light ones
+                        from the inside outwards */
     double *factor;  /* [bodies] factor on each acceleration */
-    bool moving;     /* whether the heavy ones move */
-    /* The heavy ones as one body, then the light ones, which have no mass
+    bool moving;     /* whether the heavy bodies move */
+    /* The heavy bodies as one body, then the light ones, which have no mass
        unless moving. */
     struct jacobi jacobi;
     double *mass, *work;       /* [n], [6 * n]; n: bodies of jacobi */
@@ -30,31 +30,32 @@ struct particles {
 /* Compares two struct particles_place for qsort: by key, then by number. */
 int particles_compare(const void *one, const void *other);
 
-/* Returns whether body i is light: below a hundredth of this mass. */
+/* Returns whether body i has less than a hundredth of the mass
+   `heaviest`. */
 bool particles_is_light(const struct scene *s, size_t i, double heaviest);
 
-/* Sorts the bodies of s into heavy ones, which are the centre and all that
-   are not light compared with the heaviest, and light ones. moving: none is
-   fixed and only gravity acts. Returns false, with nothing to free, if
-   memory runs out. Requires a body that is heavy. */
+/* Divides the bodies of s into heavy and light ones, and sorts the light
+   ones. Heavy are body `centre` and all with at least a hundredth of the
+   mass `heaviest`; there must be one. moving: no body is fixed and only
+   gravity acts. Returns false, with nothing to free, if memory runs out. */
 bool particles_create(struct particles *l, const struct scene *s,
                       double heaviest, size_t centre, bool moving);
 void particles_free(struct particles *l);
 
-/* Writes places or velocities, arranged as in a scene, in the order of the
-   member jacobi: first the centre of mass of the heavy bodies. */
+/* Copies positions or velocities x, arranged as in a scene, to q in the
+   order of jacobi: first the centre of mass of the heavy bodies, then the
+   light bodies. */
 void particles_gather(const struct particles *l, const struct scene *s,
                       const double x[], double q[]);
 
-/* Replaces places and velocities of the light bodies (arranged as in a
-   scene) by those relative to the centre of mass of all bodies inside, plus
-   the centre of mass of the heavy bodies. Source: (12.2,
-   eq:light-jacobi). */
+/* Replaces positions and velocities of the light bodies, arranged as in a
+   scene, by those relative to the centre of mass of all bodies further in;
+   that of the heavy bodies is added. Source: (12.2, eq:light-jacobi). */
 void particles_to_jacobi(struct particles *l, const struct scene *s,
                          double x[], double v[]);
 
-/* Reverses particles_to_jacobi, a time t later, s; the centre of mass of
-   all bodies has moved on. */
+/* Reverses particles_to_jacobi after the time t, s, in which the centre of
+   mass of all bodies has moved on. */
 void particles_from_jacobi(const struct particles *l, const struct scene *s,
                            double t, double x[], double v[]);
 

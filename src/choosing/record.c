@@ -10,7 +10,7 @@
 
 /* Returns the extent of the scene along an axis, m, without one of the
    bodies. Walls count like bodies, since a gas may fill its box or a corner
-   of it. Sets *near to the smallest distance of the extent from 0. */
+   of it. Sets *near to the distance of this extent from 0. */
 static double spread_of(const struct scene *s, size_t k, size_t without,
                         double *near)
 {
@@ -103,7 +103,8 @@ static struct scales measure_scales(const struct record_view *v,
 
 /* Returns the scale of an observable, found by its unit, and sets *as to
    the name of the quantity whose errors are judged. All kinds of energy
-   have the scale of the total, as their errors add up to its own. */
+   have the scale of the total, as the error of the total is the sum of
+   theirs. */
 static double scale_of(const struct scales *to, const char *unit,
                        const char **as)
 {
@@ -126,8 +127,8 @@ static double scale_of(const struct scales *to, const char *unit,
 }
 
 /* Sets the scale of a column; axis: that of a coordinate, or SCENE_AXES. In
-   a periodic box a coordinate is compared modulo the side; a distance is
-   not, nor is the centre of mass, which moves on. */
+   a periodic box a coordinate is compared modulo the length of the box;
+   distances and the centre of mass are not. */
 static void scale_column(struct record_view *v, size_t column, double scale,
                          size_t axis)
 {
@@ -139,8 +140,8 @@ static void scale_column(struct record_view *v, size_t column, double scale,
 }
 
 /* Sets the scale of each column. Without a list of observables all states
-   are stored, but only places are judged: velocities keep the weight 0. Of
-   several observables the first one's scale is printed. */
+   are stored, but only positions are judged: velocities keep the weight 0.
+   Of several observables the first one's scale is printed. */
 static void find_scales(struct record_view *v, double length)
 {
     const struct scales to = measure_scales(v, length);
@@ -159,13 +160,13 @@ static void find_scales(struct record_view *v, double length)
     }
 }
 
-/* Finds the shift of the scene to the origin. A scene may be farther from
-   the origin than it is long, and rounding errors of places are
-   proportional to that distance: whether two disks four kilometres away
+/* Finds the shift that moves the scene to the origin. A scene may be
+   farther from the origin than it is long, and rounding errors of positions
+   are proportional to that distance: whether two disks four kilometres away
    miss each other by 3e-13 m can be decided only near the origin. So the
    scene is moved there, axis by axis, and its rows are moved back. Returns
-   the rounding error of moved rows, as a fraction of the scale: it is no
-   error of the run, but belongs to the answer. */
+   the rounding error of moving them back, as a fraction of the scale, or 0
+   with observables: runs that are compared may share it. */
 static double find_origin(struct record_view *v)
 {
     const struct scene *s = &v->scene;
@@ -211,10 +212,11 @@ void record_view_free(struct record_view *v)
 /* The units of twins: of length (negative: mirrored), mass and time. Two
    collisions at one time that share a body are a fork: which comes first is
    decided by the order of bodies in a list or the orientation of the axes,
-   not by nature, so a twin reverses both. No factor is a power of two, so
-   every number is rounded differently in each twin: frequencies and times
-   of rows, too, except in twin 1, whose steps must end at exactly the times
-   of the run itself. */
+   not by nature. So all twins reverse the order, and every other twin also
+   the axes. No factor is a power of two except the unit of time of twin 1,
+   whose steps must end at exactly the times of the run itself; so every
+   number is rounded differently in each twin, in the others also
+   frequencies and the times of rows. */
 static const struct units {
     double length, mass, time;
 } units[] = {{1, 1, 1},        {-0.7, 1.3, 1},   {0.9, 0.6, 1.1},
@@ -242,10 +244,10 @@ static void reverse_rows(double a[], size_t rows, size_t n, double by)
 
 /* Converts a scene to other units, with the bodies in reverse order; a
    negative length also mirrors it, and the lower wall becomes the upper
-   one. Each quantity gets the factor of its dimension: a stiffness, kg/s^2,
-   has m/t^2, k^2, m^3/(kg s^2), has |l|^3/(m t^2), and friction m/t. A
-   forgotten factor makes such a different scene that no tolerance is met,
-   which tests detect. */
+   one. Each quantity is multiplied by the factor of its dimension: a
+   stiffness, in kg/s^2, by m/t^2, k^2, in m^3/(kg s^2), by |l|^3/(m t^2),
+   and friction by m/t. If a factor is forgotten, the twin is so different
+   that no tolerance is met, which tests detect. */
 static void change_units(struct scene *s, const struct units *u)
 {
     const double l = u->length, size = fabs(l), m = u->mass, t = u->time;
@@ -285,8 +287,9 @@ static void change_units(struct scene *s, const struct units *u)
     s->damping *= m / t;
 }
 
-/* Returns the change of coordinate c of a velocity of 1 in a twin: one unit
-   in the last place, up or down, with different signs in each twin. */
+/* Returns the change of coordinate c of a velocity of 1 m/s in a twin: one
+   unit in the last place, up or down; the signs differ from twin to
+   twin. */
 static double last_bit(size_t c, unsigned twin)
 {
     const uint64_t h = (c + 1) * UINT64_C(0x9e3779b97f4a7c15) +
@@ -296,10 +299,11 @@ static double last_bit(size_t c, unsigned twin)
     return ((double)(drawn >> 62 & 1) * 2 - 1) * 0x1p-52;
 }
 
-/* Changes the last bits of all velocities that are not 0, along the axes
-   that matter, so that exact coincidences in time or place are removed. A
-   body at rest that falls, or is among moving ones, gets a tiny part of the
-   speed of the scene. */
+/* Changes the last bits of all velocities along the axes that matter, so
+   that exact coincidences in time or position are removed. The change of a
+   component is a tiny part of it or, if larger, of a quarter of the speed
+   of the body, or of a fall through the scene if there is uniform
+   gravity. */
 static void move_last_bits(struct scene *s, unsigned twin)
 {
     struct models_acts acts;
@@ -328,8 +332,8 @@ static double distance(double a, double b, double turn)
 
 /* Returns the largest difference of two rows, each column relative to its
    scale; at least the rounding error of the rows, since two that agree in
-   all digits may have been rounded alike. A NaN must not count as a small
-   number: it is unequal to itself. */
+   all digits may have been rounded alike. A NaN gives INFINITY; it is found
+   because it is unequal to itself. */
 static double row_difference(const struct record_view *v, const double a[],
                              const double b[])
 {
@@ -365,10 +369,10 @@ size_t record_agree(const struct record_view *v, const struct record *a,
     return r - 1;
 }
 
-/* Writes a row of a run, in the units of the scene: its states, or the
-   requested observables, for which the view's own scene gets the state of
-   the run. The time is that of the row, and not the sum made by a method.
-   met: collisions so far. */
+/* Writes a row of a run to r->value, in the units of the scene: its states,
+   or the requested observables, for which the view's own scene gets the
+   state of the run. The time is that of the row, and not the sum made by a
+   method. met: collisions so far. */
 static void write_row(struct record *r, struct record_view *v,
                       const struct record_setup *o, const struct scene *now,
                       uint64_t met)
@@ -405,8 +409,8 @@ struct pass {
     double since;
 };
 
-/* Begins a run, with the row of the start. For a twin it converts the scene
-   to other units, and two lengths and a time in the plan. */
+/* Begins a run and stores the row of the start. For a twin the scene is
+   converted to other units, as are two lengths and a time in the plan. */
 static void begin_pass(struct pass *w, struct record_view *v)
 {
     const struct record_setup *o = w->o;
@@ -513,7 +517,7 @@ void record_both(struct record *a, struct record *b, struct record_view *v,
         ;
     end_pass(&x);
     end_pass(&y);
-    /* both clocks ran all the time: divide it by cost */
+    /* Both clocks ran all the time; their time is divided by cost. */
     const double seconds = fmax(a->seconds, b->seconds);
     const double bill = a->cost + b->cost;
     a->seconds = bill > 0 ? seconds * (a->cost / bill) : seconds / 2;

@@ -5,17 +5,17 @@
 #include "choosing/models.h"
 #include "forces/observables.h"
 
-/* The columns of the rows that are stored, with the scale of each: errors
-   times weights are fractions. Its copy of the scene has a motion only
-   because observables need one: it takes no steps. */
+/* The columns of the stored rows, and a weight for each: an error times its
+   weight is a fraction of the scale. The copy of the scene has a motion
+   only because observables need one; it takes no steps. */
 struct record_view {
     const struct observables *asked; /* NULL: all states, as in step */
     size_t columns;
     double *weight;     /* [columns] 1/scale; 0: stored, not judged */
-    double *period;     /* [columns] of periodic places, or 0 */
-    double *rounding;   /* [columns] relative rounding; 0: counts */
-    double scale;       /* of the first judged column */
-    double length;      /* scale of places, m */
+    double *period;     /* [columns] of a periodic coordinate, or 0 */
+    double *rounding;   /* [columns] relative rounding error; 0: counts */
+    double scale;       /* scale of the first judged column */
+    double length;      /* scale of positions, m */
     const char *judged; /* what is judged: "positions", "energy", ... */
     /* ---- private */
     struct scene scene;
@@ -28,11 +28,11 @@ struct record_view {
 struct record {
     struct models_plan plan;
     enum models_end end;
-    size_t reached; /* rows after that of the start */
-    double *value;  /* [(rows + 1) * columns] up to reached */
+    size_t reached; /* rows after the start */
+    double *value;  /* [(rows + 1) * columns], filled up to reached */
     double work[MODELS_UNITS];
     uint64_t collisions; /* as counted by the model */
-    double cost;         /* of the work, s by the price list */
+    double cost;         /* cost of the work, s by the price list */
     double seconds;      /* processor time, s */
     double clock;        /* as in struct models_run */
     double least;        /* as in struct models_run, m */
@@ -51,8 +51,8 @@ struct record_setup {
     double limit;  /* largest cost, s by the price list */
     double grow;   /* added to all radii, m */
     unsigned twin; /* 0: the run itself; 1 to RECORD_TWINS: a twin, the same
-                      physics rescaled, mirrored, renumbered, with other
-                      last bits */
+                      scene with other units, order, orientation and last
+                      bits */
 };
 
 /* Prepares to store a run of the duration `length`, s. asked must outlive
@@ -63,14 +63,15 @@ bool record_view_create(struct record_view *v, const char *program,
                         const struct observables *asked, double length);
 void record_view_free(struct record_view *v);
 
-/* Runs a plan and stores its rows and its end in *r, for record_free. */
+/* Runs a plan and stores its rows and its end in *r, to be freed by
+   record_free. */
 void record_run(struct record *r, struct record_view *v,
                 const struct record_setup *o);
 void record_free(struct record *r);
 
-/* Runs two plans row by row in turn, until they differ by more than `apart`
-   of the scale, or one has ended; both together within the first's
-   limit. */
+/* Runs two plans, row by row in turn, until two rows differ by more than
+   `apart`, a fraction of the scale, or a run ends. The cost limit of oa
+   applies to both runs together. */
 void record_both(struct record *a, struct record *b, struct record_view *v,
                  const struct record_setup *oa,
                  const struct record_setup *ob, double apart);
@@ -85,7 +86,8 @@ double record_difference(const struct record_view *v,
    most, and sets *far to that body. */
 double record_scale_without(const struct scene *s, size_t *far);
 
-/* Returns in how many rows, from the first on, two runs agree within e. */
+/* Returns the number of rows after the start through which two runs agree
+   within e, a fraction of the scale. */
 size_t record_agree(const struct record_view *v, const struct record *a,
                     const struct record *b, double e);
 

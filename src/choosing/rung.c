@@ -1,4 +1,5 @@
-/* Rungs: the numbers of steps to try, and one such run, compared. */
+/* Rungs: a fixed list of numbers of steps, or tolerances; runs with
+   them. */
 #include "choosing/task.h"
 
 #include <math.h>
@@ -52,7 +53,8 @@ double rung_error(const struct task *t, const struct record *r)
     return task_difference(t, r, &t->f->run) + t->f->doubt;
 }
 
-/* Returns the error of the next finer rung, which may have been run. */
+/* Returns the error of the next finer rung; runs it unless it is the best
+   run of the ladder. */
 static double error_of_finer(const struct task *t, const struct ladder *l,
                              const struct models_plan *p)
 {

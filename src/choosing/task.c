@@ -14,17 +14,18 @@ double task_first_tolerance(const struct task *t)
     return fmax(1e-8, fmin(1e-3, pow(t->q->tolerance, 2.0 / 3)));
 }
 
-/* Two bodies passing each other matter if that moves a body by more than a
+/* A passage of two bodies matters if it moves one of them by more than a
    twentieth of the tolerance before the end (12.13, eq:choose-passage); for
-   a finer reference by less, as two runs that miss a passage would
-   agree. */
+   a finer reference this threshold is lower, as two runs that both miss a
+   passage would agree. */
 struct record_setup task_setup(const struct task *t,
                                struct models_plan plan, double limit)
 {
     const double less = fmin(plan.tolerance / task_first_tolerance(t), 1);
     plan.negligible = negligible * t->q->tolerance * t->view->length * less;
     plan.time_left = (double)t->c->rows * t->q->every;
-    plan.start_limit = fmax(task_budget(t) / 2, 1e-9); /* also for a twin */
+    plan.start_limit =
+        fmax(task_budget(t) / 2, 1e-9); /* a twin starts, too */
     plan.contact_margin =
         plan.tolerance > 0 ? t->q->tolerance * t->view->length : 0;
     return (struct record_setup){.scene = t->q->scene,

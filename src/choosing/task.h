@@ -6,7 +6,7 @@
 #include "choosing/models.h"
 #include "choosing/record.h"
 
-/* A question, the view that judges its runs, and the answer so far. */
+/* A question, the view for comparing its runs, and the answer so far. */
 struct task {
     const struct choose_request *q;
     struct record_view *view;
@@ -24,19 +24,20 @@ struct reference {
 };
 
 /* The runs of one method with finer and finer steps: the best of them and
-   the bounds of the next one. */
+   bounds of the next one. */
 struct ladder {
     struct choose_candidate *candidate;
     struct models_plan foot;
-    struct choose_point best; /* the coarsest within the tolerance, or the
+    struct choose_point best; /* coarsest within the tolerance, or else
                                  last; model NULL: none */
     double least, most;       /* bounds of the next fineness, octaves */
     double rise;              /* octaves of cost per octave of fineness */
     double price;             /* predicted cost within the tolerance, s */
 };
 
-/* Fractions of the tolerance: errors that are negligible, which is also how
-   well two references must agree; and the limit for cheap references. */
+/* Fractions of the tolerance: errors up to `negligible` do not matter, and
+   references that agree so well need no bound; `roughly` suffices for
+   references with equal steps, and as a bound found by twins. */
 static const double negligible = 0.05;
 static const double roughly = 0.2;
 
@@ -49,8 +50,8 @@ double task_budget(const struct task *t);
 double task_first_tolerance(const struct task *t);
 
 /* Returns the parameters of a run of a plan: its cost limit, the smaller of
-   `limit` and the rest of the budget, and what passages and contacts
-   count. */
+   `limit` and the rest of the budget, and thresholds for passages and
+   contacts. */
 struct record_setup task_setup(const struct task *t,
                                struct models_plan plan, double limit);
 
@@ -73,8 +74,8 @@ double task_difference(const struct task *t, const struct record *a,
    of the scene, and the earliest one is kept. */
 void task_note_horizon(const struct task *t, size_t held, double every);
 
-/* Records a horizon, as task_note_horizon does, if two runs differ by more
-   than `most`; their first rows may agree. */
+/* Records the horizon after which two runs differ by more than `most`, if
+   they do before one of them ends. */
 void task_note_parting(const struct task *t, const struct record *a,
                        const struct record *b, double most);
 
@@ -99,8 +100,8 @@ double task_best_cost(const struct task *t);
 void task_consider(const struct task *t, struct choose_candidate *k,
                    struct record *r, double error);
 
-/* Writes a refusal: a plan is too expensive (why NULL), or the reason
-   why. */
+/* Writes a refusal of a plan: for the reason `why` or, if that is NULL, as
+   too expensive in its `role`. */
 void task_refuse_plan(const struct task *t, const struct models_plan *p,
                       const char *why, const char *role);
 
@@ -129,8 +130,9 @@ struct models_plan rung_lowest(const struct task *t, struct models_plan p);
    reference. */
 double rung_error(const struct task *t, const struct record *r);
 
-/* Runs a plan, up to a cost, and stores its error. l: NULL, or the plan's
-   ladder: then a neighbour must be within the tolerance, too. */
+/* Runs a plan up to the cost `limit` and stores its error. l: NULL, or the
+   plan's ladder: then a neighbouring rung must be within the tolerance,
+   too. */
 struct choose_point rung_try(const struct task *t, const struct ladder *l,
                              struct models_plan plan, double limit,
                              struct choose_candidate *k);

@@ -155,11 +155,11 @@ static const char *begin_disks(struct models_run *r)
 
 /* Counts the work: events and examined disks. After a collision of two
    disks the next events of both are predicted anew, after one with a wall
-   those of one disk. A prediction examines all disks; with cells it
-   examines the neighbours, and half as many more for stale events. The
-   start counts, too: without cells every pair is examined once for an
-   overlap and twice for a collision; with cells a neighbour list is made
-   for every disk, and again whenever a disk leaves its skin. */
+   those of one disk. A prediction examines all disks or, with cells, all
+   entries of a neighbour list. The start counts, too: without cells every
+   pair is examined once for an overlap and twice for a collision; with
+   cells each disk gets a list, half of whose entries are examined, and a
+   new list whenever it leaves its skin. */
 static void count_disks(struct models_run *r, const struct box_run *d)
 {
     const double met = (double)d->disks.collisions;

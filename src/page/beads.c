@@ -8,16 +8,17 @@ enum { MOST = 16, WAVE = START_KINDS };
 
 /* Parameters: the kind of start, or WAVE; the seed; the number of masses
    that follow; those masses (kg), which replace the first ones of the
-   start. To change a mass the script starts again and runs to the same
-   time, so that the reader sees the whole past drawn again. */
+   start. To change a mass, the script starts the run again and continues to
+   the time already reached, so that the whole past is drawn again. */
 double page_number[PAGE_NUMBERS];
 
 static struct start start;
 static struct bonkers beads;
 static double seen[4 + 3 * (MOST + 2)];
 
-/* Makes the start of the figure of world lines. It is not one of the starts
-   of bonkers: the book gives it as a list of options. */
+/* Makes the start of the figure of world lines. This is not among the
+   starts of the program bonkers: the book describes it by a list of
+   options. */
 static bool start_wave(struct start *s)
 {
     static const double mass[] = {9.3, 2.1, 5.2, 0.9, 3.4,
@@ -64,8 +65,9 @@ double page_run(double until, double events)
     return (double)(beads.collisions - before);
 }
 
-/* Returns the time, the number of collisions, the energy, the number of
-   bodies; all x, all v, all masses. The first and last bodies are walls. */
+/* Returns the time, the number of collisions, the energy and the number of
+   bodies, then all x, all v and all masses. The first and last bodies are
+   walls. */
 const double *page_look(void)
 {
     const size_t bodies = beads.gaps + 1;

@@ -6,15 +6,15 @@
 
 #include <math.h>
 
-/* Bins are a hundredth of the box wide, from one radius to the middle;
-   FIRST is the radius in bins. */
+/* A bin is a hundredth of the box wide. The bins extend from one radius to
+   the middle of the box; FIRST is the radius in bins. */
 enum { DISKS = 4, FIRST = 15, BINS = 35 };
 
 /* Parameters: the `offset` of the article's loop (box/loop.h), 0 for the
-   right one; the tick, s; the seed. The loops of the hard-disk article look
-   right, and so do their films. The script shows what reveals the error:
-   the density of positions against direct sampling, the pressure, and how
-   deep the disks overlap. */
+   right one; the tick, s; the seed. The wrong loops of the hard-disk
+   article look right, and so do their films. The script shows what reveals
+   the error: the density of positions compared with direct sampling, the
+   pressure, and how deeply the disks overlap. */
 double page_number[PAGE_NUMBERS];
 
 static struct loop loop;
@@ -22,8 +22,8 @@ static struct means density;
 static double tick, overlap, records;
 static double seen[8 + 2 * DISKS + 2 * BINS];
 
-/* Places four disks on a lattice with velocities, as disks and
-   disks-studies do. */
+/* Places four disks on a lattice and gives them velocities, as the programs
+   disks and disks-studies do. */
 static bool begin_disks(struct disks *d)
 {
     struct random r;
@@ -51,11 +51,11 @@ bool page_begin(void)
 }
 
 /* Adds a record: counts the distances of all disks from the nearer wall,
-   along both axes. These are 8 distances, and a bin stands for two
-   hundredths of the box, one at either wall: hence 100 / 16. A disk at a
-   wall lies on the edge of a bin; the 1e-9 keeps rounding from deciding
-   which bin counts it. The means compare blocks of records, so their errors
-   allow for correlations of neighbouring records. */
+   along both axes. These are 8 distances, and a bin covers two hundredths
+   of the box, one at either wall, so each distance counts 100 / 16. A disk
+   at a wall lies on the edge of a bin; the 1e-9 keeps rounding errors from
+   deciding which bin counts it. The means compare blocks of records, so
+   their errors allow for correlations of neighbouring records. */
 static void sample(void)
 {
     for (size_t i = 0; i < DISKS; ++i) {
@@ -73,9 +73,9 @@ static void sample(void)
     ++records;
 }
 
-/* Runs the disks; an event is a record. The article's loop makes a record
-   also at each event of the disks, and counts its next tick from there; the
-   right loop makes records at multiples of the tick. */
+/* Runs the disks; an event is a record. The article's loop also makes a
+   record at each event of the disks, and counts its next tick from that
+   time; the right loop makes records at multiples of the tick. */
 double page_run(double until, double events)
 {
     const double before = records;
@@ -95,7 +95,8 @@ double page_run(double until, double events)
 
 /* Returns the time, the number of records, the numbers of collisions
    between disks and with walls, P V/(N kT), the deepest overlap and the
-   energy; then x and y of each disk; then density and error of each bin. */
+   energy; then x and y of each disk; then the density and its error in each
+   bin. */
 const double *page_look(void)
 {
     const struct disks *d = &loop.d;

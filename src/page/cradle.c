@@ -12,10 +12,10 @@
 enum { MOST = 12, WAYS = 3 };
 
 /* Parameters: the number of balls, how many of them fly in, the gap, m; the
-   step of the second run, s; of the third: 1 for Hertz's springs, their
-   stiffness, the step, s. The scene cradle runs three times, side by side:
-   by events (line/), in steps with instantaneous contacts, and in steps
-   with contacts that are springs. */
+   step of the second run, s; for the third run 1 for Hertz's springs, or 0,
+   the stiffness of the springs, and the step, s. The scene cradle runs
+   three times, side by side: by events (line/), in steps with instantaneous
+   contacts, and in steps with contacts that are springs. */
 double page_number[PAGE_NUMBERS];
 
 static struct bonkers events;
@@ -87,8 +87,8 @@ static void step_to(struct way *w, double until)
             break;
 }
 
-/* Runs all three; an event is a step of the second run. The others
-   follow. */
+/* Runs all three; an event is a step of the second run, whose time the
+   other two follow. */
 double page_run(double until, double number)
 {
     const double before = (double)steps.motion.stepping.steps;
@@ -100,7 +100,8 @@ double page_run(double until, double number)
     return (double)steps.motion.stepping.steps - before;
 }
 
-/* Writes collisions, energy, all x and all v to next. Returns their end. */
+/* Writes the number of collisions, the energy, all x and all v to next.
+   Returns the end of what was written. */
 static double *look_at(const struct way *w, double *next)
 {
     const struct scene *s = &w->scene;
@@ -111,8 +112,9 @@ static double *look_at(const struct way *w, double *next)
     return next + 2 * s->bodies;
 }
 
-/* Returns the time and the number of balls; then for the runs by events,
-   steps and springs: collisions, energy, all x, all v. */
+/* Returns the time and the number of balls; then, for the runs by events,
+   in steps and with springs, the number of collisions, the energy, all x
+   and all v. */
 const double *page_look(void)
 {
     double x[MOST + 2], v[MOST + 2], *next = seen + 4;

@@ -10,9 +10,9 @@ enum { LARGE = 2, MOST = 400 };
 #define SHELL 0.05 /* width of the contact shell, in small radii */
 
 /* Parameters: the number of small disks, their radius, m; the step of the
-   large ones, m, 0 to keep them in place; the seed; where page_make puts a
-   large disk, x and y, m. The small disks may overlap each other. The
-   radius of the large disks is 1 m. */
+   large ones, m, 0 to keep them in place; the seed; x and y at which
+   page_make puts a large disk, m. The small disks may overlap each other.
+   The radius of the large disks is 1 m. */
 double page_number[PAGE_NUMBERS];
 
 static struct sampling box;
@@ -58,8 +58,8 @@ static void scatter(void)
 }
 
 /* Puts large disk `which` where the mouse is; returns false if the other
-   one is in the way. Drops the force measured so far, at another
-   distance. */
+   one is in the way. Discards the force measured so far, as it belongs to
+   another distance. */
 bool page_make(double which)
 {
     struct disk *hand = &box.disks.disk[(size_t)which];
@@ -81,12 +81,12 @@ bool page_make(double which)
 
 /* Returns the force between the large disks in units of kT per metre,
    negative if it pushes them together. The pressure of an ideal gas on a
-   surface is n kT with n the density at the surface. So each small disk
-   within a shell of width d around a large one pushes it with kT/d along
-   the line of their centres, and its component along the line of the large
-   disks counts. At the distance s of the centres, in place of `reach` at
-   contact, the shell has more area, by s / reach: so each push is
-   multiplied by reach / s. */
+   surface is n kT, where n is the density at the surface. So each small
+   disk within a shell of width d around a large one pushes it with kT/d
+   along the line between their centres; the component along the line
+   between the large disks counts. If the centres are a distance s apart
+   instead of `reach`, as at contact, the shell is larger by s / reach, so
+   the push is multiplied by reach / s. */
 static double sample_force(void)
 {
     double line[DISKS_AXES], apart[DISKS_AXES], sum = 0;
@@ -103,8 +103,8 @@ static double sample_force(void)
     return sum / (2 * width);
 }
 
-/* Runs the chain; an event is a try. The force is sampled once in as many
-   tries as there are disks. */
+/* Runs the Markov chain; an event is a try. The force is sampled once in as
+   many tries as there are disks. */
 double page_run(double until, double events)
 {
     const double before = tries, all = (double)box.disks.count;
@@ -130,9 +130,9 @@ static double exact_force(double r)
     return half > 0 ? -page_number[0] / room * 2 * sqrt(half) : 0;
 }
 
-/* Returns the numbers of tries and disks, the distance of the large ones,
-   the force, its error, the exact force, the number of samples; all x,
-   y. */
+/* Returns the number of tries, the number of disks, the distance of the
+   large ones, the force, its error, the exact force and the number of
+   samples; then x and y of each disk. */
 const double *page_look(void)
 {
     double apart[DISKS_AXES], *next = seen + 10;

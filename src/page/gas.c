@@ -16,12 +16,12 @@ double page_number[PAGE_NUMBERS];
 
 static struct disks gas;
 static struct cells cells;
-static bool fast; /* the engine is cells_run, not disks_run */
+static bool fast; /* whether cells_run is used, not disks_run */
 static double law_of_bin[BINS];
 static double seen[9 + 2 * BINS + 3 * MOST];
 
 /* Places the disks on a lattice. This needs no random numbers, so the first
-   ones of the seed are for the directions, as in disks. */
+   ones of the seed are used for the directions, as in the program disks. */
 static bool place_gas(struct disks *d, size_t count)
 {
     const double pi = 3.14159265358979324;
@@ -38,8 +38,8 @@ static bool place_gas(struct disks *d, size_t count)
 
 /* Starts the gas. The line in the histogram is the law for this number of
    disks, (7.3, eq:speed-law), not Maxwell's: the difference is invisible
-   for a thousand disks and visible for ten. A few large disks leave no
-   space for three cells along an axis and are run without cells. */
+   for a thousand disks and visible for ten. If a few large disks leave no
+   space for three cells along an axis, cells are not used. */
 bool page_begin(void)
 {
     const size_t count = (size_t)page_number[0];
@@ -89,9 +89,10 @@ static double count_speeds(double density[BINS])
 }
 
 /* Returns the time, the numbers of collisions between disks and with walls,
-   kT, energy, <v^4>/<v^2>^2, the number of disks, their radius, the number
-   of bins; the density in each bin, the law in each; of each disk x and y,
-   folded back into a periodic box, and the speed. */
+   kT, the energy, <v^4>/<v^2>^2, the number of disks, their radius and the
+   number of bins; then the density in each bin, and the law in each bin;
+   then, for each disk, x and y, folded back into a periodic box, and the
+   speed. */
 const double *page_look(void)
 {
     double *density = seen + 9, *law = density + BINS, *next = law + BINS;

@@ -10,8 +10,8 @@
 enum { BEADS = 10, BINS = 40, MOST = 200000 };
 enum { BEAD, POSITION, EVERY, SEED }; /* indices into page_number */
 
-/* Parameters: the number of the bead, from 1; 1 to count its position, 0
-   its velocity; the time between samples, s; the seed. */
+/* Parameters: the number of the bead, from 1; 1 for a histogram of its
+   position, 0 of its velocity; the time between samples, s; the seed. */
 double page_number[PAGE_NUMBERS];
 
 static struct start start;
@@ -22,9 +22,10 @@ static double sample[MOST], inefficiency, law[BINS];
 static size_t samples, measured;
 static double seen[8 + 3 * BINS + BEADS + 2];
 
-/* Returns the density of bead k, up to a factor, at the fraction u of the
-   range: of its velocity (3.2, eq:velocity-law), or of its position, the
-   beta distribution of the k-th of n places (3.7, eq:beta). */
+/* Returns the probability density of bead k, up to a factor, at the
+   fraction u of the range: that of its velocity (3.2, eq:velocity-law), or
+   that of its position, the beta distribution of the k-th of n positions
+   (3.7, eq:beta). */
 static double shape(size_t k, double u)
 {
     if (page_number[POSITION] != 0)
@@ -32,8 +33,8 @@ static double shape(size_t k, double u)
     return pow(1 - (2 * u - 1) * (2 * u - 1), (BEADS - 3) / 2.0);
 }
 
-/* Averages the density over each bin. The bins cover the whole range, so
-   the factor follows from their sum. */
+/* Averages the density over each bin. As the bins cover the whole range,
+   the factor follows from the sum over the bins. */
 static void draw_law(size_t k, double range)
 {
     enum { PARTS = 16 };
@@ -77,10 +78,10 @@ bool page_begin(void)
 }
 
 /* Estimates the statistical inefficiency, the number of samples that are
-   worth one independent sample, as the program histogram does. It does so
-   again whenever there are 5 % more samples: then the error bars allow for
-   correlations, and the total cost is a small multiple of the last
-   estimate's. */
+   worth one independent sample, as the program histogram does. The estimate
+   is repeated whenever there are 5 % more samples: so the error bars allow
+   for correlations, and the total cost is a small multiple of that of the
+   last estimate. */
 static void measure(void)
 {
     struct statistics_description d;
@@ -108,8 +109,9 @@ double page_run(double until, double events)
 }
 
 /* Returns the time, the number of samples, their statistical inefficiency,
-   the range from low to high, the numbers of bins and beads, the energy;
-   all densities, their errors, the law; the x of walls and beads. */
+   the limits of the range, the numbers of bins and beads and the energy;
+   then all densities, their errors and the law; then x of walls and
+   beads. */
 const double *page_look(void)
 {
     double *next = seen + 8;

@@ -5,11 +5,11 @@
 #include <stdbool.h>
 
 /* Each figure is a program of its own, so all of them define these names.
-   Numbers pass as doubles, because JavaScript has nothing else, and through
-   arrays in memory that both sides see, so that the functions have the same
-   parameters in every figure. No function reads a clock: the script asks
-   for as much time as the last picture was shown. The number of calls of
-   page_run does not affect the results, nor does the speed of the
+   Numbers are passed as doubles, the only numbers of JavaScript, and
+   through arrays in memory that both sides see, so that the functions have
+   the same parameters in every figure. No function reads a clock: the
+   script asks for as much time as the last picture was shown. The results
+   depend neither on the number of calls of page_run nor on the speed of the
    browser. */
 
 enum { PAGE_NUMBERS = 64 };
@@ -27,7 +27,8 @@ bool page_begin(void);
    Returns the number of events in this call. Requires events < 2^63. */
 double page_run(double until, double events);
 
-/* Copies the present state into an array and returns it, the time first. */
+/* Copies the present state into an array and returns it; the time is
+   first. */
 const double *page_look(void);
 
 /* Functions of some figures only. page_word returns the name of item

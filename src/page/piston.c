@@ -8,9 +8,9 @@
 enum { MOST = 401 };
 #define STEP 0.01 /* time step of the model, s */
 
-/* The model treats the two gases as springs (line/piston.h). From the start
-   it takes only the gases' energies and masses and the piston's position
-   and velocity; then it runs by itself. */
+/* The model treats the two gases as springs (line/piston.h). It is given
+   only the energies and masses of the gases and the position and velocity
+   of the piston at the start; then it runs by itself. */
 
 /* Parameters: the kind of start, the number of movers, the mass ratio,
    seed. */
@@ -47,7 +47,8 @@ static void begin_model(void)
     model_time = 0;
 }
 
-/* Begins a run with the heap, best for short pieces with many beads. */
+/* Begins a run with the heap, the fastest engine for short intervals with
+   many beads. */
 bool page_begin(void)
 {
     const struct start_request request = {
@@ -67,7 +68,7 @@ bool page_begin(void)
     return true;
 }
 
-/* Runs the beads; an event is a collision. The model follows in whole
+/* Runs the beads; an event is a collision. The model follows in whole time
    steps. */
 double page_run(double until, double events)
 {
@@ -79,9 +80,10 @@ double page_run(double until, double events)
     return (double)(beads.collisions - before);
 }
 
-/* Returns the time, the numbers of collisions and bodies; kinetic energies
-   of the left gas, the right one, the piston; in the model, the piston's
-   position and the energies of the left and the right gas; all x, all v. */
+/* Returns the time and the numbers of collisions and bodies; the kinetic
+   energies of the left gas, the right gas and the piston; in the model, the
+   position of the piston and the energies of the left and the right gas;
+   then all x and all v. */
 const double *page_look(void)
 {
     const size_t bodies = beads.gaps + 1, middle = bodies / 2;

@@ -24,17 +24,17 @@ bool page_change(double what, double value);
 bool page_save(bool table, double every);
 
 /* Parameters: the number of the method, before page_begin; the values of a
-   scene's keys, before page_make. The player runs scenes as step does
-   (forces/motion.h), but the scene comes from the reader and the rows go
-   into pictures. What it saves are the bytes that step would write. */
+   scene's keys, before page_make. The player runs scenes as the program
+   step does (forces/motion.h), but the scene comes from the reader, and the
+   rows become pictures. Saved files are byte for byte those of step. */
 double page_number[PAGE_NUMBERS];
 
-static struct scene start, scene; /* at the start of the run, and now */
+static struct scene start, scene; /* at the start of the run; at present */
 static struct motion motion;
 static bool moving;
 static enum stepping_end stopped;
 static struct observables observed;
-static char *given, *written; /* texts from the script, and for it */
+static char *given, *written; /* texts from the script; for the script */
 static char message[320];
 static size_t line; /* line of an error in the text; 0: none */
 
@@ -67,7 +67,8 @@ static const struct gallery_scene *scene_of(size_t number)
     return NULL;
 }
 
-static const struct gallery_scene *chosen; /* last named by page_word */
+static const struct gallery_scene *chosen; /* the scene last named by
+                                              page_word */
 
 /* Returns key k of the chosen scene as five words: name, usual value, lower
    and upper limit, 1 if it is a whole number. */
@@ -93,8 +94,8 @@ static const char *name_of(size_t k)
     return name ? message : NULL;
 }
 
-/* Returns words. The methods include those with steps of variable length,
-   which the other figures leave out. */
+/* Returns a word of one of the lists. The methods include those with steps
+   of variable length, which the other figures leave out. */
 const char *page_word(double number)
 {
     const size_t k = (size_t)number % 1000;
@@ -167,9 +168,9 @@ static bool begin_anew(void)
     return moving;
 }
 
-/* Reads the scene and begins. Keeps the line of an error in the text;
-   prints on standard error, which the script reads, why a scene cannot be
-   stepped. */
+/* Reads the scene and begins a run. If the text is wrong, keeps the line of
+   the error; if the scene cannot be stepped, the reason is printed on
+   standard error, which the script reads. */
 bool page_begin(void)
 {
     struct scene_error e;
@@ -230,14 +231,14 @@ bool page_change(double what, double value)
 
 enum { HEAD = 26 };
 static double seen[HEAD + 4 * OBSERVABLES_MOST];
-static double *listed; /* for each spring: its ends, its colour */
+static double *listed; /* for each spring its ends and its colour */
 
-/* Returns the time, the numbers of steps, bodies and springs, how the last
-   step ended (enum stepping_end, -1 without a scene), collisions, the line
-   with an error; dt, gravity, damping, restitution, k2, contact; walls and
-   box, axis by axis; the number of values observed; whether contacts are
-   instantaneous. The values of each body are in page_array, axis by
-   axis. */
+/* Returns the time; the numbers of steps, bodies and springs; how the last
+   step ended (enum stepping_end, -1 without a scene); the number of
+   collisions; the line with an error; dt, gravity, damping, restitution,
+   k2, contact; walls and box, axis by axis; the number of observed values;
+   whether contacts are instantaneous. page_array returns the values of each
+   body, axis by axis. */
 const double *page_look(void)
 {
     const struct scene *s = &scene;
@@ -267,9 +268,9 @@ const double *page_look(void)
     return seen;
 }
 
-/* Chooses the observables by the names that step knows; an empty text means
-   none. The values are computed when page_array asks for them, since the
-   energy of many bodies costs as much as a step. */
+/* Chooses the observables by their names in the program step; an empty text
+   means none. The values are computed only when page_array is called for
+   them, since the energy of many bodies costs as much as a step. */
 bool page_observe(void)
 {
     struct observables o = {0};
@@ -328,9 +329,10 @@ const double *page_array(double which)
     return NULL;
 }
 
-/* Runs the motion again up to the present step, with a row after every
+/* Runs the motion again up to the present step and writes a row every
    `every` steps: the observables, or all states if none are chosen. The
-   head has the command of step that makes this table, from the script. */
+   head contains the command of step that makes this table, given by the
+   script. */
 static bool write_rows(struct table *t, struct motion *m, uint64_t every,
                        size_t body[], double row[])
 {
@@ -374,8 +376,8 @@ static bool write_table(struct table *t, uint64_t every)
     return good;
 }
 
-/* Writes a table of the run, or the present scene with what the method
-   needs to continue with the same bits. */
+/* Writes a table of the run or, if `table` is false, the present scene,
+   with all that the method needs for a bitwise identical continuation. */
 bool page_save(bool table, double every)
 {
     struct table *t = moving ? page_table_open("step") : NULL;

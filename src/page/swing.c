@@ -8,15 +8,15 @@
 enum { METHODS = 2, OWN = 8 }; /* OWN: values shown for each method */
 
 /* Parameters: the step, s, and the damping; the two methods, by their
-   numbers in page_word. The scene is oscillator of the gallery, and it is
-   run as step runs it: `scene oscillator --damping 0 | step -` with the
+   numbers in page_word. The scene is oscillator of the gallery, run as the
+   program step runs it: `scene oscillator --damping 0 | step -` with the
    same method and step gives the same positions. */
 double page_number[PAGE_NUMBERS];
 
 static struct swing {
     struct scene scene;
     struct motion motion;
-    double matrix[4]; /* matrix of a step, from x and v to x and v */
+    double matrix[4]; /* matrix of a step, which acts on (x, v) */
     bool begun, stopped;
 } swing[METHODS];
 static double seen[1 + METHODS * OWN];
@@ -70,13 +70,10 @@ static double place(const struct swing *s)
 }
 
 /* Measures the matrix (a b; c d) of one step by a step from (1, 0) and one
-   from (0, 1). If its determinant is 1, each step leaves the form
-
-   c x^2 - (a - d) x v - b v^2
-
-   unchanged, and the script draws the ellipse that it defines, on which the
-   motion by this method stays; for leapfrog the form is a multiple of the
-   modified energy (8.6, eq:modified-energy). */
+   from (0, 1). If its determinant is 1, each step leaves the form c x^2 -
+   (a - d) x v - b v^2 unchanged. The script draws the ellipse that this
+   form defines, on which the motion by this method stays; for leapfrog the
+   form is a multiple of the modified energy (8.6, eq:modified-energy). */
 static bool measure(struct swing *s, const char *method)
 {
     for (int k = 0; k < 2; ++k) {
@@ -107,8 +104,8 @@ static double now(void)
     return a > b ? a : b;
 }
 
-/* Runs both methods; an event is a step. An oscillator stops if its numbers
-   overflow. */
+/* Runs both methods; an event is a step. An oscillator stops when its
+   numbers overflow. */
 double page_run(double until, double events)
 {
     double steps = 0;

@@ -1,4 +1,4 @@
-/* Steps a scene through time and writes what is observed, row by row. */
+/* Steps a scene through time and writes the observables, row by row. */
 #include "forces/adaptive.h"
 #include "forces/checkpoint.h"
 #include "forces/motion.h"
@@ -30,18 +30,18 @@ static const char *const contact_names[] = {"stepwise", "located", NULL};
 
 static struct {
     const char *scene, *method;
-    double dt;    /* s; 0: the scene's */
+    double dt;    /* s; 0: that of the scene */
     double until; /* s; NaN: 1000 steps */
     double every; /* s; 0: a hundredth of the run, or a thousandth */
     const char *observe;
     const char *track;
     int threads, kernel;
     double theta;
-    size_t contact, rule, shift, order; /* of contacts */
+    size_t contact, rule, shift, order; /* options of contacts */
     size_t sums;
     bool resume;
     double bound, tolerance;
-    double checkpoint; /* s of wall-clock time between two checkpoints */
+    double checkpoint; /* wall-clock time between checkpoints, s */
     const char *output, *summary, *save, *command;
 } given = {.method = "leapfrog",
            .until = NAN,
@@ -52,10 +52,10 @@ static struct {
            .checkpoint = 60,
            .summary = "/dev/null"};
 
-/* The names of --method, their help, and the headings of the options that
-   belong to adaptive methods and to the others, made from the table of
-   methods in stepping.c. GSL's adaptive method has a name like the others,
-   though it is not in that table. */
+/* The names and the help of --method, and the headings of the options that
+   belong to adaptive and to other methods, generated from the table of
+   methods in stepping.c. GSL's adaptive method has a name, too, though it
+   is not in that table. */
 static const char *method_names[STEPPING_MOST + 2];
 static const char outside_name[] = "rk8pd";
 static char method_help[128 * STEPPING_MOST] = "how to step:";
@@ -88,32 +88,32 @@ static void list_methods(void)
 
 enum ending { WHOLE, INTERRUPTED, INFINITE, STUCK, TOO_MUCH, UNWRITTEN };
 
-/* The energy in the course of the run, J. */
+/* The energy during the run, J. */
 struct watch {
     double start;    /* E at the start */
-    double depth;    /* of the deepest potential of a row so far */
+    double depth;    /* largest depth of the potential in a row */
     double worst;    /* largest |E - start| of a row */
-    double seen;     /* the last finite energy, in a row or between rows */
-    double when;     /* s: its time */
-    uint64_t passed; /* pairs that a step took through each other, before
-                        this process */
-    double overlap;  /* of bodies with sudden contacts, or of these with
-                        walls, at the start, m; 0: rounding at most */
+    double seen;     /* last finite energy, in a row or between rows */
+    double when;     /* time of `seen`, s */
+    uint64_t passed; /* pairs moved through each other before this
+                        process */
+    double overlap;  /* initial overlap of colliding bodies with each
+                        other or with walls, m; 0: rounding at most */
 };
 
 struct run {
     struct scene scene;
     struct motion motion;
     struct reference reference;
-    struct opencl *device; /* sums gravity; NULL: this processor does */
+    struct opencl *device; /* sums gravity; NULL: the CPU does */
     struct observables observables;
     size_t *tracked, tracks, columns;
     double *row;
     struct table *out, *summary, *save;
-    bool kept; /* rows go to FILE.rows, for a checkpoint */
+    bool kept; /* rows are stored in FILE.rows for a checkpoint */
     struct checkpoint checkpoint;
-    uint64_t every, last, rows; /* steps to a row, steps to the end */
-    double last_step;     /* s: length of a shorter last step; 0: none */
+    uint64_t every, last, rows; /* steps per row, steps of the run, rows */
+    double last_step;     /* length of a shorter last step, s; 0: none */
     bool last_taken;      /* the last step has been taken */
     uint64_t evaluations; /* before this process */
     uint64_t taken;       /* steps in this process */
@@ -121,22 +121,22 @@ struct run {
     double energy, time;  /* of the last row */
     struct watch watch;
     double took;    /* wall-clock time of the last batch of steps, s */
-    uint64_t timed; /* steps whose processor time was measured */
-    double stepped; /* their processor time, s */
-    double seconds; /* processor time, rows included, s */
+    uint64_t timed; /* steps whose CPU time was measured */
+    double stepped; /* their CPU time, s */
+    double seconds; /* CPU time including rows, s */
     struct progress progress;
 };
 
-/* Returns whether the method chooses the lengths of its steps. */
+/* Returns whether the method chooses the lengths of its own steps. */
 static bool is_adaptive(void)
 {
     const struct stepping_method *const m = stepping_find(given.method);
     return m && m->adaptive;
 }
 
-/* Returns whether a contact may wait ahead of the run's time, because the
-   method's own steps are further. A checkpoint does not store such a
-   contact, so these runs have no checkpoints. */
+/* Returns whether a located contact may lie ahead of the time of the run,
+   because an adaptive method has already stepped beyond it. A checkpoint
+   does not store such a contact, so these runs have no checkpoints. */
 static bool contact_may_wait(void)
 {
     return is_adaptive() && given.contact == LOCATED;
@@ -147,7 +147,8 @@ static bool use_reference(void *with, double dt, double x[], double v[])
     return reference_step(with, dt, x, v);
 }
 
-/* Opens the device of --kernel opencl before the first step, or refuses. */
+/* Opens the device of --kernel opencl before the first step. Ends the
+   program if this fails. */
 static void open_device(struct run *r)
 {
     struct gravity *g = &r->motion.gravity;
@@ -167,12 +168,12 @@ static void open_device(struct run *r)
     g->device = r->device;
 }
 
-/* Begins the motion and hands the settings to its parts. GSL's method takes
-   time and forces from a motion that is begun with leapfrog. To wake a
-   thread takes as long as the attraction of some hundred bodies or some
-   thousand springs, and much longer on a busy machine; so fewer bodies are
-   never divided between threads. The bytes do not depend on the threads,
-   and the summary has the number used. */
+/* Begins the motion and applies the settings to its parts. GSL's method
+   uses the time and the forces of a motion that begins with leapfrog.
+   Waking a thread takes as long as the attraction of some hundred bodies or
+   some thousand springs, and much longer on a busy machine, so small
+   numbers of bodies are not divided among threads. The results do not
+   depend on the number of threads, which is written in the summary. */
 static void set_in_motion(struct run *r)
 {
     struct motion *m = &r->motion;
@@ -206,9 +207,10 @@ static void set_in_motion(struct run *r)
         program_memory(motion_locate(m), "for the contacts");
 }
 
-/* Returns the number of steps of dt in a time; *whole: whether it is one.
-   The quotient of two decimal times is rarely whole to the last bit: a part
-   in 1e9 is allowed, and a hundredth of a step at most. */
+/* Returns the number of steps of dt in a time, and sets *whole if it is an
+   integer. The quotient of two decimal times is rarely an integer in
+   binary, so a relative deviation of 1e-9 is allowed, but at most a
+   hundredth of a step. */
 static uint64_t steps_in(double time, double dt, bool *whole)
 {
     const double n = time / dt;
@@ -219,10 +221,11 @@ static uint64_t steps_in(double time, double dt, bool *whole)
     return (uint64_t)(*whole ? round(n) : n);
 }
 
-/* Sets the steps of the run and of a row. Without --until a thousand steps
-   are taken; without --every there are as many rows as can be drawn. A
-   scene that was saved at the end of a run may be slightly later than this
-   end, or earlier, by rounding: then it is neither refused nor stepped. */
+/* Sets the numbers of steps in the run and between rows. Without --until a
+   thousand steps are taken; without --every there are as many rows as can
+   be drawn. A scene that was saved at the end of a run may be slightly
+   before or after that time because of rounding. It is then neither refused
+   nor stepped. */
 static void set_rows(struct run *r, double start)
 {
     const double dt = r->motion.stepping.dt;
@@ -268,7 +271,7 @@ static void track(struct run *r, const char *text)
     }
 }
 
-/* Finds the columns of a row: time, observables, and the states of the
+/* Chooses the columns of a row: time, observables, and the states of the
    bodies of --track, or of all bodies if there is neither --track nor
    --observe. */
 static void choose_columns(struct run *r)
@@ -289,7 +292,7 @@ static void choose_columns(struct run *r)
     program_memory(r->row, "for a row");
 }
 
-/* Writes the head. A motion has no random numbers, and its seed is 0. */
+/* Writes the head. The seed is 0, since there are no random numbers. */
 static void write_head(struct run *r)
 {
     table_begin(r->out, given.command, 0);
@@ -303,8 +306,8 @@ static double below_zero(double energy)
     return energy < 0 ? -energy : 0;
 }
 
-/* Returns the sum of the parts of the energy, and keeps it as the last one
-   seen if it is finite. */
+/* Returns the sum of the parts of the energy, and stores it as the last
+   energy seen if it is finite. */
 static double add_up(struct run *r, struct motion_energy e)
 {
     const double sum = e.kinetic + (e.gravity + e.springs + e.weight);
@@ -315,9 +318,9 @@ static double add_up(struct run *r, struct motion_energy e)
     return sum;
 }
 
-/* Finds the energy of a row, and the depth of the potential so far. It is
-   computed with each row and not with each step, since with many bodies it
-   costs as much as a step. */
+/* Computes the energy of a row, and updates the depth of the potential.
+   This is done for each row and not for each step, since with many bodies
+   it costs as much as a step. */
 static void find_energy(struct run *r)
 {
     const struct motion_energy e = motion_energy(&r->motion);
@@ -327,10 +330,10 @@ static void find_energy(struct run *r)
                                  below_zero(e.weight));
 }
 
-/* Returns the energy that springs would have if the length of each were
-   wrong in the tenth digit. The depth begins with it and not with 0:
-   springs at rest have the energy of their rounding errors, which may well
-   grow a hundredfold without anything being wrong. */
+/* Returns the energy that springs would have if each length had an error in
+   the tenth digit. The depth begins with this value and not with 0: springs
+   at rest have the energy of their rounding errors, which may grow a
+   hundredfold although the run is correct. */
 static double rounding_energy(const struct scene *s)
 {
     double size = 0, sum = 0;
@@ -341,8 +344,8 @@ static double rounding_energy(const struct scene *s)
     return 1e-10 * size * (1e-10 * size) * sum;
 }
 
-/* Finds the energy at the start. If it is not finite no shorter step will
-   help, and the scene is refused. */
+/* Computes the energy at the start. If it is not finite, no shorter step
+   will help, and the scene is refused. */
 static void begin_watch(struct run *r)
 {
     r->watch.depth = rounding_energy(&r->scene);
@@ -356,11 +359,11 @@ static void begin_watch(struct run *r)
                        r->energy);
 }
 
-/* Finds the energy of a row, and returns whether it is finite and within
+/* Computes the energy of a row, and returns whether it is finite and within
    the bound (11.16, eq:energy-bound), relative to the scale of the rows
-   before it. A scene that starts at rest at height 0 has the scale 0:
-   anything that its next row gained, even by rounding, would exceed the
-   bound, so then nothing is compared. */
+   before it. A scene that starts at rest at height 0 has the scale 0: any
+   energy gained by its next row, even by rounding, would exceed the bound.
+   So the bound is not applied if the scale is 0. */
 static bool energy_is_in_bounds(struct run *r)
 {
     struct watch *w = &r->watch;
@@ -373,7 +376,7 @@ static bool energy_is_in_bounds(struct run *r)
     return true;
 }
 
-/* Returns the number of steps to the next power of two. */
+/* Returns how many steps are missing to the next larger power of two. */
 static uint64_t to_power_of_two(uint64_t steps)
 {
     uint64_t power = 1;
@@ -383,11 +386,11 @@ static uint64_t to_power_of_two(uint64_t steps)
 }
 
 /* Returns whether the energy should be constant: there is no friction, no
-   dashpot, and no contact that is a spring or loses energy. Only then a run
-   that ends whole is examined twice more (find_complaint), since it may
-   still be wrong: Euler's oscillator gains energy without reaching the
-   bound for a while, and leapfrog's at omega dt = 2 jumps from side to side
-   at constant energy. */
+   dashpot, and no contact that is a spring or loses energy. Only then are
+   energy and step examined at the end (find_complaint). A completed run may
+   still be wrong: the oscillator gains energy under Euler's method without
+   reaching the bound for a while, and with leapfrog at omega dt = 2 it
+   jumps from side to side at constant energy. */
 static bool is_conservative(const struct run *r)
 {
     const struct scene *s = &r->scene;
@@ -406,8 +409,9 @@ enum complaint {
     NOTE_OVERLAP
 };
 
-/* Returns the square of the angular frequency of two bodies on a spring
-   along it if all others rest, D (w_1 + w_2), 1/s^2; 0 if they coincide. */
+/* Returns the square of the angular frequency (1/s^2) of two bodies that
+   oscillate along their spring while all others rest, D (w_1 + w_2), or 0
+   if they coincide. */
 static double omega_squared(const struct scene *s,
                             const struct scene_spring *l)
 {
@@ -425,9 +429,9 @@ static double omega_squared(const struct scene *s,
 
 /* Returns the step times the highest angular frequency of a spring between
    two bodies (omega_squared). If no spring is compressed, the fastest
-   motion of the scene is at least as fast, so a step at the method's limit
-   is reported rightly. A chain may be faster by up to sqrt(2), which only
-   the energy shows. */
+   motion of the scene is at least as fast, so a step that exceeds the limit
+   of the method is reported correctly. A chain may be faster by up to
+   sqrt(2), which is noticed only by the energy. */
 static double stiffest_omega_dt(const struct run *r)
 {
     const struct scene *s = &r->scene;
@@ -437,7 +441,7 @@ static double stiffest_omega_dt(const struct run *r)
     return sqrt(most) * r->motion.dt;
 }
 
-/* Returns how many pairs steps have taken through each other. */
+/* Returns how many times a step has moved a pair through each other. */
 static uint64_t passed(const struct run *r)
 {
     const struct motion *m = &r->motion;
@@ -445,11 +449,11 @@ static uint64_t passed(const struct run *r)
     return r->watch.passed + (p ? p->passed : 0);
 }
 
-/* Returns the fault of a run that ended whole: the step is at the limit of
-   the method or beyond (a limit of 0 is that of Euler's or of an adaptive
-   method, whose faults show in the energy), pairs passed through each
-   other, bodies overlapped at the start, or the energy of a row was off by
-   more than a tenth of its scale (11.15, eq:energy-scale). */
+/* Returns the fault of a completed run, if any: the step is not below the
+   stability limit of the method, pairs passed through each other, bodies
+   overlapped at the start, or the energy error of a row exceeded a tenth of
+   the scale (11.15, eq:energy-scale). Euler's and adaptive methods have the
+   limit 0; their faults show in the energy. */
 static enum complaint find_complaint(const struct run *r)
 {
     const double limit = r->motion.stepping.method->limit;
@@ -482,7 +486,7 @@ static void print_passed(const struct run *r)
                 r->motion.collides ? ", or --contact located" : "");
 }
 
-/* Prints the fault of a run that ended whole. */
+/* Prints the fault of a completed run, if any. */
 static void print_note(const struct run *r)
 {
     const enum complaint c = find_complaint(r);
@@ -527,7 +531,7 @@ static bool keep_checkpoint(struct run *r)
     return checkpoint_write(&r->checkpoint, &r->motion, known);
 }
 
-/* Returns the time of a clock that nobody can set back, s. */
+/* Returns the time (s) of a clock that cannot be set back. */
 static double wall_clock(void)
 {
     struct timespec now;
@@ -535,7 +539,7 @@ static double wall_clock(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/* Writes a checkpoint when it is time; returns false if it could not. */
+/* Writes a checkpoint if one is due. Returns false if writing failed. */
 static bool keep_if_due(struct run *r, double *kept)
 {
     const double now = r->kept ? wall_clock() : 0;
@@ -548,8 +552,8 @@ static bool keep_if_due(struct run *r, double *kept)
 static const char damaged[] =
     "%s.checkpoint: no checkpoint, or a damaged one";
 
-/* Continues from a checkpoint. There must be as many rows as its steps
-   make. */
+/* Continues from a checkpoint. The number of rows must agree with the
+   number of steps. */
 static void resume(struct run *r, const struct checkpoint_numbers *n)
 {
     const uint64_t steps = (uint64_t)n->steps;
@@ -586,14 +590,14 @@ static enum ending ending_of(enum stepping_end end)
                                       : STUCK;
 }
 
-/* Takes at most *batch steps, and at most those to the next row, to the
-   next power of two, or to the end. A batch takes about a thirtieth of a
-   second: often enough for Ctrl-C, progress and checkpoints, too rarely to
-   cost anything; with no method do the bytes depend on how a run is
-   divided. The speed in the summary is that of the steps alone. Reading the
-   processor's time takes as long as ten steps of two bodies, so it is read
-   only if the last batch took over 10 microseconds; if few batches do, the
-   time includes the rows. */
+/* Takes at most *batch steps, stopping at the next row, at the next power
+   of two, or at the end. A batch takes about a thirtieth of a second, which
+   is short enough for Ctrl-C, progress and checkpoints, and too long for
+   them to cost anything. For all methods the results are independent of the
+   division into batches. The speed in the summary is that of the steps
+   alone. Reading the CPU clock takes as long as ten steps of two bodies, so
+   it is read only if the last batch took over 10 microseconds. If few
+   batches do, the time includes the rows. */
 static enum ending run_batch(struct run *r, uint64_t *batch)
 {
     const bool timed = r->took > 1e-5;
@@ -617,9 +621,9 @@ static enum ending run_batch(struct run *r, uint64_t *batch)
     return ending_of(end);
 }
 
-/* Writes a row to FILE.rows, or straight into a table that cannot be
-   resumed, unless its energy is out of bounds; that of the first row was
-   examined at the start. */
+/* Writes a row to FILE.rows, or directly into a table that cannot be
+   resumed, unless its energy is out of bounds. The energy of the first row
+   was examined at the start. */
 static enum ending add_row(struct run *r)
 {
     if (r->rows > 0 && !energy_is_in_bounds(r))
@@ -635,8 +639,8 @@ static enum ending add_row(struct run *r)
     return good ? WHOLE : UNWRITTEN;
 }
 
-/* Takes a shorter last step to the end. The checkpoint before it is the
-   last: a run that continues from there takes the step again. */
+/* Takes the shorter last step and writes its row. The last checkpoint is
+   written before this step, so a resumed run repeats the step. */
 static enum ending take_last_step(struct run *r)
 {
     if (r->kept && !keep_checkpoint(r))
@@ -649,11 +653,12 @@ static enum ending take_last_step(struct run *r)
 }
 
 /* Runs to the end. A checkpoint is never written between the step that
-   makes a row and that row, so that no row is lost between two processes.
-   The energy is also looked up between rows, at steps whose numbers are
-   powers of two: a run that blows up between its first rows would leave
-   nothing to see. These steps are few, and depend on nothing but the count.
-   Bound and error of the energy go by the rows alone. */
+   produces a row and that row, so that no row is lost between two
+   processes. The energy is also computed between rows, at steps whose
+   numbers are powers of two, since a run that blows up before its second
+   row would otherwise have no energy to report. These steps are few, and
+   depend only on the number of steps. The bound and the error of the energy
+   refer only to rows. */
 static enum ending run_on(struct run *r)
 {
     const uint64_t *steps = &r->motion.stepping.steps;
@@ -679,8 +684,8 @@ static enum ending run_on(struct run *r)
     return end;
 }
 
-/* Prints why a run failed: up to which time there are rows, and what to try
-   first. Of a run that ended whole it prints the fault, if any. */
+/* Prints why a run failed, up to which time there are rows, and what to try
+   first. For a completed run it prints the fault, if any. */
 static void explain(const struct run *r, enum ending end)
 {
     const size_t *body = r->motion.impact.between;
@@ -713,10 +718,10 @@ static void explain(const struct run *r, enum ending end)
         print_note(r);
 }
 
-/* Opens all outputs before the run, so that an hour of computing does not
-   end at a folder that cannot be written. A table whose rows are kept in
-   FILE.rows is discarded again, and opened at the end: a killed process
-   would leave its temporary file behind. */
+/* Opens all outputs before the run, so that an hour of computing is not
+   lost because a folder is not writable. If the rows are stored in
+   FILE.rows, the table is discarded and opened again at the end, because a
+   killed process would leave its temporary file behind. */
 static void open_outputs(struct run *r)
 {
     r->out = program_table(PROGRAM, given.output);
@@ -728,8 +733,8 @@ static void open_outputs(struct run *r)
     r->out = NULL;
 }
 
-/* Refuses an output whose companion file (FILE.rows, FILE.checkpoint) is
-   the scene, which would be lost. */
+/* Ends the program if a companion file of the output (FILE.rows or
+   FILE.checkpoint) is the scene, which would be overwritten. */
 static void refuse_scene_as_companion(const char *suffix)
 {
     char name[4096];
@@ -739,7 +744,8 @@ static void refuse_scene_as_companion(const char *suffix)
                        name);
 }
 
-/* Refuses a summary or saved scene with the name of a companion file. */
+/* Ends the program if a summary or saved scene has the name of a companion
+   file. */
 static void refuse_companion(const char *option, const char *file)
 {
     const char *const suffix[] = {".rows", ".checkpoint"};
@@ -751,8 +757,8 @@ static void refuse_companion(const char *option, const char *file)
                            file);
 }
 
-/* Reads the scene (returns false), or continues from a checkpoint
-   (true). */
+/* Reads the scene and returns false, or opens a checkpoint to continue from
+   and returns true. */
 static bool read_start(struct run *r, struct checkpoint_numbers *known)
 {
     r->kept = checkpoint_possible(given.output) && !contact_may_wait();
@@ -772,7 +778,7 @@ static bool read_start(struct run *r, struct checkpoint_numbers *known)
     return again;
 }
 
-/* Refuses options that would have no effect in this scene. */
+/* Ends the program if an option would have no effect in this scene. */
 static void refuse_unused(struct options *o, const struct motion *m)
 {
     const bool pulls =
@@ -792,8 +798,8 @@ static void refuse_unused(struct options *o, const struct motion *m)
     options_refuse(o, "order", "in a scene without contacts");
 }
 
-/* Finds all that is wrong with the command or the scene before any file is
-   opened for writing, then begins the run or resumes it. */
+/* Checks the command and the scene before any file is opened for writing,
+   then begins or resumes the run. */
 static void begin_run(struct run *r, struct options *o)
 {
     struct checkpoint_numbers known = {0};
@@ -814,7 +820,7 @@ static void begin_run(struct run *r, struct options *o)
                                            : EXIT_FAILURE);
 }
 
-/* Writes the table: its head, then the rows that were kept. */
+/* Writes the table: its head, then the rows from FILE.rows. */
 static bool make_table(struct run *r)
 {
     r->out = table_open(PROGRAM, given.output);
@@ -827,11 +833,11 @@ static bool make_table(struct run *r)
     return false;
 }
 
-/* Completes the table and the saved scene; returns whether all was written.
-   The checkpoint stays if the run was interrupted or a write failed, so
-   that the run can be continued. An interrupted run, and a whole one whose
-   table could not be written, take a last checkpoint first, which holds all
-   that was computed; a run that blew up takes none. */
+/* Completes the table and the saved scene. Returns whether everything was
+   written. The checkpoint is kept if the run was interrupted or a write
+   failed, so that the run can be continued. If the run was interrupted, or
+   was completed but its table could not be written, a checkpoint of its
+   last state is written first. A run that blew up writes none. */
 static bool close_outputs(struct run *r, enum ending end)
 {
     bool good = r->kept ? make_table(r) : table_close(r->out);
@@ -851,8 +857,8 @@ static bool close_outputs(struct run *r, enum ending end)
     return good && end != UNWRITTEN;
 }
 
-/* Writes the summary. For a run that blew up it has the last energy that
-   was seen, and when. Timings are here and never in the table. */
+/* Writes the summary. For a run that blew up it contains the last finite
+   energy and its time. Timings are written here and never in the table. */
 static void summarise(const struct run *r, enum ending end)
 {
     static const char *const names[] = {
@@ -1004,10 +1010,10 @@ static const struct table_key keys[] = {
     {"shortest", "time", "the shortest of its steps"},
     {0}};
 
-/* Refuses settings that contradict each other. The forces of a tree jump,
-   by as much as they are wrong, where a body comes so near that a cell is
-   opened. A method that estimates its error by differences would take the
-   jumps for errors and shorten its steps in vain, and the equations of an
+/* Ends the program if settings contradict each other. Forces from a tree
+   are discontinuous where a body comes so close that a cell is opened. A
+   method that estimates its error from differences would mistake the jumps
+   for errors and shorten its steps in vain, and the equations of an
    implicit step might have no solution. */
 static void check_settings(struct options *o)
 {
@@ -1089,8 +1095,8 @@ static void read_settings(struct options *o, int argc, char *argv[])
     check_settings(o);
 }
 
-/* Runs step. A run that blew up has a summary, too, since its end is a
-   result; one that was interrupted has none. */
+/* Runs step. A run that blew up has a summary, too, since how it ended is a
+   result. An interrupted run has no summary. */
 int main(int argc, char *argv[])
 {
     static struct run r;

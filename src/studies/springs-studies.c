@@ -15,10 +15,10 @@
 #define PROGRAM "springs-studies"
 
 static struct {
-    double until; /* end of the study of membranes, s */
+    double until; /* duration of --study membranes, s */
 } own = {.until = 40};
 
-/* Ends the program because there is no memory. */
+/* Ends the program because memory has run out. */
 static _Noreturn void no_memory(void)
 {
     program_give_up("there is no memory");
@@ -31,8 +31,7 @@ struct run {
     struct stepping stepping;
 };
 
-/* Makes the gallery's scene of this name, with other values for the keys
-   chosen. */
+/* Makes the named scene of the gallery with chosen values of its keys. */
 static void make(struct scene *s, const char *name,
                  const struct gallery_choice chosen[])
 {
@@ -70,8 +69,8 @@ static double kinetic(const struct scene *s)
     return sum;
 }
 
-/* Returns the energy, J. A held body has no weight, since its gravity is
-   0. */
+/* Returns the energy, J. A fixed body has no weight, since the gravity that
+   the springs keep for it is 0. */
 static double energy(const struct run *r)
 {
     const struct scene *s = &r->scene;
@@ -82,8 +81,9 @@ static double energy(const struct run *r)
     return sum;
 }
 
-/* Returns the formula of textbooks for a damping of g, q = 1 m and v = 0 at
-   t = 0, m = D = 1: two exponentials, or a cosine with a phase. */
+/* Returns the position by the textbook formulas for the damping g, if m = D
+   = 1 and the motion starts at q = 1 m with v = 0: two exponentials, or a
+   cosine with a phase. */
 static double by_the_book(double g, double t)
 {
     const double w = sqrt(fabs(g * g - 1));
@@ -97,10 +97,9 @@ static double by_the_book(double g, double t)
     return exp(-g * t) / w * cos(w * t - atan2(g, w));
 }
 
-/* Returns the place from a power series in y = (w t)^2, valid for weak,
-   critical and strong damping. It converges for all t, but where it
-   alternates for long it loses digits, so it serves for short times
-   only. */
+/* Returns the position from a power series in y = (w t)^2, valid for weak,
+   critical and strong damping. It converges for all t, but loses digits if
+   many terms alternate in sign, so it is used for short times only. */
 static double by_series(double g, double t)
 {
     const double y = (1 - g) * (1 + g) * t * t;
@@ -112,8 +111,8 @@ static double by_series(double g, double t)
     return exp(-g * t) * sum;
 }
 
-/* Writes the place of an oscillator near critical damping, on both sides of
-   it, by quarters of a power of ten. */
+/* Writes the position of an oscillator with 1 + e and 1 - e times the
+   critical damping; e shrinks by a factor of 10^(1/4) from row to row. */
 static void study_critical(struct study *s)
 {
     const double t = 3;
@@ -137,8 +136,8 @@ enum { DAMPINGS = 4 };
 
 static const double dampings[DAMPINGS] = {0.2, 1, 2, 4}; /* kg/s */
 
-/* Writes the places of oscillators at four dampings, by leapfrog, and how
-   far they are from the exact motion. */
+/* Writes the positions of oscillators at four dampings, by leapfrog, and
+   their largest error. */
 static void study_regimes(struct study *s)
 {
     struct run r[DAMPINGS];
@@ -168,7 +167,7 @@ static void study_regimes(struct study *s)
 enum { DUMBBELL_ROWS = 101 };
 
 /* Makes a free dumbbell of two masses of 1 kg along x, stretched by a tenth
-   and spun round z. */
+   and rotating about z. */
 static void make_dumbbell(struct scene *s, bool axial)
 {
     if (!scene_create(s, 2) || !scene_add_kind(s, 100, 0.5))
@@ -184,7 +183,7 @@ static void make_dumbbell(struct scene *s, bool axial)
     s->axial = axial;
 }
 
-/* Returns the angular momentum along z, the only component. */
+/* Returns the angular momentum, whose only component is along z. */
 static double spin(const struct scene *s)
 {
     double sum = 0;
@@ -194,8 +193,8 @@ static double spin(const struct scene *s)
     return sum;
 }
 
-/* Compares the spins of both dumbbells with (10.2, eq:spin-decay), in which
-   c/mu is 1/s here. */
+/* Writes the angular momenta and energies of two dumbbells. The first is
+   compared with (10.2, eq:spin-decay), in which c/mu is 1/s here. */
 static void study_spin(struct study *s)
 {
     struct run r[2];
@@ -227,8 +226,8 @@ static void study_spin(struct study *s)
     tidy_up(&r[1]);
 }
 
-/* Writes the path, by a method and a step that are precise enough for any
-   picture. */
+/* Writes the path of the double pendulum, by a method and a step that are
+   precise enough for any picture. */
 static void study_path(struct study *s)
 {
     const double every = 0.02, until = 10;
@@ -249,12 +248,12 @@ static void study_path(struct study *s)
     tidy_up(&r);
 }
 
-/* The places of the bodies of the double pendulum after 10 s: x1, z1, x2,
-   z2, computed by another program in quadruple precision. */
+/* The coordinates of the double pendulum after 10 s: x1, z1, x2, z2, in m,
+   computed by another program in quadruple precision. */
 static const double after_10[4] = {-.156264701442401, .0112096197458345,
                                    -.921375731195946, -1.25031461636596};
 
-/* Returns the largest of the four deviations from a place. */
+/* Returns the largest difference of the four coordinates from place[]. */
 static double miss(const struct scene *s, const double place[4])
 {
     const double *const x = s->position, *const z = x + 6;
@@ -262,8 +261,9 @@ static double miss(const struct scene *s, const double place[4])
     return largest_difference(found, place, 4);
 }
 
-/* Runs the pendulum for 10 s in n steps. Fills row with dt, evaluations,
-   error, change of energy, seconds. Returns whether it stayed finite. */
+/* Runs the pendulum for 10 s in n steps. Sets row[] to dt, evaluations,
+   error, change of energy and processor time. Returns whether the run was
+   completed with an error below 3 m. */
 static bool swing_of(const struct stepping_method *method, uint64_t n,
                      double row[5])
 {
@@ -281,10 +281,10 @@ static bool swing_of(const struct stepping_method *method, uint64_t n,
     return end == STEPPING_DONE && row[2] < 3;
 }
 
-/* Writes the errors of all methods. The step is halved, from 0.2 s on,
-   until the error is close to rounding or the work becomes too much. Only a
-   timed table has a column of processor time: without it the table is equal
-   on all machines. */
+/* Writes the errors of all methods. The step is halved, starting from 0.2
+   s, until the error is near the rounding error or the work becomes too
+   much. Only if timed is true is there a column of processor time: without
+   it the table is the same on all machines. */
 static void write_errors(struct study *s, bool timed)
 {
     if (timed)
@@ -345,9 +345,9 @@ static const char *const damping_ways[WAYS] = {"rk4", "leapfrog",
                                                "yoshida4"};
 static const double damping_step = 0.025; /* s */
 
-/* Writes how much the stiff spring is stretched, by RK4 and leapfrog with a
-   step near the limit of RK4, and by a method with a small step. The rest
-   of its oscillation is taken from the last rows. */
+/* Writes the stretch of the stiff spring, by RK4 and leapfrog with a step
+   near the stability limit of RK4, and by Yoshida's method with a small
+   step. The summary gets its range in the last rows. */
 static void study_silent(struct study *s)
 {
     double most[WAYS], least[WAYS];
@@ -377,23 +377,24 @@ static void study_silent(struct study *s)
     }
 }
 
-/* A pendulum whose body 1 stays at the distance 1 m from body 0, and the
+/* A double pendulum with a rod of 1 m between bodies 0 and 1; a[] are the
    accelerations without the rod, m/s^2, in the order of the scene. */
 struct rod {
     struct run run;
     double a[9];
 };
 
-/* Returns the scalar product of the vector r from body 0 to body 1 and a
-   velocity a of body 1, in the plane of x and z; body 0 rests. */
+/* Returns the scalar product, in the plane of x and z, of the vector from
+   body 0 to body 1 at the positions r and the velocity a of body 1; body 0
+   is at rest. */
 static double along(const double r[], const double a[])
 {
     return (r[1] - r[0]) * a[1] + (r[7] - r[6]) * a[7];
 }
 
-/* Returns the fraction of r by which a free drift from r to x has to be
-   corrected, so that the rod is 1 m long again: the smaller root of (10.6,
-   eq:rod). */
+/* Returns the fraction of the rod's vector at r by which a free drift from
+   r to x has to be corrected, so that the rod is 1 m long again: the
+   smaller root of (10.6, eq:rod). */
 static double shorten(const double r[], const double x[])
 {
     const double dx = x[1] - x[0], dz = x[7] - x[6];
@@ -402,9 +403,9 @@ static double shorten(const double r[], const double x[])
     return c / (b + sqrt(b * b - c));
 }
 
-/* Takes a step of RATTLE: kick and drift, correct the length, kick, and
-   correct the velocity. Coordinates x and z of body 1 are numbers 1 and
-   7. */
+/* Takes a step of RATTLE: a kick, a drift, a correction of the length, a
+   kick, and a correction of the velocity. The coordinates x and z of body 1
+   have the indices 1 and 7. */
 static void rod_step(struct rod *o, double dt)
 {
     double *const x = o->run.scene.position, *const v =
@@ -428,9 +429,9 @@ static void rod_step(struct rod *o, double dt)
     v[7] -= rate * (x[7] - x[6]);
 }
 
-/* Swings the pendulum with a rod for 10 s in n steps, and sets place[] to
-   its end. The scene's upper spring has the stiffness 0, since the rod
-   replaces it. Returns whether the place is finite. */
+/* Moves the pendulum with a rod for 10 s in n steps, and sets place[] to
+   its coordinates then. The upper spring of the scene has stiffness 0,
+   since the rod replaces it. Returns whether the coordinates are finite. */
 static bool rod_swing(uint64_t n, double place[4])
 {
     struct rod o = {0};
@@ -446,9 +447,9 @@ static bool rod_swing(uint64_t n, double place[4])
     return isfinite(place[0] + place[1] + place[2] + place[3]);
 }
 
-/* Sets place[] to the place, after 10 s, of the double pendulum whose upper
-   spring has this stiffness. The step is proportional to the period of that
-   spring. */
+/* Sets place[] to the coordinates, after 10 s, of the double pendulum whose
+   upper spring has this stiffness (N/m). The stiffer it is, the shorter is
+   the step. */
 static void spring_swing(double stiffness, double place[4])
 {
     const uint64_t n = (uint64_t)(10 * 100 * sqrt(stiffness / 100)) + 1000;
@@ -462,8 +463,8 @@ static void spring_swing(double stiffness, double place[4])
     tidy_up(&r);
 }
 
-/* Writes two blocks: the error against the step, and how far the motion
-   with a spring is from that with a rod. */
+/* Writes two blocks: the error of the rod against the step, and the
+   difference between spring and rod after 10 s against the stiffness. */
 static void study_rod(struct study *s)
 {
     double rigid[4], place[4];
@@ -488,7 +489,7 @@ static void study_rod(struct study *s)
     table_real(s->summary, "rod_0.5", largest_difference(place, rigid, 4));
 }
 
-/* Makes the double pendulum, hanging at rest, or a taut membrane. */
+/* Makes the double pendulum or a taut membrane, both at rest. */
 static void make_at_rest(struct scene *s, bool pendulum)
 {
     if (!pendulum) {
@@ -503,8 +504,8 @@ static void make_at_rest(struct scene *s, bool pendulum)
     s->position[8] = s->position[7] - 1 - 1.8 / 5;
 }
 
-/* Moves a scene at rest along its fastest mode by a billionth; returns the
-   angular frequency of this mode. */
+/* Displaces a scene at rest by 1e-9 times the shape of its fastest mode,
+   and returns the angular frequency of this mode, rad/s. */
 static double disturb(struct scene *s)
 {
     struct springs p;
@@ -521,17 +522,18 @@ static double disturb(struct scene *s)
 }
 
 /* Returns whether a disturbance of 1e-9 m grows within this number of steps
-   of the phase omega dt: to a centimetre, or by half against both the start
-   and the second quarter. To wait for a factor of a thousand would give a
-   limit for RK4 that is 2e-4 too high, since at 1 + d times the limit the
-   amplitude grows by a factor of only 1 + 7d a step. The limit is exact to
-   3e-5 with 4000 steps. */
+   with omega dt = phase: to 1 cm, or in the last quarter of the steps to
+   more than 1.5 times its size at the start and in the second quarter. A
+   factor of a thousand instead of 1.5 would give a limit for RK4 that is
+   2e-4 too high, since at 1 + d times the limit the amplitude grows by a
+   factor of only 1 + 7d in a step. With 4000 steps the limit is accurate to
+   3e-5. */
 static bool grows(const struct stepping_method *method, bool pendulum,
                   double phase, uint64_t steps)
 {
     struct run r;
     struct scene rest;
-    double far[4] = {0}; /* the largest displacement in each quarter, m */
+    double far[4] = {0}; /* largest displacement in each quarter, m */
     make_at_rest(&r.scene, pendulum);
     if (!scene_copy(&rest, &r.scene))
         no_memory();
@@ -554,13 +556,13 @@ static bool grows(const struct stepping_method *method, bool pendulum,
     return !small || far[3] > 1.5 * fmax(start, far[1]);
 }
 
-/* Returns the method's limit of omega dt: from low upwards by 1 per cent
-   until it is unstable, then by halving the interval. 0: it is never
-   stable; INFINITY: it is stable even at 20. Some methods become stable
-   again beyond their limit, in windows; so the search goes in strides that
-   are shorter than the narrowest window of instability (that of Kahan and
-   Li, 3.0965 to 3.1401; with strides of 2 per cent the search stepped over
-   it and reported 5.6). */
+/* Returns the stability limit of omega dt of a method: 0 if it is unstable
+   even at `low`, INFINITY if it is stable up to 20. The search goes up from
+   `low` by 1 per cent until the method is unstable, and then bisects the
+   interval. Some methods are stable again above their limit, so the strides
+   have to be shorter than the narrowest interval of instability: that of
+   Kahan and Li is from 3.0965 to 3.1401, and strides of 2 per cent stepped
+   over it and gave 5.6. */
 static double find_limit(const struct stepping_method *m, bool pendulum,
                          uint64_t steps, double low)
 {
@@ -583,9 +585,9 @@ static double find_limit(const struct stepping_method *m, bool pendulum,
     return low;
 }
 
-/* Finds the limits of omega dt with the pendulum and on the membrane. The
-   search on the membrane begins just below the pendulum's limit. Implicit
-   methods are tried at one large step. */
+/* Sets limit[] to the limits of omega dt of the pendulum and the membrane.
+   The search on the membrane begins just below the pendulum's limit.
+   Implicit methods are tested with one large step only. */
 static void find_limits(const struct stepping_method *m, double limit[2])
 {
     if (m->family == STEPPING_IMPLICIT) {
@@ -609,8 +611,9 @@ static void study_limits(struct study *s)
          m && !progress_signal(); m = stepping_next(m)) {
         double limit[2];
         find_limits(m, limit);
-        /* The frequencies of the fastest modes: (10.5, eq:pendulum-limit),
-           and (10.9, eq:membrane-dispersion) with D along one axis. */
+        /* The divisors are the frequencies of the fastest modes, by (10.5,
+           eq:pendulum-limit) and by (10.9, eq:membrane-dispersion) with D
+           along one axis. */
         const double dt[2] = {limit[0] / 70.74605996, limit[1] / 15.103518};
         table_print(s->out, "# %s\n", m->name);
         TABLE_ROW(s->out, m->limit, limit[0], dt[0], limit[1], dt[1]);
@@ -619,8 +622,8 @@ static void study_limits(struct study *s)
     }
 }
 
-/* Makes three bodies in a row. The middle one can move only across it, and
-   begins at a: (10.7, eq:loose). */
+/* Makes three bodies in a row along x. The middle one can move only along
+   z, and starts at z = a: (10.7, eq:loose). */
 static void put_between(struct scene *s, double a)
 {
     if (!scene_create(s, 3) || !scene_add_kind(s, 50, 0))
@@ -636,9 +639,9 @@ static void put_between(struct scene *s, double a)
     s->position[7] = a;
 }
 
-/* Returns the period of a mass between two springs at rest length, moved
-   across them by a: from the first to the third time that it passes them.
- */
+/* Returns the period of a mass between two springs at rest length, which is
+   displaced sideways by a: the time from its first to its third passage
+   through the middle. */
 static double period(double a)
 {
     const double guess = 0.3 / a;
@@ -670,10 +673,10 @@ static void study_quartic(struct study *s)
                   {"AT", 0.002 * period(0.002)});
 }
 
-/* Returns the amplitude, m, of the mode with r and `half` half waves in the
-   displacement of an n x n membrane across it: a projection on its shape.
-   The shapes of a grid are orthogonal, so that other modes have no
-   effect. */
+/* Returns the amplitude, m, of the mode with r half waves along x and
+   `half` along y in the transverse displacement of an n x n membrane. The
+   shapes of the modes are orthogonal on the grid, so a projection on one
+   shape contains no other mode. */
 static double amplitude(const struct scene *s, size_t n, size_t r,
                         size_t half)
 {
@@ -686,8 +689,8 @@ static double amplitude(const struct scene *s, size_t n, size_t r,
     return 4 * sum / (double)((n - 1) * (n - 1));
 }
 
-/* Returns the amplitude of all modes but the first, over a: that of one
-   mode with their root mean square displacement. */
+/* Returns the square root of the sum of the squared amplitudes of all modes
+   but the first, divided by a. */
 static double others(const struct scene *s, size_t n, double a)
 {
     const double *const z = s->position + 2 * s->bodies;
@@ -701,8 +704,8 @@ static double others(const struct scene *s, size_t n, double a)
 
 enum { MEMBRANES = 3 };
 
-/* Amplitudes at the start, m: of a membrane at rest length that moves along
-   z alone, of one that is free to move, and of a taut one. */
+/* Initial amplitudes, m: of a membrane at rest length that moves along z
+   only, of one that moves along all axes, and of a taut one. */
 static const double lifted[MEMBRANES] = {0.1, 0.1, 0.01};
 
 static void study_membranes(struct study *s)
@@ -739,8 +742,9 @@ static void study_membranes(struct study *s)
         tidy_up(&r[k]);
 }
 
-/* Turns the displacement of an n x n membrane from z to another axis;
-   returns the body that is moved most, and where it would be at rest. */
+/* Turns the displacement of an n x n membrane from z to another axis.
+   Returns the body with the largest displacement, and sets *home to its
+   coordinate along that axis at rest. */
 static size_t turn_to(struct scene *s, size_t axis, double *home)
 {
     double *const z = s->position + 2 * s->bodies;
@@ -760,9 +764,8 @@ static size_t turn_to(struct scene *s, size_t axis, double *home)
     return body;
 }
 
-/* Returns the time of ten half swings of coordinate `at` about home. Each
-   passage falls between two steps; the last piece of the way is taken as
-   straight. */
+/* Returns the time, s, of ten half periods of coordinate `at` about home.
+   The time of a passage is interpolated linearly within a step. */
 static double ten_halves(struct run *r, size_t at, double home)
 {
     double first = 0, before = r->scene.position[at] - home;
@@ -781,8 +784,8 @@ static double ten_halves(struct run *r, size_t at, double home)
     }
 }
 
-/* Returns the measured angular frequency of mode (r, half) of a taut n x n
-   membrane, at a small amplitude; axis 2: across it, axis 0: along x. */
+/* Returns the measured angular frequency, rad/s, of mode (r, half) of a
+   taut n x n membrane that moves at a small amplitude along this axis. */
 static double measured(size_t n, size_t r, size_t half, size_t axis)
 {
     struct run o;
@@ -819,9 +822,9 @@ static void study_dispersion(struct study *s)
     table_real(s->summary, "worst", worst);
 }
 
-/* Returns how deep the middle is of a membrane of loose springs that
-   friction has brought to rest in a gravity g; puts it into s, if not
-   NULL. */
+/* Returns the sag, m, of the middle of a membrane without tension that
+   friction has brought to rest under the gravity g. Copies the scene to *s
+   if s is not NULL. */
 static double sag(struct scene *s, double g)
 {
     struct run r;
@@ -861,8 +864,8 @@ static void study_sag(struct study *s)
                   {"ratio", sag(NULL, 0.004) / sag(NULL, 0.0005)});
 }
 
-/* Lets friction bring r to rest, until nothing moves any more. No equation
-   is solved, so that the rest is independent of the linear theory. */
+/* Steps r until friction has brought it to rest. No equation is solved, so
+   that the position of rest is independent of linear theory. */
 static void settle(struct run *r)
 {
     for (int i = 0; i < 400; ++i) {
@@ -875,8 +878,8 @@ static void settle(struct run *r)
     }
 }
 
-/* Steps r until the velocity of the body along y changes its sign: the
-   turning point. Returns the time. */
+/* Steps r until the velocity of the body along y changes its sign. Returns
+   the time of this turning point, s, interpolated linearly. */
 static double fall(struct run *r, size_t body)
 {
     const double *const v = r->scene.velocity + r->scene.bodies + body;
@@ -890,8 +893,7 @@ static double fall(struct run *r, size_t body)
            r->stepping.dt * *v / (*v - before);
 }
 
-/* Writes the bodies of a scene as lines, row by row, then column by column.
- */
+/* Writes the positions of a grid of bodies by rows, then by columns. */
 static void draw(struct study *s, const struct scene *scene, size_t nx)
 {
     const double *const x = scene->position, *const y = x + scene->bodies;
@@ -905,7 +907,8 @@ static void draw(struct study *s, const struct scene *scene, size_t nx)
     table_print(s->out, "\n");
 }
 
-/* Beams with 2, 1 and 0 diagonals: at the turning point, then at rest. */
+/* Writes beams with 2, 1 and 0 diagonals, at the turning point and at
+   rest. */
 static void study_shapes(struct study *s)
 {
     TABLE_COLUMNS(s->out, {"x", "m", "place of a body"},
@@ -926,7 +929,8 @@ static void study_shapes(struct study *s)
         }
 }
 
-/* A beam: how it differs from the usual one, and the results. */
+/* A beam: its differences from the usual one, and its results. The
+   deflections linear, still and lowest are in m, the time is in s. */
 struct beam {
     const char *name;
     struct gallery_choice choice[3];
@@ -935,8 +939,8 @@ struct beam {
     size_t loose; /* modes without stiffness */
 };
 
-/* Finds modes, and by linear theory the deflection of the lower corner of
-   the free end. */
+/* Finds the frequencies of a beam, and by linear theory the deflection of
+   the lower corner of its free end. */
 static void find_linear(struct beam *b, const struct scene *s, size_t nx)
 {
     struct springs p;
@@ -959,8 +963,8 @@ static void find_linear(struct beam *b, const struct scene *s, size_t nx)
     springs_free(&p);
 }
 
-/* Finds the turning point of the motion, and the rest under a friction in
-   proportion to the first frequency. */
+/* Finds the turning point of a beam, and its deflection at rest, with a
+   friction in proportion to the first frequency. */
 static void find_turn(struct beam *b)
 {
     struct run r;
@@ -982,7 +986,7 @@ static void find_turn(struct beam *b)
 
 enum { BEAMS = 9 };
 
-/* The usual beam, and eight that differ from it in one number. */
+/* The usual beam, and eight beams, each with another value of one key. */
 static struct beam beams[BEAMS] = {
     {.name = "usual"},
     {.name = "mass", .choice = {{"mass", 2}}},
@@ -1018,10 +1022,11 @@ static void study_beams(struct study *s)
                   {"third", beams[0].third}, {"fastest", beams[0].fastest});
 }
 
-/* Adds the forces of one band for one side, in the way that the bands
-   replaced: each body looks up all its neighbours, and every spring is
-   computed twice. For springs in bands, with dashpots as MPPhys prints
-   them. */
+/* Adds to f[] the forces of the springs of a band on the bodies at one of
+   their ends, with dashpots as MPPhys prints them: on the bodies of larger
+   index if side is 1, else on the others. In this method, which the bands
+   replaced, each body looks up all its neighbours, so that the force of
+   every spring is computed twice. */
 VECTOR_LOOP static void look_up(const struct springs *p,
                                 const struct springs_band *b,
                                 const double *restrict x,
@@ -1045,8 +1050,8 @@ VECTOR_LOOP static void look_up(const struct springs *p,
     }
 }
 
-/* Sums all bands, first from below and then from above, in the order of
-   (10.11, eq:gather). */
+/* Sets a[] to the accelerations by look_up. In the order of (10.11,
+   eq:gather), the springs to smaller indices come first in each band. */
 static void accelerate_twice(void *springs, const double x[],
                              const double v[], double a[])
 {
@@ -1059,7 +1064,8 @@ static void accelerate_twice(void *springs, const double x[],
         a[i] *= p->inverse[i];
 }
 
-/* The ways that are compared; TRIPS is the gather without the sweep. */
+/* The ways that are compared: TRIPS is GATHER without sweeps, and TWICE
+   uses look_up. */
 enum { SCATTER, GATHER, TRIPS, TWICE, SPEEDS };
 
 /* Makes a free membrane of n x n bodies with the usual dashpots, for one
@@ -1076,8 +1082,8 @@ static void make_fast(struct run *r, size_t n, int way)
         r->stepping.forces.accelerate = accelerate_twice;
 }
 
-/* Returns the steps of a body in a second by the given clock, from two
-   million steps or more. */
+/* Returns the number of steps of one body per second of the given clock,
+   from at least two million such steps. */
 static double speed_of(struct run *r, double (*seconds)(void))
 {
     const uint64_t steps = 2000000 / r->scene.bodies + STEPPING_WATCH;
@@ -1113,9 +1119,9 @@ static void study_speed(struct study *s)
                   {"least_ratio_from_64", least});
 }
 
-/* Writes the steps of a body in a second by one thread and by two, by the
-   clock on the wall, and the median of the ratios of the rounds: a slow
-   moment of the machine then spoils only one of five. */
+/* Writes how many steps of a body one thread and two threads take per
+   second of wall-clock time, and the median of the ratios of the rounds, of
+   which a slow moment of the machine then spoils only one. */
 static void study_threads(struct study *s)
 {
     bench_machine(s->out);
@@ -1133,7 +1139,7 @@ static void study_threads(struct study *s)
                 no_memory();
         }
         for (int round = -1; round < BENCH_ROUNDS; ++round) {
-            const int at = round < 0 ? 0 : round; /* the first: a warm-up */
+            const int at = round < 0 ? 0 : round; /* -1 is a warm-up */
             for (int way = 0; way < 2; ++way)
                 speed[way][at] = speed_of(&r[way], bench_clock);
             ratio[at] = speed[1][at] / speed[0][at];

@@ -30,8 +30,8 @@ bench: programs
 		grep steps_per_second
 	@$(MAKE) -j 2 --output-sync=target --no-print-directory bench-errors
 
-# Error against processor time, for small systems; two runs at a time, each on a processor
-# of its own.
+# Measures error against processor time for small systems. Two runs are made at the same time,
+# each on its own processor.
 bench_rooms = bench-room-.05 bench-room-.15 bench-room-.2
 bench_errors = bench-chains bench-spheres $(bench_rooms) bench-pressure
 .PHONY: bench bench-errors $(bench_errors)

@@ -71,8 +71,7 @@ static const struct subject subjects[] = {
     {"cantilever", "cantilever", 8, {{0}}},
     {0}};
 
-/* Prints the reason and ends the program, since an incomplete atlas is of
-   no use. */
+/* Prints the reason and ends the program: a part of an atlas is useless. */
 _Noreturn static void fail(const char *why)
 {
     program_give_up("%s", why);
@@ -91,8 +90,7 @@ static const struct gallery_scene *find_scene(const char *name)
     return g;
 }
 
-/* Makes a scene with the gallery's default values, except those that t
-   sets. */
+/* Makes a scene with the gallery's defaults, except values that t sets. */
 static void make_scene(struct scene *s, const struct subject *t)
 {
     double value[GALLERY_KEYS + 1];
@@ -229,8 +227,7 @@ static quad pair_time(const struct flight *f, size_t i, size_t j)
 }
 
 /* Returns the first collision of body i with a wall (5.1, eq:wall-time). A
-   body that rounding has put behind a wall collides with it now, not in the
-   past. */
+   body that rounding has put behind a wall collides with it at once. */
 static struct meeting wall_time(const struct flight *f, size_t i)
 {
     const struct scene *s = f->scene;
@@ -274,8 +271,7 @@ static void move_to(struct flight *f, quad t)
 }
 
 /* Applies the impulse of a collision of i and j along the line of centres
-   (1.10, eq:impulse). A fixed body has the inverse mass 0 and stays at
-   rest. */
+   (1.10, eq:impulse). A fixed body, of inverse mass 0, stays at rest. */
 static void collide(struct flight *f, size_t i, size_t j)
 {
     const size_t n = f->bodies;
@@ -341,8 +337,8 @@ static void begin_flight(struct flight *f, const struct scene *s)
         predict(f, i);
 }
 
-/* Fills p with the true path. Positions are rounded to double only when a
-   row is stored. */
+/* Fills p with the true path. Only stored positions are rounded to
+   double. */
 static void run_events(struct path *p, const struct scene *s, double every)
 {
     struct flight f;
@@ -487,8 +483,7 @@ static bool only_contacts(const struct scene *s)
    little in common: by extrapolated steps of equal length (kahan-li8, or
    gauss4 if there is friction, which kahan-li8 cannot integrate; both are
    symmetric) and by steps of variable length. The path that changed less
-   when it was refined is used; the difference between the two is its
-   uncertainty. */
+   when it was refined is used; their difference is its uncertainty. */
 static void find_truth(struct truth *t, const struct scene *s, double every,
                        double budget)
 {
@@ -784,8 +779,8 @@ static void try_models(struct map *m, unsigned cuts, bool steps)
 /* Tries all sets of cuts, the parts that a plan may leave out; each set is
    the bits of a number. If leaving the set out of the finest plain plan
    makes an error of at least the largest tolerance, only models without
-   steps are tried. Sets with rods are always tried, since only leapfrog can
-   have rods. */
+   steps are tried. Sets with rods, which need leapfrog, are always
+   tried. */
 static void try_cuts(struct map *m)
 {
     const unsigned all = models_cuts(&m->scene);

@@ -47,8 +47,7 @@ enum line_kind {
     LINE_BIASED  /* double, difference form (1.8, eq:restitution) */
 };
 
-/* The bodies of a line. Numbers of lower precision are stored in the widest
-   type, too. */
+/* The bodies of a line. The widest type stores all precisions. */
 struct line {
     size_t gaps;
     enum line_kind kind;
@@ -447,8 +446,7 @@ static double distance(const struct line *truth,
 
 /* Returns the processor time of one walk from the start to the time until,
    s, and in body[] its final state. The walk is repeated until it has taken
-   a fiftieth of a second, because one walk may be too short for the
-   clock. */
+   a fiftieth of a second, since one walk may be too short to time. */
 static double time_walk(double until, const struct bonkers *b, double dt,
                         struct bonkers_body body[])
 {

@@ -87,8 +87,7 @@ static double sample_by(int way, const struct study *s, struct loop *l,
     return energy;
 }
 
-/* Writes the density of a coordinate as each of the three programs samples
-   it. */
+/* Writes the density of a coordinate, sampled by each program. */
 static void study_clock(struct study *s)
 {
     static double bins[CLOCKS][BINS];
@@ -129,8 +128,8 @@ static void write_place(struct study *s, struct loop *l)
    of the clock (1), and at the records of the article's loop (2). All begin
    with the same state, one second after a start on a lattice. A block has
    at most a thousand rows, since for a few seeds the article's loop makes
-   no progress: it reverses a pair of overlapping disks again and again, and
-   its clock stops. */
+   no progress: it reverses an overlapping pair endlessly, and its clock
+   stops. */
 static void study_timeline(struct study *s)
 {
     TABLE_COLUMNS(s->out, {"t", "s", "events; clock times; the article's"},
@@ -457,8 +456,8 @@ static const double reference =
 
 /* Fills a row with the times of both engines and with the error and the
    bias of runs of row[0] collisions. Returns the number of runs in which
-   the engines disagree; a difference in a single bit would sooner or later
-   change Z. */
+   the engines disagree; a single different bit would in the end change
+   Z. */
 static double find_errors(uint64_t seed, double row[5])
 {
     const uint64_t count = (uint64_t)row[0];

@@ -1,5 +1,4 @@
-/* Compares samplers: two mistakes, memory, acceptance, error against
-   time. */
+/* Compares samplers: mistakes, memory, acceptance, cost of precision. */
 #include "box/means.h"
 #include "box/sampling.h"
 #include "line/statistics.h"
@@ -70,8 +69,7 @@ static void start_chain(struct sampling *p, double step, uint64_t sweeps,
         sampling_try(p, step, r);
 }
 
-/* Returns the bin of a coordinate; BINS equal bins cover the range of
-   centres. */
+/* Returns the bin of a coordinate among BINS equal bins of its range. */
 static size_t bin_of(const struct sampling *p, double x)
 {
     const double r = p->disks.disk[0].radius;
@@ -182,8 +180,8 @@ static void write_mistakes(struct study *s, const struct means means[])
 }
 
 /* Compares two wrong ways of sampling with the right ones. Each way begins
-   with a chain of a thousand sweeps, so that the way before has no
-   influence on it. */
+   with a chain of a thousand sweeps, which removes the influence of the way
+   before. */
 static void study_mistakes(struct study *s)
 {
     struct means means[WAYS];
@@ -312,8 +310,7 @@ enum method { DIRECT, MARKOV, DYNAMICS, METHODS };
 static const char *const method_names[METHODS] = {"direct", "markov",
                                                   "dynamics"};
 enum {
-    TIMES = 7, /* times at which errors are found; each is four times the
-                  last */
+    TIMES = 7, /* times of the errors; each is four times the last */
     SEEDS = 8, /* runs whose squared errors are averaged */
     TRIES = 64 /* tries between two readings of the clock */
 };
@@ -351,8 +348,7 @@ static void begin_method(enum method method, struct sampling *p,
         end_without_memory();
 }
 
-/* Counts the present coordinates by the distance of their bin from the
-   nearer wall. */
+/* Counts the present coordinates by their distance from the nearer wall. */
 static void add_places(const struct sampling *p, double counts[HALF])
 {
     for (size_t i = 0; i < p->disks.count; ++i) {
@@ -546,8 +542,7 @@ static void measure_gauge(enum gauging way, double packing, double step,
     sampling_free(&g.p);
 }
 
-/* Returns the reference value of Z - 1, the mean over this number of event
-   chains. */
+/* Returns the reference value of Z - 1 from this number of event chains. */
 static double find_truth(double packing, double step, uint64_t chains,
                          struct random *r)
 {

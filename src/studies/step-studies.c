@@ -1,4 +1,4 @@
-/* Measures stepping methods on small systems, for chapter 8. */
+/* Measures integration methods on small systems, for chapter 8. */
 #include "forces/adaptive.h"
 #include "forces/largest.h"
 #include "forces/reference.h"
@@ -14,21 +14,20 @@
 #define PROGRAM "step-studies"
 
 static struct {
-    uint64_t orbits; /* of the planet, in energy and rounding */
+    uint64_t orbits; /* of the planet, for --study energy, rounding */
 } own = {.orbits = 1000};
 
 enum { CHAIN = 32, MOST = CHAIN };
 
-/* A system of a few coordinates: an oscillator, a pendulum, a planet, a
-   chain of 32 masses and springs between two walls, and some for steps of
-   variable length. Its forces get the coefficient of a friction -c v,
-   1/s. */
+/* A system of a few coordinates, such as an oscillator, a pendulum, a
+   planet, or a chain of 32 masses and springs between two walls. `friction`
+   points to the coefficient c of a friction -c v, 1/s. */
 struct system {
     size_t size;
     void (*accelerate)(void *friction, const double x[], const double v[],
                        double a[]);
     double (*energy)(const double x[], const double v[]);
-    double x[3 * 2], v[2]; /* at the start; 0 if not given */
+    double x[3 * 2], v[2]; /* at the start; missing ones are 0 */
 };
 
 static void oscillator_force(void *friction, const double x[],
@@ -42,10 +41,10 @@ static double oscillator_energy(const double x[], const double v[])
     return (v[0] * v[0] + x[0] * x[0]) / 2;
 }
 
-/* Returns the sine, computed with + - * / alone: that of the C library may
-   differ between machines in its last bit, and in the end so would the
-   tables. The angle is brought between -pi/2 and pi/2; there the series
-   needs twelve terms. */
+/* Returns the sine, computed with + - * / only. The C library's sine may
+   differ between machines in its last bit, and in the end the tables would
+   differ, too. The angle is reduced to the range from -pi/2 to pi/2, in
+   which twelve terms of the series are sufficient. */
 static double sine(double x)
 {
     const double pi = 3.14159265358979324;
@@ -62,8 +61,8 @@ static void pendulum_force(void *friction, const double x[],
     a[0] = -sine(x[0]) - *(double *)friction * v[0];
 }
 
-/* Returns v^2/2 + 1 - cos x as v^2/2 + 2 sin^2(x/2), in which nothing
-   cancels. */
+/* Returns v^2/2 + 1 - cos x in the form v^2/2 + 2 sin^2(x/2), which has no
+   cancellation. */
 static double pendulum_energy(const double x[], const double v[])
 {
     const double s = sine(x[0] / 2);
@@ -85,8 +84,8 @@ static double orbit_energy(const double x[], const double v[])
            1 / sqrt(x[0] * x[0] + x[1] * x[1]);
 }
 
-/* Writes the forces of a harmonic chain; its highest frequency is just
-   below 2. */
+/* Computes the accelerations of a harmonic chain, whose highest angular
+   frequency is slightly below 2/s. */
 static void chain_force(void *friction, const double x[], const double v[],
                         double a[])
 {
@@ -97,7 +96,7 @@ static void chain_force(void *friction, const double x[], const double v[],
     }
 }
 
-/* Returns the energy of all springs, those at the walls included. */
+/* Returns the energy, including that of the springs at the walls. */
 static double chain_energy(const double x[], const double v[])
 {
     double sum = x[0] * x[0] + x[CHAIN - 1] * x[CHAIN - 1];
@@ -109,8 +108,8 @@ static double chain_energy(const double x[], const double v[])
 }
 
 /* The orbit starts at the pericentre of an ellipse of eccentricity 1/2 and
-   semi-major axis 1, with the speed sqrt(3); its energy is -1/2 and its
-   period 2 pi. The start of the chain is computed in start(). */
+   semi-major axis 1, with the speed sqrt(3). Its energy is -1/2 and its
+   period is 2 pi. The start of the chain is computed in start(). */
 static const struct system oscillator = {
     1, oscillator_force, oscillator_energy, {1}, {0}};
 static const struct system pendulum = {
@@ -128,8 +127,8 @@ struct run {
     struct stepping s;
 };
 
-/* Sets a system to its start. The chain is at rest, plucked at a third of
-   its length. */
+/* Sets x and v to the start of a system. The chain is at rest and has been
+   plucked at a third of its length. */
 static void start(const struct system *y, double x[MOST], double v[MOST])
 {
     memcpy(x, y->x, sizeof y->x);
@@ -151,14 +150,14 @@ static void begin_or_exit(struct run *c, const struct system *y,
         NULL);
 }
 
-/* Returns by how much the energy is wrong, in units of its first value. */
+/* Returns the error of the energy relative to the energy at the start. */
 static double energy_error(const struct run *c)
 {
     return (c->system->energy(c->x, c->v) - c->energy) / fabs(c->energy);
 }
 
-/* Returns the largest difference from a state in a coordinate or
-   velocity. */
+/* Returns the largest difference of a coordinate or velocity of the run
+   from the state x, v. */
 static double distance(const struct run *c, const double x[],
                        const double v[])
 {
@@ -167,15 +166,16 @@ static double distance(const struct run *c, const double x[],
                   largest_difference(c->v, v, n));
 }
 
-/* Returns how many steps a number of evaluations allows: methods are
-   compared at equal numbers. An implicit step takes about eight rounds. */
+/* Returns the number of steps that use this number of evaluations, so that
+   methods can be compared at equal cost. An implicit step is assumed to
+   iterate eight times. */
 static double steps_for(const struct stepping_method *m, double budget)
 {
     const double rounds = m->family == STEPPING_IMPLICIT ? 8 : 1;
     return budget / (double)m->stages / rounds;
 }
 
-/* Writes the table of methods, as their rows in methods.c describe them. */
+/* Writes a table of all methods from their descriptions in methods.c. */
 static void study_methods(struct study *s)
 {
     table_print(s->out, "# method           order  stages  limit  "
@@ -201,7 +201,7 @@ static void study_methods(struct study *s)
 static const char *const four[] = {"euler", "symplectic-euler", "leapfrog",
                                    "rk4"};
 
-/* Writes paths of the pendulum in the phase plane, by four methods from
+/* Writes paths of the pendulum in the phase plane, by four methods and from
    four amplitudes each. */
 static void study_portrait(struct study *s)
 {
@@ -222,7 +222,7 @@ static void study_portrait(struct study *s)
         }
 }
 
-/* Writes the energies of four oscillators, one for each method. */
+/* Writes the energies of four oscillators, each by another method. */
 static void study_laws(struct study *s)
 {
     struct run c[4];
@@ -248,7 +248,7 @@ static void study_laws(struct study *s)
 
 enum { RIM = 2000 };
 
-/* Returns the area of the polygon with these corners. */
+/* Returns the area of the polygon with the corners p. */
 static double area(double p[RIM][2])
 {
     double sum = 0;
@@ -259,8 +259,8 @@ static double area(double p[RIM][2])
     return fabs(sum) / 2;
 }
 
-/* Steps the points on the rim of a disk in phase space; each point is a
-   pendulum of its own. */
+/* Moves the points on the rim of a disk in phase space by this number of
+   steps. Each point is the state of a pendulum. */
 static void step_rim(double p[RIM][2], const char *method, uint64_t steps)
 {
     struct run c;
@@ -277,7 +277,7 @@ static void step_rim(double p[RIM][2], const char *method, uint64_t steps)
 }
 
 /* Writes the rim of a disk in phase space at the start and after three, six
-   and nine steps. */
+   and nine steps. The results are ratios of areas. */
 static void study_area(struct study *s)
 {
     static const char *const names[] = {"euler", "leapfrog", "rk4"};
@@ -302,10 +302,10 @@ static void study_area(struct study *s)
     }
 }
 
-enum { BUDGET = 400 }; /* evaluations of the forces in an orbit */
+enum { BUDGET = 400 }; /* evaluations of the forces per orbit */
 
-/* Writes the largest error of the energy so far, at times that grow by a
-   tenth. */
+/* Writes the largest error of the energy up to each of a series of times;
+   each time is longer than the one before by a tenth. */
 static void record_energy(struct study *s, const struct stepping_method *m)
 {
     struct run c;
@@ -336,8 +336,8 @@ static void study_energy(struct study *s)
         record_energy(s, m);
 }
 
-/* Writes the force of an oscillator; the constants are the frequency
-   squared and the friction. */
+/* Computes the acceleration of an oscillator. The constants are the squared
+   frequency and the friction. */
 static void linear_force(void *what, const double x[], const double v[],
                          double a[])
 {
@@ -345,10 +345,10 @@ static void linear_force(void *what, const double x[], const double v[],
     a[0] = -constants[0] * x[0] - constants[1] * v[0];
 }
 
-/* Finds the matrix of a step, dt 1, of an oscillator of frequency w with
-   friction c, by stepping (1,0,0) and the others. The state is x, v and the
-   acceleration kept from the step before, which only leapfrog with friction
-   uses. */
+/* Finds the matrix of a step of length 1 for an oscillator of frequency w
+   with friction c. Column k is the result of a step from the k-th unit
+   vector. The state is x, v and the acceleration kept from the step before,
+   which only leapfrog with friction uses. */
 static void step_matrix(const struct stepping_method *m, double w, double c,
                         double matrix[3][3])
 {
@@ -368,10 +368,10 @@ static void step_matrix(const struct stepping_method *m, double w, double c,
     }
 }
 
-/* Returns the factor by which a step lengthens the state at most, in the
-   long run: the largest modulus of an eigenvalue. It is the root of the
-   norm of the 2^30-th power, found by 30 squarings, each divided by its
-   size. */
+/* Returns the spectral radius of a matrix, the largest modulus of its
+   eigenvalues: the factor by which a step lengthens the state in the long
+   run. It is the 2^30-th root of the norm of the 2^30-th power, which is
+   found by 30 squarings; each result is divided by its largest element. */
 static double growth(double m[3][3])
 {
     double exponent = 0;
@@ -391,8 +391,8 @@ static double growth(double m[3][3])
     return exp(exponent);
 }
 
-/* Writes the growth on a grid in the complex plane of lambda dt: an
-   oscillator with the friction c = -2 Re(lambda) and the frequency w =
+/* Writes the growth per step on a grid in the complex plane of lambda dt,
+   for oscillators with the friction c = -2 Re(lambda) and the frequency w =
    |lambda|. */
 static void study_stability(struct study *s)
 {
@@ -415,7 +415,8 @@ static void study_stability(struct study *s)
     }
 }
 
-/* Returns half the trace, which decides on stability without friction. */
+/* Returns half the trace of the matrix of a step without friction. The
+   method is unstable if its modulus exceeds 1. */
 static double half_trace(const struct stepping_method *m, double step)
 {
     double matrix[3][3];
@@ -423,9 +424,9 @@ static double half_trace(const struct stepping_method *m, double step)
     return (matrix[0][0] + matrix[1][1]) / 2;
 }
 
-/* Writes where the curve of half the trace leaves the strip from -1 to 1,
-   where it comes back, and where it leaves again, up to omega dt = 6; and
-   how far it is outside between the first two of these places. */
+/* Writes the values of omega dt, up to 6, at which half the trace leaves
+   the interval from -1 to 1, returns to it, and leaves it again. Also
+   writes by how much its modulus exceeds 1 between the first two. */
 static void find_edges(const struct study *s,
                        const struct stepping_method *m)
 {
@@ -450,7 +451,7 @@ static void find_edges(const struct study *s,
     table_keyed(s->summary, beyond, "beyond_%s", m->name);
 }
 
-/* Writes half the trace of a step against omega dt, for five splittings. */
+/* Writes half the trace of a step against omega dt for five splittings. */
 static void study_trace(struct study *s)
 {
     static const char *const names[] = {"leapfrog", "yoshida4", "pefrl",
@@ -468,8 +469,8 @@ static void study_trace(struct study *s)
         find_edges(s, stepping_find(names[k]));
 }
 
-/* Returns the error of a method in `steps` steps up to `until`, with
-   friction c; INFINITY if the run broke. */
+/* Returns the largest difference from x, v after this number of steps to
+   the time `until` with friction c, or INFINITY if the run failed. */
 static double error_of(const struct system *y, const char *method,
                        double until, uint64_t steps, double friction,
                        const double x[], const double v[])
@@ -482,8 +483,9 @@ static double error_of(const struct system *y, const char *method,
     return end == STEPPING_DONE ? error : INFINITY;
 }
 
-/* Returns the order from the two shortest steps whose errors are at least a
-   thousand times rounding; steps are halved until then. */
+/* Returns the order of a method from the errors of two step lengths, one
+   half of the other, and sets *error to the smaller error. The steps are
+   halved as long as the errors are at least a thousand times rounding. */
 static double order_of(const char *method, double friction, double x,
                        double v, double *error)
 {
@@ -498,8 +500,8 @@ static double order_of(const char *method, double friction, double x,
     return order;
 }
 
-/* Finds the pendulum's state after 3 s, with friction c: by gauss4 with
-   4096 steps and compensated sums. */
+/* Finds the pendulum's state after 3 s with friction c, by gauss4 with 4096
+   steps and compensated sums. */
 static void reference(double friction, double *x, double *v)
 {
     struct run c;
@@ -511,8 +513,8 @@ static void reference(double friction, double *x, double *v)
     stepping_free(&c.s);
 }
 
-/* Writes each method's order without and with friction, and its error with
-   50 steps. */
+/* Writes the order of each method without and with friction. The results
+   are the errors without friction in 50 steps. */
 static void study_order(struct study *s)
 {
     double x, v, xc, vc;
@@ -530,9 +532,9 @@ static void study_order(struct study *s)
     }
 }
 
-/* Returns the largest c dt for which a velocity does not grow under
-   friction (w 0: friction alone), found by going up in small steps and then
-   by bisection. */
+/* Returns the largest c dt up to which friction does not make the state
+   grow, for an oscillator of frequency w; w = 0 means friction alone. It is
+   found by small increments, then by bisection. */
 static double friction_limit(const struct stepping_method *m, double w)
 {
     double matrix[3][3], low = 0, high = 0;
@@ -552,8 +554,8 @@ static double friction_limit(const struct stepping_method *m, double w)
     return high < 20 ? low : INFINITY;
 }
 
-/* Returns the sum of |y|: how far a splitting moves back and forth in a
-   step. */
+/* Returns the sum of |y|: for the drifts of a splitting, the path that it
+   moves forwards and backwards in a step. */
 static double sum_of_moduli(const double y[], size_t n)
 {
     double sum = 0;
@@ -572,8 +574,9 @@ static void study_damping(struct study *s)
                     friction_limit(m, 0));
 }
 
-/* Writes by which factor a step changes a velocity under friction alone;
-   the row and column of the position are set to 0. */
+/* Writes the factor by which a step changes a velocity under friction
+   alone. The position, whose eigenvalue is 1, is taken out of the
+   matrix. */
 static void study_friction(struct study *s)
 {
     table_column(s->out, "c dt", "", "friction times step");
@@ -594,9 +597,9 @@ static void study_friction(struct study *s)
     }
 }
 
-/* Records the size of an oscillator of frequency w with friction c after
-   each of 60 steps of 1; under friction alone there is no frequency, and
-   the size is the velocity. */
+/* Records the amplitude of an oscillator of frequency w without friction
+   after each of 60 steps of length 1. If c is not 0, records the modulus of
+   the velocity instead; w is 0 then. */
 static void record_size(const char *method, double w, double c,
                         double size[61])
 {
@@ -612,7 +615,7 @@ static void record_size(const char *method, double w, double c,
     stepping_free(&s);
 }
 
-/* Writes the sizes of oscillators beyond the limits of their methods. */
+/* Writes amplitudes for steps beyond the limits of their methods. */
 static void study_fails(struct study *s)
 {
     static const struct {
@@ -635,12 +638,13 @@ static void study_fails(struct study *s)
     }
 }
 
-/* Orbits that differ a little, whose errors are averaged: the rounding of
-   one orbit is a single random walk, which might be lucky. */
+/* The number of orbits, slightly different, over which errors are averaged.
+   The rounding errors of a single orbit are one random walk, which may be
+   small by chance. */
 enum { STARTS = 16 };
 
-/* Continues to this number of steps, and returns the root mean square of
-   the energy errors. */
+/* Continues the orbits up to this number of steps. Returns the root mean
+   square of their energy errors. */
 static double error_after(struct run c[STARTS], uint64_t steps)
 {
     double sum = 0;
@@ -651,7 +655,7 @@ static double error_after(struct run c[STARTS], uint64_t steps)
     return sqrt(sum / STARTS);
 }
 
-/* Writes the error of the orbits after 1, 2, 4, ... turns. */
+/* Writes the energy error of the orbits after 1, 2, 4, ... periods. */
 static void record_rounding(struct study *s, double steps_of_orbit,
                             bool compensated)
 {
@@ -687,19 +691,19 @@ static void study_rounding(struct study *s)
     record_rounding(s, 400, true);
 }
 
-/* The cost and error of a run. */
+/* The cost and error of a run; seconds of processor time. */
 struct outcome {
     double evaluations, error, seconds;
 };
 
-/* A system, a time, and the exact state at this time. */
+/* A system, a time, and the exact state at that time. */
 struct task {
     const struct system *system;
     double until, x[MOST], v[MOST];
 };
 
-/* Runs a task with this many steps. The time is for study_cost alone:
-   tables that every build makes again contain no times. */
+/* Runs a task in this number of steps. Only study_cost uses the processor
+   time: tables that every build makes again contain no times. */
 static struct outcome work_of(const struct task *k, const char *method,
                               uint64_t steps)
 {
@@ -715,7 +719,7 @@ static struct outcome work_of(const struct task *k, const char *method,
     return o;
 }
 
-/* Runs a task with GSL's rk8pd, over the whole time in one call. */
+/* Runs a task with GSL's rk8pd, in one call. */
 static struct outcome work_of_reference(const struct task *k,
                                         double tolerance)
 {
@@ -737,15 +741,15 @@ static struct outcome work_of_reference(const struct task *k,
     return o;
 }
 
-/* Sets the task of ten orbits, which end at their start. */
+/* Sets a task of ten orbits, after which the planet is at its start. */
 static void set_orbit_task(struct task *k)
 {
     *k = (struct task){.system = &orbit, .until = 10 * period};
     start(&orbit, k->x, k->v);
 }
 
-/* Writes cost and error of an adaptive method, over the whole time in one
-   call. */
+/* Writes cost and error of an adaptive method for tolerances that decrease
+   by factors of four. Each run is one call. */
 static void record_adaptive(struct study *s, const struct task *k,
                             const char *method)
 {
@@ -763,8 +767,9 @@ static void record_adaptive(struct study *s, const struct task *k,
     table_print(s->out, "\n\n");
 }
 
-/* Writes cost and error of all methods, in budgets that grow by sqrt(2). A
-   run with an error above 10 is left out. */
+/* Writes cost and error of all methods. The number of evaluations grows by
+   factors of sqrt(2); rk8pd and adaptive methods get smaller tolerances.
+   Runs with an error above 10 are left out. */
 static void record_work(struct study *s, const struct task *k)
 {
     for (const struct stepping_method *m = stepping_next(NULL); m;
@@ -798,7 +803,7 @@ static void study_work(struct study *s)
                   {"error", "", "of the end, largest coordinate"});
     set_orbit_task(&k);
     record_work(s, &k);
-    /* The chain's end is found by the best method with short steps. */
+    /* The best method with short steps gives the chain's exact state. */
     struct run c;
     k = (struct task){.system = &chain, .until = 200};
     begin_or_exit(&c, &chain, "kahan-li8", k.until / 4000, 0);
@@ -810,8 +815,9 @@ static void study_work(struct study *s)
     record_work(s, &k);
 }
 
-/* Returns what m does with this effort, or GSL's rk8pd if m is NULL; the
-   time is the mean of as many runs as fill 10 ms. */
+/* Returns the cost and error of method m with `effort` evaluations, or
+   those of GSL's rk8pd with the tolerance 1 / effort if m is NULL. The time
+   is the mean over runs that take 10 ms together. */
 static struct outcome time_run(const struct task *k,
                                const struct stepping_method *m,
                                double effort)
@@ -828,8 +834,8 @@ static struct outcome time_run(const struct task *k,
     return o;
 }
 
-/* Writes a row with the median time of five runs, after one run to warm
-   up. */
+/* Writes a row with the median time of five runs after a warm-up, unless
+   the error is above 10. */
 static void record_cost(struct study *s, const struct task *k,
                         const struct stepping_method *m, double effort,
                         int row)
@@ -843,8 +849,8 @@ static void record_cost(struct study *s, const struct task *k,
                   bench_median(seconds, BENCH_ROUNDS), o.error);
 }
 
-/* Times ten orbits. Efforts are doubled; tolerances of rk8pd are divided by
-   sixteen. */
+/* Times ten orbits. From row to row the number of evaluations is doubled;
+   the tolerance of rk8pd is divided by sixteen. */
 static void study_cost(struct study *s)
 {
     struct task k;
@@ -868,9 +874,9 @@ static void study_cost(struct study *s)
     }
 }
 
-/* The Pythagorean three bodies: masses of 3, 4 and 5 at rest at the corners
-   of the triangle with these sides, each opposite to the side of its
-   number. The energy is -12 49/60. */
+/* The Pythagorean three-body problem: masses of 3, 4 and 5 start at rest at
+   the corners of a triangle whose sides have these lengths. Each mass is
+   opposite to the side of the same number. The energy is -12 49/60. */
 enum { BODIES = 3 };
 
 static const double masses[BODIES] = {3, 4, 5};
@@ -907,8 +913,8 @@ static double three_energy(const double x[], const double v[])
 static const struct system three = {
     6, three_force, three_energy, {1, -2, 1, 3, -1, -1}, {0}};
 
-/* Writes the forces of two oscillators: one on a stiff spring, at rest, and
-   one on a soft spring. */
+/* Computes the accelerations of two oscillators: one on a soft spring, and
+   one on a stiff spring that is almost at rest. */
 static void stiff_force(void *friction, const double x[], const double v[],
                         double a[])
 {
@@ -917,9 +923,9 @@ static void stiff_force(void *friction, const double x[], const double v[],
     a[1] = -1e6 * x[1];
 }
 
-/* Writes a force that jumps, -1 or 1 on the sides of zero, with the
-   potential |x|: a body at rest at x = 1/2 is there again after every 4
-   s. */
+/* Computes an acceleration that jumps: it is -1 for positive and 1 for
+   other x. The potential is |x|, so a body released at x = 1/2 returns
+   there every 4 s. */
 static void jump_force(void *friction, const double x[], const double v[],
                        double a[])
 {
@@ -936,7 +942,8 @@ static const struct system stiff = {
     2, stiff_force, oscillator_energy, {1, 1e-8}, {0}};
 static const struct system jump = {1, jump_force, jump_energy, {0.5}, {0}};
 
-/* Begins a run of variable step length with a tolerance. */
+/* Begins a run with steps of variable length and this tolerance. `tick` is
+   the time, s, between its outputs. */
 static void begin_adaptive(struct run *c, const struct system *y,
                            const char *method, double tick,
                            double tolerance)
@@ -958,8 +965,8 @@ static void record_tracks(struct study *s)
     stepping_free(&c.s);
 }
 
-/* Returns the squared distance of two bodies, and in at[] both positions
-   relative to their common centre. */
+/* Returns the squared distance of two bodies. Sets at[] to their positions
+   relative to their centre of mass. */
 static double relative_to_centre(const struct run *c, int i, int j,
                                  double at[4])
 {
@@ -972,9 +979,9 @@ static double relative_to_centre(const struct run *c, int i, int j,
     return dx * dx + dy * dy;
 }
 
-/* Writes the closest approach of two bodies, in ticks of 50 ns, of which
-   every fourth is written. Near its minimum the square of the distance is a
-   parabola, which gives distance and time. */
+/* Writes the closest approach of two bodies. The run advances in ticks of
+   50 ns; every fourth state is written. Near its minimum the squared
+   distance is a parabola, which gives the distance and the time. */
 static void record_approach(struct study *s)
 {
     enum { TICKS = 1200 };
@@ -1000,9 +1007,9 @@ static void record_approach(struct study *s)
     stepping_free(&c.s);
 }
 
-/* Writes all steps up to t = 20, and the results of the run into the
-   summary. A time just beyond the end of the last step makes the method
-   take exactly one step more. */
+/* Writes all steps of a method up to t = 20 and the results of the run. The
+   method takes exactly one step if it is asked for a time just after the
+   end of the last one. */
 static void record_lengths(struct study *s, const char *method,
                            double tolerance)
 {
@@ -1025,7 +1032,8 @@ static void record_lengths(struct study *s, const char *method,
     stepping_free(&c.s);
 }
 
-/* Runs steps of equal length with as many evaluations, for comparison. */
+/* Measures the energy error of steps of equal length for comparison, with
+   about as many evaluations. */
 static void record_fixed(struct study *s)
 {
     struct run c;
@@ -1036,7 +1044,7 @@ static void record_fixed(struct study *s)
     stepping_free(&c.s);
 }
 
-/* Measures how the energy drifts in a thousand orbits. */
+/* Measures the energy error of dopri5 after 100 and 1000 orbits. */
 static void record_drift(struct study *s)
 {
     struct run c;
@@ -1049,8 +1057,8 @@ static void record_drift(struct study *s)
     stepping_free(&c.s);
 }
 
-/* Counts the steps of systems that are hard for adaptive methods, the stiff
-   one and the one with a jump, and of one that is easy. */
+/* Counts the steps of an adaptive method for an easy system and for two
+   difficult ones, one stiff and one with a jump. */
 static void record_trouble(struct study *s)
 {
     static const struct {

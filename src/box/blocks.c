@@ -59,10 +59,9 @@ struct third {
 
 /* Returns the mean of a third of the values and the square of its standard
    error, from the scatter of 16 parts. Both are in this unit, so that
-   squares of large and small numbers do not overflow. The square is NAN,
-   since the scatter then measures no error, if a part has only zeros
-   because events are rare, or if all parts are alike, as when a single disk
-   bounces regularly. */
+   squares of large and small numbers do not overflow. The square is NAN if
+   the scatter measures no error: a part has only zeros because events are
+   rare, or all parts are equal, as when a single disk bounces regularly. */
 static struct third third_of(double unit, const double x[], size_t per)
 {
     double part[PARTS] = {0};
@@ -94,7 +93,7 @@ static double drift_of(size_t n, const double x[])
            sqrt(2 * fmin(a.square, b.square)); /* (7.18, eq:drift) */
 }
 
-/* The error comes from blocking these values, as in chapter 3. */
+/* The error is found by blocking these values, as in chapter 3. */
 struct blocks_average blocks_average_of(size_t n, const double x[])
 {
     struct statistics_blocking b;

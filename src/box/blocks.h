@@ -8,18 +8,18 @@
 
 enum { BLOCKS_MOST = 512 }; /* capacity; at most 511 blocks are full */
 
-/* Sums of samples of `width` numbers each, `per` samples in a block. Its
-   fields may be read: the sums of block i begin at sum[i * width]; the row
-   after the full blocks belongs to the unfinished one, which counts neither
-   for a mean nor for its error. */
+/* Sums of samples of `width` numbers each, `per` samples in a block. The
+   members may be read: the sums of block i begin at sum[i * width]. The row
+   after the full blocks belongs to the unfinished one, which is used
+   neither for a mean nor for its error. */
 struct blocks {
-    size_t width, count;  /* count: of full blocks */
-    uint64_t per, filled; /* filled: in the unfinished block */
+    size_t width, count;  /* count: number of full blocks */
+    uint64_t per, filled; /* filled: samples in the unfinished block */
     double *sum;
 };
 
-/* Makes *b empty; returns false, with nothing to free, if memory runs
-   out. */
+/* Prepares *b without samples. Returns false, with nothing to free, if
+   memory runs out. */
 bool blocks_create(struct blocks *b, size_t width);
 void blocks_free(struct blocks *b);
 

@@ -1,5 +1,5 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 591179290 of the lines below */
+/* checksum 2634728169 of the lines below */
 /* A calendar queue: days that are linked lists, each a few events long. */
 #include "box/calendar.h"
 
@@ -7,12 +7,12 @@
 #include <stdlib.h>
 
 enum {
-    BUSY = 2,   /* events that a day should contain */
-    CROWDED = 8 /* events examined for one found: days are too wide */
+    BUSY = 2,   /* wanted number of events in a day */
+    CROWDED = 8 /* with more examined per call, days are too wide */
 };
 
-/* The bit in `previous` that says: this event is the first in its list, and
-   the other bits are the number of the day. */
+/* The bit of `previous` that marks the first event of a list; the other
+   bits are then the number of the day. */
 #define DAY ((uint32_t)1 << 31)
 
 void calendar_free(struct calendar *c)

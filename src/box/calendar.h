@@ -11,7 +11,7 @@
 /* One of the numbered events. */
 struct calendar_event {
     double time;             /* s; INFINITY: not in the calendar */
-    uint32_t next, previous; /* events in the list of its day */
+    uint32_t next, previous; /* neighbours in the list of its day */
     uint32_t partner;        /* for the caller: a disk or a wall */
     uint32_t version;        /* for the caller: to find stale events */
 };
@@ -21,19 +21,19 @@ struct calendar_event {
    day are in one more list. */
 struct calendar {
     struct calendar_event *event;
-    uint32_t *day; /* first event of each day; [days]: of the later ones */
+    uint32_t *day; /* first event of each day; day[days]: of later ones */
     size_t size, days, today;
     size_t count;    /* events that have a time */
     double begin;    /* when day 0 begins, s */
     double width;    /* length of a day, s */
-    uint64_t asked;  /* calls of calendar_first in this year */
+    uint64_t asked;  /* calls of calendar_first since the last reset */
     uint64_t looked; /* events that these calls examined */
 };
 
 /* Prepares a calendar for events 0 to size-1 that starts at the time begin,
-   s, none of them with a time yet. width, s, is a first guess of the length
-   of a day, which the calendar adapts. Returns false, with nothing to free,
-   if memory runs out. Requires 0 < size < 2^31 - 64, width > 0. */
+   s; no event has a time yet. width, s, is a first guess of the length of a
+   day, which the calendar adapts. Returns false, with nothing to free, if
+   memory runs out. Requires 0 < size < 2^31 - 64, width > 0. */
 bool calendar_create(struct calendar *c, size_t size, double begin,
                      double width);
 void calendar_free(struct calendar *c);
@@ -43,8 +43,9 @@ void calendar_free(struct calendar *c);
 void calendar_put(struct calendar *c, uint32_t event, double time);
 
 /* Returns the earliest event, or CALENDAR_NONE if none has a time. Of
-   events at the same time it returns the one whose pair, event and partner,
-   has the smallest number, then the smaller other number. */
+   several events at the same time it returns the one whose pair, event and
+   partner, contains the smallest number; if these are equal, the one with
+   the smaller other number. */
 uint32_t calendar_first(struct calendar *c);
 
 #endif

@@ -25,10 +25,11 @@ static const float *place_of(const struct cells *c, uint32_t i)
 /* x + SHIFT - SHIFT is the whole number nearest to x (see image.h). */
 #define SHIFT 6755399441055744.0
 
-/* Fills way with how far disk i has moved from its anchor, m, and v with
+/* Fills way with the displacement of disk i from its anchor, m, and v with
    its velocity, m/s. Since every plan calls it, it repeats the code of
-   disks_position and disks_separation without their divisions: 10 000
-   spheres run 6 % faster. Only disks under gravity call disks_position. */
+   disks_position and disks_separation without their divisions: runs of 10
+   000 spheres are 6 % faster. Only disks under gravity call
+   disks_position. */
 static void from_anchor(const struct cells *c, uint32_t i, double way[],
                         double v[])
 {
@@ -48,12 +49,13 @@ static void from_anchor(const struct cells *c, uint32_t i, double way[],
     }
 }
 
-/* Returns when disk i will be a skin away from its anchor, s (7.15,
-   eq:skin-end): INFINITY, without taking a root, if that is not before
-   `until`, and now if rounding has put it there already. Under gravity the
-   exact time would be the root of a quartic. Instead, a quarter of the skin
-   is reserved for falling, which suffices for the time `most`, and a
-   straight flight may use the other three quarters. */
+/* Returns the time, s, at which disk i will be a skin away from its anchor
+   (7.15, eq:skin-end): INFINITY, without taking a root, if that is not
+   before `until`, and the present time if rounding has put it there
+   already. Under gravity the exact time would be the root of a quartic.
+   Instead, a quarter of the skin is reserved for falling, which suffices
+   for the time `most`, and a straight flight may use the other three
+   quarters. */
 static double skin_end(const struct cells *c, uint32_t i, double until)
 {
     const double g = c->d->gravity;
@@ -89,9 +91,9 @@ static void meet_each(const struct cells *c, uint32_t i,
     }
 }
 
-/* Code for four neighbours at a time. It does the operations of
-   disks_meeting in the same order, and vector lanes round as scalars do, so
-   the results are equal to the last bit. */
+/* Code for four neighbours at once. It does the operations of disks_meeting
+   in the same order, and vector lanes round as scalars do, so the results
+   are equal to the last bit. */
 #ifdef VECTOR_AVX2
 typedef __m256d v4;
 typedef long long l4 __attribute__((vector_size(32)));
@@ -196,8 +198,8 @@ VECTOR_AVX2 static inline void meet_four(const struct cells *c,
     first->who = (l4)choose((v4)first->who, (v4)who, sooner);
 }
 
-/* Does what meet_each does. A list whose length is no multiple of four is
-   padded with disk i itself, which it never meets. */
+/* Does what meet_each does. A list whose length is not a multiple of four
+   is padded with disk i itself, which it never meets. */
 VECTOR_AVX2 static void meet_by_fours(const struct cells *c, uint32_t i,
                                       struct disks_event *first)
 {
@@ -217,9 +219,8 @@ VECTOR_AVX2 static void meet_by_fours(const struct cells *c, uint32_t i,
 }
 #endif
 
-/* Code for eight neighbours at a time. A 512-bit register takes halves of
-   two disks; pairs are chosen so that transposed columns follow the
-   list. */
+/* Code for eight neighbours at once. A 512-bit register takes halves of two
+   disks; pairs are chosen so that transposed columns follow the list. */
 #ifdef VECTOR_AVX512
 #define EIGHT VECTOR_LONG VECTOR_AVX512 static inline
 typedef __m512d v8;
@@ -446,8 +447,8 @@ FETCHING void look_ahead(const struct cells *c, size_t today)
     fetch_day(c, today + 1, true);
 }
 
-/* Plans the next event of disk i: it meets a wall or a neighbour, or
-   reaches the end of its skin, an event whose partner is i itself. */
+/* Plans the next event of disk i: a meeting with a wall or a neighbour, or
+   the end of its skin, an event whose partner is i itself. */
 static void plan(struct cells *c, uint32_t i)
 {
     struct disks *d = c->d;
@@ -520,9 +521,9 @@ static void clear_list(struct cells *c, uint32_t i)
     c->anchor[i].neighbours = 0;
 }
 
-/* Returns the cell that contains a place (7.16, eq:cell-index). Rounding
-   can give a place just below the edge of the box an index one too large,
-   which becomes that of the last cell. */
+/* Returns the cell that contains a position (7.16, eq:cell-index). Rounding
+   can give a position just below the edge of the box an index one too
+   large, which is replaced by that of the last cell. */
 static size_t cell_of(const struct cells *c, const double x[])
 {
     size_t cell = 0, k = DISKS_AXES;
@@ -558,8 +559,8 @@ static bool enlarge_cells(struct cells *c)
     return true;
 }
 
-/* Stores disk i's anchor, x[0], x[step], x[2 step], as a cell's entry
-   `at`. */
+/* Stores the anchor of disk i, with the coordinates x[0], x[step] and x[2
+   step], as entry `at` of a cell. */
 static void write_place(struct cells *c, size_t cell, size_t at, uint32_t i,
                         const float x[], size_t step)
 {
@@ -581,7 +582,8 @@ static void leave_cell(struct cells *c, uint32_t i)
     write_place(c, a.cell, a.spot, last, place_of(c, last), c->room);
 }
 
-/* Sets disk i's anchor to its present place; false if memory runs out. */
+/* Sets the anchor of disk i to its present position and stores it in the
+   cell there. Returns false if memory runs out. */
 static bool enter_cell(struct cells *c, uint32_t i)
 {
     double x[DISKS_AXES];
@@ -596,9 +598,9 @@ static bool enter_cell(struct cells *c, uint32_t i)
     return true;
 }
 
-/* A cell and its neighbours along one axis, and by how much their anchors
-   are shifted: the neighbour of an edge cell of a periodic box is the cell
-   at the opposite edge. */
+/* A cell and its neighbours along one axis, and the shifts of their
+   anchors: the neighbour of an edge cell of a periodic box is the cell at
+   the opposite edge. */
 struct beside {
     size_t count, at[3];
     float shift[3]; /* m */
@@ -641,11 +643,11 @@ enum {
 }; /* NEAR: most anchors collected; ROW: vector
       lanes */
 
-/* Anchors within the range that the widest disk would have. */
+/* Anchors that would be neighbours if their disks were the widest one. */
 struct near {
     size_t count;
     uint32_t who[NEAR + ROW];
-    float square[NEAR + ROW]; /* of their distances, m^2 */
+    float square[NEAR + ROW]; /* squared distances, m^2 */
 };
 
 /* Calls join_if_near for all anchors in *near, and empties it. Returns
@@ -659,7 +661,7 @@ static bool join_all(struct cells *c, uint32_t i, struct near *near)
     return true;
 }
 
-/* Computes the distances of a cell of at most 16 anchors at once, and
+/* Computes the distances of all anchors of a cell, at most 16, at once and
    appends the near anchors to *near; unused lanes are overwritten next
    time. A dense gas of 10 000 spheres, in which every eleventh collision
    renews a list, runs 3 % faster. */
@@ -686,14 +688,14 @@ VECTOR_AVX512 static void search_row(const struct cells *c, size_t cell,
 }
 #endif
 
-/* Appends to *near the anchors of a cell whose squared distance from a
-   place is at most `farthest`, m^2. Four distances are computed together,
-   in a loop of fixed length that compilers vectorise; entries beyond the
-   cell's last anchor never count. All four are written, but the count grows
-   for near ones only, so that the next write replaces a distant one: one in
-   seven is near, and a mispredicted branch costs more than a write. With
-   this, and with remove_neighbour, spheres at the packing 0.3 run a fifth
-   faster. */
+/* Appends to *near the anchors of a cell whose squared distance from the
+   position `from` is at most `farthest`, m^2. Returns false if memory runs
+   out. Four distances are computed together, in a loop of fixed length that
+   compilers vectorise; entries beyond the cell's last anchor never count.
+   All four are written, but the count grows for near ones only, so that the
+   next write replaces a distant one: one in seven is near, and a
+   mispredicted branch costs more than a write. With this, and with
+   remove_neighbour, spheres at packing fraction 0.3 run a fifth faster. */
 static bool search_cell(struct cells *c, uint32_t i, size_t cell,
                         const float from[], float farthest,
                         struct near *near)
@@ -730,8 +732,8 @@ static bool search_cell(struct cells *c, uint32_t i, size_t cell,
     return true;
 }
 
-/* Makes the list of disk i, from the 9 or 27 cells around its anchor.
-   Returns false if memory runs out. */
+/* Fills the neighbour list of disk i from the 9 or 27 cells around its
+   anchor. Returns false if memory runs out. */
 static bool find_neighbours(struct cells *c, uint32_t i)
 {
     const size_t nx = c->grid[0], ny = c->grid[1];
@@ -760,8 +762,8 @@ static bool find_neighbours(struct cells *c, uint32_t i)
     return join_all(c, i, &near);
 }
 
-/* Sets the anchor of disk i to its present place and makes its list anew.
-   Returns false if memory runs out. */
+/* Sets the anchor of disk i to its present position and makes its list
+   again. Returns false if memory runs out. */
 static bool renew(struct cells *c, uint32_t i)
 {
     clear_list(c, i);
@@ -769,9 +771,9 @@ static bool renew(struct cells *c, uint32_t i)
     return enter_cell(c, i) && find_neighbours(c, i);
 }
 
-/* Mean number of neighbours to aim at in the plane and in space, measured
-   to be fastest for spheres at packings from 0.3 to 0.5; 50 % more cost
-   little time, but memory. */
+/* Wanted mean number of neighbours in the plane and in space. These were
+   measured to be fastest for spheres at packing fractions from 0.3 to 0.5;
+   50 % more cost little time, but memory. */
 enum { CROWD = 10, CROWD_3 = 11 };
 
 /* Returns the skin, m. It is so wide that a circle or sphere of radius 2 (r
@@ -818,12 +820,12 @@ static struct sizes sizes(const struct disks *d)
 }
 
 /* Chooses the skin and divides the box into cells as wide as the range of
-   the widest pair, so that a single giant counts once, but not into more
-   than about two for each disk, which bring no gain. Returns whether the
-   box is wide enough: a periodic axis needs three cells, or one cell would
-   lie on both sides of another; between walls one is enough. slack allows
-   for anchors being rounded to floats: it is a millionth of the box, and
-   they are wrong by up to a sixteen-millionth. */
+   the widest pair, so that a single giant counts once, but into no more
+   than about two cells for each disk, since more bring no gain. Returns
+   whether the box is wide enough: a periodic axis needs three cells, or one
+   cell would lie on both sides of another; between walls one is enough.
+   slack allows for the rounding of anchors to floats: it is a millionth of
+   the box, and their errors are at most a sixteen-millionth. */
 static bool lay_grid(struct cells *c, const struct disks *d)
 {
     const struct sizes s = sizes(d);
@@ -847,7 +849,8 @@ static bool lay_grid(struct cells *c, const struct disks *d)
     return suit;
 }
 
-/* The limits of the sides keep squares of distances within floats. */
+/* The limits of the sides keep squares of distances in the range of
+   floats. */
 bool cells_suit(const struct disks *d)
 {
     struct cells c;
@@ -926,9 +929,10 @@ bool cells_fit(const struct cells *c, size_t *a, size_t *b)
     return !clash;
 }
 
-/* Handles the events that are no collision: the end of a skin, and a stale
-   plan, whose partner has collided since. Returns whether e is one of
-   these, after making a new plan; sets *memory to false if it runs out. */
+/* Handles the events that are not collisions: the end of a skin, and a
+   stale plan, whose partner has collided since. Returns whether e is one of
+   these, after making a new plan; sets *memory to false if memory runs
+   out. */
 static bool replan(struct cells *c, struct disks_event e, bool *memory)
 {
     struct disks *d = c->d;
@@ -947,8 +951,8 @@ static bool replan(struct cells *c, struct disks_event e, bool *memory)
     return true;
 }
 
-/* Works as disks_run, also through disks_collide, but takes the next event
-   from the calendar and plans events with neighbours only. */
+/* Runs as disks_run does, also through disks_collide, but takes the next
+   event from the calendar and plans events with neighbours only. */
 enum disks_stop cells_run(struct cells *c, double until,
                           uint64_t collisions)
 {

@@ -9,12 +9,12 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* The anchor of a disk: the place that the disk had when its neighbour list
+/* The anchor of a disk: the position of the disk when its neighbour list
    was made, stored in the cell that contains it. */
 struct cells_anchor {
     uint32_t cell;
     uint16_t spot;       /* index of the anchor in its cell */
-    uint16_t neighbours; /* their number */
+    uint16_t neighbours; /* number of neighbours */
 };
 
 /* An engine for the disks of *d. Around each anchor lies a skin; the list
@@ -42,17 +42,18 @@ struct cells {
     uint64_t renewed; /* lists made again at the end of a skin */
 };
 
-/* Says whether the box suits cells: a periodic axis must be wide enough for
-   three of them, and the longest side be between 1e-12 and 1e15 m. */
+/* Returns whether the box suits cells: a periodic axis must be wide enough
+   for three of them, and the longest side must be between 1e-12 and 1e15
+   m. */
 bool cells_suit(const struct disks *d);
 
-/* Plans the first event of every disk of *d, which must outlive *c, and may
-   be read between runs but not changed. Returns false, with nothing to
-   free, if memory runs out. Requires cells_suit. */
+/* Plans the first event of every disk of *d. *d must outlive *c; between
+   runs it may be read but not changed. Returns false, with nothing to free,
+   if memory runs out. Requires cells_suit. */
 bool cells_create(struct cells *c, struct disks *d);
 void cells_free(struct cells *c);
 
-/* Answers as disks_fit does, but examines neighbours only. To be called
+/* Returns the same as disks_fit, but examines neighbours only. To be called
    before the first run. */
 bool cells_fit(const struct cells *c, size_t *a, size_t *b);
 
@@ -62,8 +63,8 @@ bool cells_fit(const struct cells *c, size_t *a, size_t *b);
 enum disks_stop cells_run(struct cells *c, double until,
                           uint64_t collisions);
 
-/* Returns how many neighbours this processor examines at once: 8, 4 or
-   1. */
+/* Returns how many neighbours vector code of this processor examines at
+   once: 8, 4 or 1. */
 size_t cells_lanes(void);
 
 #endif

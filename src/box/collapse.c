@@ -1,4 +1,4 @@
-/* Whether a run of disks can go on: inelastic collapse, and too cold. */
+/* Tests whether a run must end: inelastic collapse, or disks too slow. */
 #include "box/image.h"
 
 #include <math.h>
@@ -31,9 +31,9 @@ bool disks_cold(const struct disks *d)
     return moves && !(d->gravity > 0);
 }
 
-/* Says, after a collision of disk i, whether all disks are too cold. It is
-   nearly always fast, since disk i is too fast itself. Only a gas that
-   loses energy gets cold. */
+/* Returns, after a collision of disk i, whether all disks are too cold.
+   Only a gas that loses energy gets cold, and nearly always disk i itself
+   is fast enough, so most calls need no loop. */
 static bool may_be_cold(const struct disks *d, size_t i)
 {
     return d->restitution < 1 && square_of_speed(&d->disk[i]) < 1e-100 &&

@@ -1,4 +1,4 @@
-/* Boxes for sampling, and densities at contact from slides along lines. */
+/* Boxes for sampling; densities at contact from free parts of lines. */
 #include "box/image.h"
 #include "box/sampling.h"
 
@@ -39,14 +39,14 @@ void sampling_free(struct sampling *s)
    t, m, from low to high. */
 struct line {
     const struct sampling *s;
-    size_t i, except; /* disk that slides; disk that is ignored */
+    size_t i, except; /* disk on the line; disk that is ignored */
     double from[DISKS_AXES], along[DISKS_AXES];
     double low, high;
     size_t count; /* number of blocked intervals, in s->blocked */
 };
 
-/* Marks as blocked the part of the line within `reach` of a centre, given
-   relative to the line's first point; keeps the intervals sorted. */
+/* Marks as blocked the part of the line within `reach` of a centre, which
+   is given relative to l->from; keeps the blocked intervals sorted. */
 static void block(struct line *l, const double centre[], double reach)
 {
     double(*blocked)[2] = l->s->blocked;
@@ -143,7 +143,8 @@ static double end_of_ray(const struct line *l)
     return end;
 }
 
-/* The line begins where disks i and j touch and leads to the place of i. */
+/* The line starts at the centre of disk j and passes through that of disk
+   i; the part in use begins where the two disks touch. */
 double sampling_pair_density(const struct sampling *s, size_t i, size_t j)
 {
     const struct disks *d = &s->disks;
@@ -163,8 +164,8 @@ double sampling_pair_density(const struct sampling *s, size_t i, size_t j)
     return part > 0 && low ? at / part : 0;
 }
 
-/* Takes the root of a product, since the difference of the squares would
-   lose digits where the segment is thin. */
+/* The root is that of a product, since a difference of squares would lose
+   digits for a thin segment. */
 double sampling_segment(size_t dimensions, double radius, double distance)
 {
     const double rest = radius - distance;

@@ -1,5 +1,5 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 2508177315 of the lines below */
+/* checksum 3108923045 of the lines below */
 /* Event-driven disks: all pairs examined, or one stored plan per disk. */
 #include "box/disks.h"
 
@@ -38,8 +38,8 @@ static struct disks_event event_of(size_t i, size_t j, double time)
     return (struct disks_event){time, (uint32_t)i, (uint32_t)j};
 }
 
-/* Returns the first event of disk i without another disk: it meets a wall,
-   or has flown so far that it needs a new plan. */
+/* Returns the first event of disk i that involves no other disk: a meeting
+   with a wall, or a new plan after a long flight. */
 static struct disks_event alone(const struct disks *d, size_t i,
                                 double replan)
 {

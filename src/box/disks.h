@@ -11,11 +11,11 @@
 enum {
     DISKS_AXES = 3,        /* coordinates; in the plane the third is 0 */
     DISKS_MOST = 10000000, /* largest number of disks */
-    DISKS_RANDOM = 20000   /* most for disks_place_random */
+    DISKS_RANDOM = 20000   /* largest number for disks_place_random */
 };
 
-/* A disk or a sphere since its last collision: its centre at the time t is
-   position + velocity (t - since); (5.12, eq:fall) adds gravity. */
+/* A disk or a sphere. Until its next collision its centre at the time t is
+   at position + velocity (t - since); (5.12, eq:fall) adds gravity. */
 struct disk {
     double position[DISKS_AXES]; /* m; not folded back into the box */
     double since;                /* s */
@@ -36,13 +36,13 @@ enum disks_boundary {
 enum disks_stop {
     DISKS_TIME,       /* time reached, or no event left */
     DISKS_COLLISIONS, /* number of collisions reached */
-    DISKS_COLLAPSE    /* the clock no longer advances */
+    DISKS_COLLAPSE    /* the clock stands still, or disks are too slow */
 };
 
 /* The next event of a disk: a collision with another disk or a wall.
-   Partners from count on are walls: count + axis. A disk that is its own
-   partner needs a new plan: in a periodic box plans have a limited
-   range. */
+   Partner numbers from count on stand for walls: count + axis. If a disk is
+   its own partner, it needs a new plan: in a periodic box plans have a
+   limited range. */
 struct disks_event {
     double time; /* s; INFINITY: no event */
     uint32_t disk, partner;
@@ -53,7 +53,7 @@ struct disks_event {
 struct disks {
     size_t dimensions, count; /* 2 or 3; number of disks */
     enum disks_boundary boundary;
-    double box[DISKS_AXES]; /* sides, m; 0: open along this axis */
+    double box[DISKS_AXES]; /* sides, m; 0 if open along this axis */
     double restitution;
     double gravity; /* towards the floor, m/s2; 0 in a periodic box */
     struct disk *disk;
@@ -76,31 +76,31 @@ bool disks_create(struct disks *d, size_t dimensions, size_t count);
 /* Frees the disks and makes *d empty. */
 void disks_free(struct disks *d);
 
-/* Returns after what time, s, at least 0, the centre of a disk at x with
-   the velocity v is a radius away from the wall ahead of it, at 0 or at
-   length, m (5.1, eq:wall-time); INFINITY at rest. */
+/* Returns the time, s, at least 0, until the centre of a disk at x with the
+   velocity v is a radius away from the wall ahead of it, at 0 or at length,
+   m (5.1, eq:wall-time); INFINITY at rest. */
 double disks_wall_time(double x, double v, double radius, double length);
 
-/* Returns after what time, s, at least 0, the centres of two disks are at
+/* Returns the time, s, at least 0, until the centres of two disks are at
    this distance, m (5.3, eq:pair-time): 0 for two that touch or overlap and
    approach, INFINITY for two that never meet. separation (m) and closing
-   (m/s), of DISKS_AXES numbers each, are position and velocity of the
-   second disk minus those of the first. */
+   (m/s), with DISKS_AXES components, are position and velocity of the
+   second disk relative to the first. */
 double disks_pair_time(const double separation[], const double closing[],
                        double distance);
 
-/* Returns when disks i and j will meet, s (5.10, eq:meeting), with equal
-   bits for every call between two of their collisions. In a periodic box it
-   takes the images that are nearest at the time `at`, s, which is not
-   before the last collision of either. */
+/* Returns the time, s, at which disks i and j will meet (5.10, eq:meeting).
+   It is equal to the last bit for all calls until one of them collides
+   again. In a periodic box it takes the images that are nearest at the time
+   `at`, s, which is not before the last collision of either. */
 double disks_meeting(const struct disks *d, size_t i, size_t j, double at);
 
-/* Returns when disk i will meet its next wall, s, and sets *axis to the
-   axis across which the wall stands; INFINITY if it meets none. */
+/* Returns the time, s, at which disk i will meet its next wall, or INFINITY
+   if it meets none; sets *axis to the axis across which that wall lies. */
 double disks_wall(const struct disks *d, size_t i, size_t *axis);
 
-/* Says whether event a comes before b: by time, and at equal times by the
-   smaller number of the pair, then by the larger. */
+/* Returns whether event a comes before b: by time, and at equal times by
+   the smaller number of the pair, then by the larger. */
 bool disks_before(struct disks_event a, struct disks_event b);
 
 /* Returns the earliest event of all walls and all pairs. */
@@ -110,22 +110,21 @@ struct disks_event disks_next(const struct disks *d);
    velocities, and updates the clock, the counts and the sums. */
 void disks_collide(struct disks *d, struct disks_event event);
 
-/* Says whether more than 1000 + 10 count collisions have taken place at the
-   present time, so that the clock will never advance again. */
+/* Returns whether more than 1000 + 10 count collisions have taken place at
+   the present time, so that the clock will never advance again. */
 bool disks_collapsed(const struct disks *d);
 
-/* Says whether all disks are too slow for double precision, though some
+/* Returns whether all disks are too slow for double precision, though some
    move. With v the speed of the fastest disk, v^2, (v times the largest
    radius)^2, which the time of a contact needs, and m v^2 must be at least
-   2^-900. That is 70 bits above 2^-970, the last number of full precision:
-   relative velocities are exact down to speeds 3e10 times slower, and
-   slower disks meet 3e10 times later. With radii and masses of 1 the
-   slowest speed is 3.5e-136 m/s. A gas that gets colder ends as in a
-   collapse; under gravity no speed is too slow. */
+   2^-900. Squares of speeds 3e10 times lower, 2^-970, still have full
+   precision; such slow disks meet 3e10 times later. With radii and masses
+   of 1 the slowest speed is 3.5e-136 m/s. A gas that gets colder ends as in
+   a collapse; under gravity no speed is too slow. */
 bool disks_cold(const struct disks *d);
 
-/* Says, after a collision of disk i, whether disks_collapsed or disks_cold
-   ends the run. */
+/* Returns, after a collision of disk i, whether the run must end because of
+   disks_collapsed or disks_cold. */
 bool disks_over(const struct disks *d, size_t i);
 
 /* Returns the first disk that lies at rest on the floor under gravity, its
@@ -133,10 +132,10 @@ bool disks_over(const struct disks *d, size_t i);
    ends a run as a collapse does. */
 size_t disks_lying(const struct disks *d);
 
-/* Returns how far a disk may fly before it needs a new plan, m, since other
-   images may then be the nearest; INFINITY with walls. 0 if the box is too
-   narrow to be periodic: less than a few millionths wider than four of the
-   largest radii. */
+/* Returns the distance, m, that a disk may fly before it needs a new plan,
+   since other images may then be the nearest; INFINITY with walls, 0 if the
+   box is too narrow to be periodic: less than a few millionths wider than
+   four of the largest radii. */
 double disks_replan_distance(const struct disks *d);
 
 /* Allocates the plans for disks_run, and plans from the present state. To
@@ -176,20 +175,21 @@ void disks_drift(const struct disks *d, double drift[]);
    from it: 2 K / (D N - P), with P the number of periodic axes, along each
    of which N disks have only N - 1 independent relative velocities. Under
    gravity kT is that of equilibrium, 2 E / ((D + 2) N - P) (7.13,
-   eq:weight-energy). It is 0 for a single disk without walls. */
+   eq:weight-energy). kT is 0 for a single disk without walls. */
 double disks_heat(const struct disks *d);
 double disks_temperature(const struct disks *d);
 
-/* Returns the packing fraction: disk area (volume) over that of the box. */
+/* Returns the packing fraction: the area (volume) of all disks divided by
+   that of the box. */
 double disks_packing(const struct disks *d);
 
-/* Say whether the box is periodic along axis k, and whether it has walls
-   across it; an open box has neither. */
+/* Return whether the box is periodic along axis k, and whether it has walls
+   across this axis; an open box has neither. */
 bool disks_wraps(const struct disks *d, size_t k);
 bool disks_walled(const struct disks *d, size_t k);
 
-/* Folds a place back into the box along its periodic axes, for a table or a
-   picture: during a run places are not folded. */
+/* Folds a position back into the box along its periodic axes, for a table
+   or a picture: during a run positions are not folded. */
 void disks_fold(const struct disks *d, double place[]);
 
 /* Fills separation with b - a, m; in a periodic box b is replaced by its
@@ -197,13 +197,13 @@ void disks_fold(const struct disks *d, double place[]);
 void disks_separation(const struct disks *d, const double a[],
                       const double b[], double separation[]);
 
-/* Says whether all disks are in the box and none overlaps another by more
-   than 1e-9 of the box or of their distance. If not, *a and *b are the
+/* Returns whether all disks are in the box and none overlaps another by
+   more than 1e-9 of the box or of their distance. If not, *a and *b are the
    first two that overlap, or *b = count for a wall. Examines every pair. */
 bool disks_fit(const struct disks *d, size_t *a, size_t *b);
 
-/* Says whether disks a and b now overlap by more than disks_fit allows;
-   with b = count, whether disk a sticks out of the box. */
+/* Returns whether disks a and b now overlap by more than disks_fit allows;
+   with b = count, whether disk a extends beyond the walls. */
 bool disks_clash(const struct disks *d, size_t a, size_t b);
 
 /* Place the disks, whose radii are given, on that close-packed lattice
@@ -219,8 +219,9 @@ bool disks_place_random(struct disks *d, struct random *r);
 void disks_set_speed(struct disks *d, double v, struct random *r);
 void disks_set_temperature(struct disks *d, double kT, struct random *r);
 
-/* Moves every disk to its present place and sets the clock and all counts
-   to zero, as after a warm-up. disks_plan must be called again after it. */
+/* Moves every disk to its present position and sets the clock and all
+   counts to zero, as after a warm-up. disks_plan must be called again after
+   it. */
 void disks_settle(struct disks *d);
 
 #endif

@@ -33,8 +33,9 @@ void falling_land(const struct disks *d, struct disk *a)
     a->since = d->now;
 }
 
-/* Takes the heights at the last collisions, to go with the velocities
-   there: the total energy of a disk is constant along its flight. */
+/* Uses the heights at the last collisions, as the velocities are those at
+   the last collisions, too: the energy of a disk is constant along its
+   flight. */
 double falling_energy(const struct disks *d)
 {
     double energy = 0;

@@ -6,8 +6,9 @@
 
 #include <math.h>
 
-/* Adds to a place, m, and to a velocity, m/s (or NULL), both moved straight
-   on for the time wait, s, the change by gravity (5.12, eq:fall). */
+/* Adds the change by gravity (5.12, eq:fall) to a position, m, and to a
+   velocity, m/s, or NULL, that have been moved straight on for the time
+   wait, s. */
 static inline void falling_move(const struct disks *d, double wait,
                                 double place[], double velocity[])
 {
@@ -30,8 +31,8 @@ static inline void falling_between(const struct disks *d,
     x[1] += lag / 2 * wait;
 }
 
-/* Returns how long disk a flies from its last collision to floor or roof,
-   s. */
+/* Returns the time, s, from the last collision of disk a until it reaches
+   floor or roof. */
 double falling_wall(const struct disks *d, const struct disk *a);
 
 /* Moves disk a to the floor or the roof, which it meets now. */

@@ -26,7 +26,7 @@ void disks_drift(const struct disks *d, double drift[])
     for (size_t i = 0; i < d->count; ++i)
         mass += d->mass[i];
     for (size_t k = 0; k < DISKS_AXES; ++k) {
-        /* Relative to the first disk: exact if all fly alike. */
+        /* Relative to the first disk: exact if all move alike. */
         const double seen = d->disk[0].velocity[k];
         double sum = 0;
         for (size_t i = 0; i < d->count && disks_wraps(d, k); ++i)

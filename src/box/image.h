@@ -1,5 +1,5 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 144480966 of the lines below */
+/* checksum 1512181594 of the lines below */
 /* Scalar products and nearest images, for code that examines pairs. */
 #ifndef IMAGE_H
 #define IMAGE_H
@@ -18,7 +18,7 @@ static inline double nearest_whole(double x)
     return x + shift - shift;
 }
 
-/* Says whether the box is periodic along axis k. */
+/* Returns whether the box is periodic along axis k. */
 static inline bool wraps(const struct disks *d, size_t k)
 {
     return k < d->dimensions && d->box[k] > 0 &&

@@ -18,11 +18,13 @@ struct loop {
 /* Carries out the next event and finds the one after it. */
 void loop_event(struct loop *l);
 
-/* Takes one turn of the article's loop, which makes one record: one tick of
-   `every` s later, or at the next event if that comes first. */
+/* Runs one turn of the article's loop, which makes one record: moves the
+   disks to the next tick, `every` s later, or to the next event if that is
+   earlier. */
 void loop_turn(struct loop *l, double every);
 
-/* Carries out all events before the tick, s, and moves all disks to it. */
+/* Carries out all events up to a tick, s, and sets the clock to the
+   tick. */
 void loop_go_to(struct loop *l, double tick);
 
 /* Returns the deepest overlap of disks with each other or with the walls,

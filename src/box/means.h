@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { MEANS_BLOCKS = 128 }; /* even; a long run uses at least half */
+enum { MEANS_BLOCKS = 128 }; /* even; a long run fills at least half */
 
 /* Sums of quantities over blocks of samples. When all blocks are full,
    neighbours are joined, and from then on a block is twice as long: an
@@ -14,12 +14,12 @@ enum { MEANS_BLOCKS = 128 }; /* even; a long run uses at least half */
    uncertain by 6 to 9 %. (box/blocks.h adds whole samples; here a sample
    changes a few of hundreds of bins.) */
 struct means {
-    size_t quantities, blocks; /* blocks: full ones */
-    uint64_t length, filled;   /* samples in a full block, in the last */
-    double *sum; /* of block b, quantity q: at b quantities + q */
+    size_t quantities, blocks; /* blocks: number of full ones */
+    uint64_t length, filled;   /* samples in a full block, in the next */
+    double *sum; /* sum[b * quantities + q]: block b, quantity q */
 };
 
-/* Makes *m empty. Returns false if memory runs out. */
+/* Prepares *m without samples. Returns false if memory runs out. */
 bool means_create(struct means *m, size_t quantities);
 void means_free(struct means *m);
 

@@ -6,12 +6,13 @@
 
 #include <math.h>
 
-/* Fills time[j] with when disk i meets disk j, s. It repeats disks_meeting
-   and disks_pair_time with the same operations in the same order, hence
-   with equal bits, but without a branch: also for a disk that is not met it
-   computes root and quotient, and discards them. So a compiler can take
-   four or eight disks at a time, and no branch is mispredicted. A run takes
-   a fifth less time with 4 disks, half with 16, a quarter with 256. */
+/* Fills time[j] with the time, s, when disk i meets disk j. The results
+   equal those of disks_meeting to the last bit, since the operations and
+   their order are the same. But there is no branch: root and quotient are
+   computed also for disks that are not met, and discarded. So a compiler
+   can take four or eight disks at once, and no branch is mispredicted. A
+   run takes a fifth less time with 4 disks, half with 16, a quarter with
+   256. */
 static inline void meet_all(const struct disks *d, size_t i, double *time,
                             bool images)
 {
@@ -41,7 +42,8 @@ static inline void meet_all(const struct disks *d, size_t i, double *time,
     }
 }
 
-/* Two versions, for walls and images, to keep the test out of the loop. */
+/* Two versions, without and with images, to keep the test out of the
+   loop. */
 VECTOR_LOOP static void meet_all_walls(const struct disks *d, size_t i,
                                        double *restrict time)
 {

@@ -4,8 +4,8 @@
 
 #include "box/disks.h"
 
-/* Fills time[j] with when disk i meets disk j as seen at d->now, s, for all
-   j but i: equal to disks_meeting(d, i, j, d->now) to the last bit. */
+/* Fills time[j] with the time, s, when disk i meets disk j, for all j but
+   i: equal to disks_meeting(d, i, j, d->now) to the last bit. */
 void meetings_of(const struct disks *d, size_t i, double time[]);
 
 #endif

@@ -6,9 +6,9 @@
 
 /* The next event of each disk, as found when it was planned last. */
 struct disks_plan {
-    double replan;             /* flight before a new plan, m */
+    double replan;             /* longest flight before a new plan, m */
     struct disks_event *event; /* next event of each disk */
-    uint32_t *hits;            /* of the partner at planning */
+    uint32_t *hits;            /* partner's collisions at planning */
     double *time;              /* scratch: times of meeting, s */
 };
 

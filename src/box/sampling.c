@@ -1,5 +1,5 @@
 /* From chapters/06-room.nw: edit there, then run make tangle. */
-/* checksum 1249231120 of the lines below */
+/* checksum 610927919 of the lines below */
 /* Monte Carlo: direct sampling, a Markov chain, event chains. */
 #include "box/sampling.h"
 
@@ -10,12 +10,13 @@
 #include <string.h>
 
 enum {
-    LEAST_SEEN = 10, /* fewer successful throws make no reliable fraction */
+    LEAST_SEEN = 10, /* with fewer successful throws a fraction is
+                        unreliable */
     TRIES = 100000   /* attempts to place a small disk */
 };
 
-/* Returns the square of the distance of two places, m^2; in a periodic box
-   that of the nearest images. */
+/* Returns the square of the distance of two positions, m^2; in a periodic
+   box that of the nearest images. */
 static double squared(const struct sampling *s, const double a[],
                       const double b[])
 {
@@ -28,8 +29,8 @@ static double squared(const struct sampling *s, const double a[],
     return sum;
 }
 
-/* Says whether disk i could be at this place without overlapping one of the
-   first `among` disks that it interacts with. */
+/* Returns whether disk i could be at this position without overlapping one
+   of the first `among` disks that it interacts with. */
 static bool fits(const struct sampling *s, size_t i, const double place[],
                  size_t among)
 {
@@ -120,8 +121,8 @@ bool sampling_try(struct sampling *s, double step, struct random *r)
     return true;
 }
 
-/* Places the large disks at the centres of a square or cubic grid; says
-   whether they fit. */
+/* Places the large disks at the centres of the cells of a square or cubic
+   grid. Returns whether they fit. */
 static bool place_on_grid(struct sampling *s)
 {
     const struct disks *d = &s->disks;

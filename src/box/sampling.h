@@ -11,9 +11,9 @@
 
 enum { SAMPLING_IMAGES = 27 }; /* images of a disk that may reach a cell */
 
-/* Hard disks or spheres of which only the places matter: first the large
-   ones, then small ideal ones, which must not overlap large ones or walls
-   but may overlap each other. */
+/* Hard disks or spheres without motion: first the large ones, then small
+   ideal ones, which must not overlap large ones or walls but may overlap
+   each other. */
 struct sampling {
     struct disks disks; /* all of them; velocities are not used */
     size_t large;
@@ -32,7 +32,7 @@ bool sampling_create(struct sampling *s, size_t dimensions,
 void sampling_free(struct sampling *s);
 
 /* Places the disks one after another at random, up to the first that
-   overlaps, and returns how many fitted. If all did, the places are a
+   overlaps, and returns how many fitted. If all did, their positions are a
    sample of (6.1, eq:throw). */
 size_t sampling_throw(struct sampling *s, struct random *r);
 

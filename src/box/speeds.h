@@ -24,10 +24,10 @@ struct speeds_law speeds_exact(size_t dimensions, size_t disks,
 struct speeds_law speeds_maxwell(size_t dimensions, bool component);
 
 /* Fills density[bins] with the law's means over bins of this width from 0
-   on, and returns the mean of u, with equal bits on every machine. Both are
-   within 1e-9 for at least 6 disks and bins of 0.1 that reach to 4. (For 2
-   or 3 disks the law may end abruptly, and the density of its last bin be
-   wrong by 2e-2.) */
+   on, and returns the mean of u; both are identical on every machine. Both
+   are within 1e-9 for at least 6 disks and bins of 0.1 that reach to 4.
+   (For 2 or 3 disks the law may end abruptly, and the density of its last
+   bin be wrong by 2e-2.) */
 double speeds_bins(const struct speeds_law *l, double width, size_t bins,
                    double density[]);
 

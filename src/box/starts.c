@@ -51,7 +51,8 @@ static bool within_walls(const struct disks *d, const double place[],
     return true;
 }
 
-/* A NaN in a place makes every comparison false, and the disk clashes. */
+/* A NaN in a position makes every comparison false; the disk then counts as
+   overlapping. */
 bool disks_clash(const struct disks *d, size_t a, size_t b)
 {
     double here[DISKS_AXES], there[DISKS_AXES], separation[DISKS_AXES];
@@ -144,7 +145,7 @@ static void try_layers(const struct disks *d, double r, size_t need,
     }
 }
 
-/* Returns the lattice with at least this number of places whose sites are
+/* Returns the lattice with at least this number of sites whose sites are
    farthest apart. Disks in the plane have one layer; for spheres more than
    twice as many layers as in a cubic lattice are never best. */
 static struct lattice best_lattice(const struct disks *d, double r,
@@ -195,8 +196,8 @@ static size_t odd_one_out(const struct disks *d, double *r)
     return d->disk[big].radius > *r ? big : d->count;
 }
 
-/* Says whether the large disk in the middle overlaps a disk of radius r, m,
-   at this place. */
+/* Returns whether the large disk in the middle overlaps a disk of radius r,
+   m, at this position. */
 static bool covered(const struct disks *d, size_t big, double r,
                     const double place[])
 {
@@ -246,8 +247,8 @@ static void fill_lattice(struct disks *d, const struct lattice *l,
     }
 }
 
-/* If too few sites are uncovered, it adds the missing number to the places
-   and tries again. */
+/* If too few sites are uncovered, adds the missing number to the sites of
+   the lattice and tries again. */
 bool disks_place_lattice(struct disks *d)
 {
     double r;
@@ -271,7 +272,7 @@ bool disks_place_lattice(struct disks *d)
     return big == d->count || !disks_clash(d, big, d->count);
 }
 
-/* Says whether disk i overlaps a disk with a smaller number. */
+/* Returns whether disk i overlaps a disk with a smaller number. */
 static bool overlaps(const struct disks *d, size_t i)
 {
     const struct disk *a = &d->disk[i];
@@ -285,8 +286,8 @@ static bool overlaps(const struct disks *d, size_t i)
     return false;
 }
 
-/* Moves disk a to a random place in the box, a radius away from walls.
-   Returns false if the box is too narrow for it. */
+/* Moves disk a to a random position in the box, at least a radius away from
+   walls. Returns false if the box is too narrow for it. */
 static bool throw_disk(const struct disks *d, struct disk *a,
                        struct random *r)
 {
@@ -301,8 +302,9 @@ static bool throw_disk(const struct disks *d, struct disk *a,
 
 /* Gives up after 10 000 tries for one disk, since those before it are not
    moved aside. Not all allowed states are equally likely, as the first
-   disks have more choice: a start, which a run forgets, not a sample (see
-   chapter 6). It works up to a packing of about a half in the plane. */
+   disks have more choice: this is a start, which a run forgets, not a
+   sample (see chapter 6). It works up to a packing fraction of about a half
+   in the plane. */
 bool disks_place_random(struct disks *d, struct random *r)
 {
     enum { TRIES = 10000 };
@@ -316,8 +318,8 @@ bool disks_place_random(struct disks *d, struct random *r)
     return true;
 }
 
-/* Folds all places back into the box and resets all counters, since these
-   belong to the run that has ended. */
+/* Folds all positions back into the box and resets all counters, since
+   these belong to the run that has ended. */
 void disks_settle(struct disks *d)
 {
     for (size_t i = 0; i < d->count; ++i) {

@@ -38,10 +38,10 @@ void states_begin(struct table *out, const struct disks *d)
     table_column(out, "t0", "s", "time of its last collision");
 }
 
-/* Writes the present place folded back into a periodic box. The place of
-   the last collision is not folded, since a run that is continued must know
-   how often a disk has crossed the box: from a rounded place it would
-   differ after some two dozen collisions of each disk. */
+/* Writes the present position folded back into a periodic box. The position
+   at the last collision is not folded, since a run that is continued must
+   know how often a disk has crossed the box: from a rounded position it
+   would differ after some two dozen collisions of each disk. */
 void states_write(struct table *out, const struct disks *d)
 {
     const size_t D = d->dimensions;
@@ -109,7 +109,7 @@ static void read_box(struct file *f, const char *text)
 }
 
 /* Reads a row: 8 numbers for disks and 10 for spheres, or 11 and 14 with
-   place and time of the last collision. Returns false if it is wrong. */
+   position and time of the last collision. Returns false if it is wrong. */
 static bool read_row(struct file *f, const char *text)
 {
     double *row = f->row[f->rows];
@@ -196,8 +196,8 @@ static bool take_rows(struct disks *d, const struct file *f)
     return true;
 }
 
-/* Makes the disks from the rows; returns false if the file as a whole is
-   wrong, and then names no line. */
+/* Creates the disks from the rows. Returns false if the file as a whole is
+   wrong; the message then names no line. */
 static bool make_disks(struct disks *d, struct file *f)
 {
     const size_t D = f->columns == 8 || f->columns == 11 ? 2 : 3;

@@ -7,14 +7,15 @@
 
 enum { STATES_MESSAGE = 256 };
 
-/* The boundaries' names in the head line of a file of states, then NULL. */
+/* The names of the boundaries in the head line of a file of states, then
+   NULL. */
 extern const char *const states_boundaries[DISKS_BOUNDARIES + 1];
 
 /* Write the head of a file of states, and one block of it. */
 void states_begin(struct table *out, const struct disks *d);
 void states_write(struct table *out, const struct disks *d);
 
-/* Makes the disks of the last block of a file, at its time; the sides of
+/* Creates the disks of the last block of a file, at its time; the sides of
    the box are 0 if the head names none. Returns false, with nothing to
    free, and the file, line and reason in message, if the file cannot be
    read. Does not check that the disks fit. */

@@ -25,12 +25,13 @@ void disks_fold(const struct disks *d, double place[])
         }
 }
 
-/* Returns how long disk a flies from its last collision to its next wall,
-   s, between walls on all sides and without gravity. More than half of the
+/* Returns the time, s, from the last collision of disk a to its next wall,
+   between walls on all sides and without gravity. More than half of the
    events of four disks are at a wall; the side to which a disk flies and
    the wall that comes first are random, so a processor would mispredict
-   every other branch. So both sides are computed, with bits equal to those
-   of disks_wall_time: a tenth more events a second. */
+   every other branch. So both sides are computed, with results equal to
+   those of disks_wall_time to the last bit: a tenth more events a
+   second. */
 static double wall_of_either(const struct disks *d, const struct disk *a,
                              size_t *axis)
 {

@@ -1,4 +1,4 @@
-/* Builds a cradle, a break, gases and lines of hard bodies. */
+/* Builds scenes of hard bodies: a cradle, a break, gases and lines. */
 #include "forces/hard.h"
 
 #include "toolbox/random.h"
@@ -7,7 +7,8 @@
 
 static const char no_memory[] = "there is no memory for so many bodies";
 
-/* Makes a scene of colliding bodies, all of one radius. */
+/* Creates a scene of colliding bodies of equal radius. Returns false if
+   memory runs out. */
 static bool create(struct scene *s, size_t bodies, double radius, double dt)
 {
     if (!scene_create(s, bodies))
@@ -19,7 +20,7 @@ static bool create(struct scene *s, size_t bodies, double radius, double dt)
     return true;
 }
 
-/* Frees a body along the first `axes` axes, fixes it along the others. */
+/* Makes a body free along the first `axes` axes and fixed along others. */
 static void free_along(struct scene *s, size_t body, size_t axes)
 {
     for (size_t k = 0; k < SCENE_AXES; ++k)
@@ -49,7 +50,7 @@ enum {
 
 static const double cradle_radius = 0.1, cradle_way = 0.5; /* m */
 
-/* Places the balls of the cradle along x; the moving balls start half a
+/* Places the balls of the cradle along x. The moving balls start half a
    metre away from the row. */
 static void place_in_a_row(struct scene *s, const double value[])
 {
@@ -73,10 +74,10 @@ static void place_in_a_row(struct scene *s, const double value[])
 static const double cradle_stiffness = 1e5, cradle_gravity = 9.81;
 
 /* Hangs each ball on a string, a stiff spring from a fixed body above it.
-   Balls that had a velocity are pulled aside and released at rest instead.
-   The rest length is a little less than the distance to the fixed body, so
-   that a ball hanging straight down is in equilibrium. Returns false if
-   memory runs out. */
+   Balls with a velocity are instead pulled aside and start at rest. The
+   rest length is a little less than the distance to the fixed body, so that
+   a ball hanging straight down is in equilibrium. Returns false if memory
+   runs out. */
 static bool hang(struct scene *s, size_t balls, double length)
 {
     const size_t n = s->bodies;
@@ -122,8 +123,8 @@ static const char *build_cradle(struct scene *s, const double value[])
     if (!hanging) {
         const double end =
             (double)(balls - 1) * (2 * cradle_radius + value[CRADLE_GAP]);
-        /* A ball flying out turns back after twice the distance that the
-           first ball came. */
+        /* A ball that flies out moves twice as far as the first ball did
+           before a wall reflects it. */
         const double room = cradle_radius + 2 * cradle_way;
         set_walls(s, 0, SCENE_HARD, -room, end + room);
     }
@@ -148,7 +149,7 @@ static const double ball_radius = 0.028575, ball_mass = 0.17,   /* m, kg */
     cue_place = -1.27, table_length = 2.54, table_width = 1.27; /* m */
 
 /* Places the balls in a triangle with this distance between neighbours, m,
-   each displaced at random by up to jitter. */
+   and displaces each at random by up to `jitter`, m, along x and y. */
 static void rack(struct scene *s, double distance, double jitter,
                  struct random *r)
 {
@@ -200,8 +201,8 @@ enum {
     GAS_HEAVY_RADIUS
 };
 
-/* Builds a scene from disks in their box; a heavy disk becomes a species of
-   its own. Returns false if memory runs out. */
+/* Builds a scene from disks and their box. A disk whose mass is not 1
+   becomes species 1. Returns false if memory runs out. */
 static bool copy_disks(struct scene *s, const struct disks *d, double dt)
 {
     const size_t n = d->count;
@@ -222,11 +223,11 @@ static bool copy_disks(struct scene *s, const struct disks *d, double dt)
     return true;
 }
 
-/* Fills in a gas by the module of chapter 5: so the scene four-disks is,
-   number for number, the start of `disks --disks 4 --radius 0.15 --box
-   1,1`, and the gas that of `disks --disks 250 --radius 0.1 --box 7.5,5
-   --start random`. A heavy disk is the first, to be placed while there is
-   still room, and gets the kinetic energy of a light one. */
+/* Builds a gas with the functions of chapter 5, so that the scene
+   four-disks has exactly the numbers at the start of `disks --disks 4
+   --radius 0.15 --box 1,1`, and the scene gas those of `disks --disks 250
+   --radius 0.1 --box 7.5,5 --start random`. A heavy disk is placed first,
+   while there is room, and gets the kinetic energy of a light one. */
 static const char *fill_gas(struct scene *s, struct disks *d,
                             const double value[], double heavy,
                             double heavy_radius)
@@ -276,11 +277,11 @@ static const char *build_brownian(struct scene *s, const double value[])
 
 enum { LINE_BODIES, LINE_RATIO, LINE_RADIUS, LINE_SEED, LINE_DT };
 
-/* Copies the bodies of a start into a scene, from body `first` on. A
-   start's bodies are points, which never overlap, so they get a radius
-   here, as (2.2, eq:rods) allows: body i moves to the right by 2i + 1
-   radii, the right wall by 2n radii for n bodies, and the motion is
-   otherwise unchanged. */
+/* Copies the bodies of a start into a scene, from body `first` on. In a
+   start they are points and never overlap; here they get a radius, as (2.2,
+   eq:rods) allows: body i is shifted to the right by 2i + 1 radii, the
+   right wall by 2n radii for n bodies, and the motion is otherwise
+   unchanged. */
 static void copy_start(struct scene *s, const struct start *start,
                        size_t first, double radius)
 {
@@ -293,8 +294,8 @@ static void copy_start(struct scene *s, const struct start *start,
     }
 }
 
-/* Builds a scene from a start on a line. Galperin's has a wall on one side
-   only, which a box cannot have; there the wall becomes the first body,
+/* Builds a scene from a start on a line. Galperin's start has a wall on one
+   side only, which a box cannot have: this wall becomes the first body,
    which is fixed. */
 static const char *build_line(struct scene *s, const double value[],
                               enum start_kind kind)
@@ -428,7 +429,7 @@ const struct gallery_scene hard_scenes[] = {
       {"dt", 0.01, 1e-9, 1, false, "step, s"}},
      build_galperin},
     {0}};
-/* Returns whether anything moves or lies outside one plane z = constant. */
+/* Returns whether the bodies do not move in one plane z = constant. */
 static bool is_deep(const struct scene *s)
 {
     const double *z = s->position + 2 * s->bodies;
@@ -439,8 +440,8 @@ static bool is_deep(const struct scene *s)
     return false;
 }
 
-/* The engine of chapter 5 also simulates spheres, so a scene that is not
-   plane is passed to it with three axes. */
+/* The engine of chapter 5 also simulates spheres, so that a scene that is
+   not plane is passed to it with three axes. */
 bool hard_disks(struct disks *d, const struct scene *s)
 {
     const size_t n = s->bodies;
@@ -463,8 +464,8 @@ bool hard_disks(struct disks *d, const struct scene *s)
     return true;
 }
 
-/* Chapter 2 has no fixed bodies except its walls: the body that is
-   Galperin's wall becomes the left wall again. */
+/* The engine of chapter 2 has no fixed bodies, so the body that represents
+   the wall in Galperin's scene becomes the left wall again. */
 bool hard_start(struct start *start, const struct scene *s)
 {
     const size_t wall = s->bodies > 0 && !s->freedom[0];

@@ -9,13 +9,15 @@
 /* The scenes are hard_scenes in gallery.h: cradle, break, gas, brownian,
    four-disks, thermal, piston and galperin. */
 
-/* Make from a scene the start of an engine of part I or II. Both return
-   false, with nothing to free, if memory runs out. hard_disks: the disks of
-   a scene in a box of hard walls, or a periodic one, along x and y, and
-   along z if the scene is not plane; the corner of the box becomes the
-   origin. hard_start: bodies that are free along x only, in order from left
-   to right; walls at infinity if the scene has none. */
+/* Converts a scene into disks, or spheres if it is not plane, for the
+   engine of chapter 5. The box must have hard walls or be periodic along
+   all of their axes; its corner becomes the origin. Returns false, with
+   nothing to free, if memory runs out. */
 bool hard_disks(struct disks *d, const struct scene *s);
+
+/* Converts a scene whose bodies are free along x only, in order from left
+   to right, into a start on a line. Walls that the scene lacks are put at
+   infinity. Returns false, with nothing to free, if memory runs out. */
 bool hard_start(struct start *start, const struct scene *s);
 
 #endif

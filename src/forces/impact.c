@@ -1,4 +1,4 @@
-/* Finds contacts on polynomial paths along a step, then by the method. */
+/* Finds contacts on polynomial paths, and improves them by the method. */
 #include "forces/impact.h"
 
 #include "forces/adaptive.h"
@@ -13,8 +13,8 @@ enum { PATH = ADAPTIVE_DEGREE, DEGREE = 2 * PATH };
 enum { MOST_TRIALS = 100, MOST_PARTS = 10000, MOST_PASSES = 1000 };
 _Static_assert((int)DEGREE <= (int)ROOT_DEGREE, "of a pair's gap");
 
-/* The relative rounding error of a place or a velocity: a few units in the
-   last place. */
+/* The relative rounding error of a position or a velocity: a few units in
+   the last place. */
 static const double ROUNDING = 0x1p-50;
 
 /* A gap between two bodies or, if a == b, between a body and a wall, and
@@ -22,21 +22,21 @@ static const double ROUNDING = 0x1p-50;
 struct impact_gap {
     uint32_t a, b;
     size_t axis;                /* normal to the wall */
-    double side, edge;          /* of the wall, -1 or 1; limit of centre,
-                                   m */
-    double image[SPHERES_AXES]; /* shift to b's nearest image, m */
+    double side,                /* -1: lower wall, 1: upper wall */
+        edge;                   /* limit of the body's centre, m */
+    double image[SPHERES_AXES]; /* shift to the nearest image of b, m */
     double sum;                 /* of the radii of a pair, m */
-    double start;               /* closed width: 0, or negative for an
-                                   initial overlap, m */
+    double start;               /* width when closed, m: 0, or negative
+                                   for an initial overlap */
     double rounding;            /* width that counts as 0, m */
     double root;                /* first one, as a fraction of the part */
     bool shut;                  /* closed at the end of the part */
     bool pressed;               /* closed, at rest, and under pressure */
-    bool unclear;               /* pressed, or open in between */
+    bool unclear;               /* pressed, or open during the part */
 };
 
-/* Returns how far the wall on a side lets the centre of the body with
-   coordinate c go, m. */
+/* Returns the largest or smallest value, m, of coordinate c of a body's
+   centre that the wall on a side permits. */
 static double edge_of(const struct scene *s, size_t c, double side)
 {
     const size_t k = c / s->bodies;
@@ -44,9 +44,9 @@ static double edge_of(const struct scene *s, size_t c, double side)
     return side > 0 ? s->high[k] - radius : s->low[k] + radius;
 }
 
-/* Computes the accelerations for the method: those of all forces, but a
-   wall cancels the force of a body resting on it. A body that the wall
-   would have to pull is recorded in p->lifted. */
+/* Computes the accelerations for the method: those of all forces, except
+   that a wall cancels the force on a body resting on it. A coordinate of a
+   body that the wall would have to pull is recorded in p->lifted. */
 static void accelerate(void *what, const double x[], const double v[],
                        double a[])
 {
@@ -73,9 +73,9 @@ static void spread(const struct scene *s, size_t k, double *low,
     }
 }
 
-/* Returns the axis along which the bodies are spread farthest, which
-   separates most pairs of paths. A periodic axis, which has no beginning,
-   does not count; SPHERES_AXES if all are periodic. */
+/* Returns the axis along which the bodies are spread farthest, since it
+   separates most pairs of paths. Periodic axes, which have no beginning, do
+   not count; if all are periodic, SPHERES_AXES is returned. */
 static size_t widest_axis(const struct scene *s)
 {
     size_t widest = SPHERES_AXES;
@@ -168,9 +168,9 @@ static double width(const struct impact *p, const struct impact_gap *g,
     return distance - g->sum;
 }
 
-/* Returns how much of the rate of a gap may be rounding, m/s: two bodies
-   flying side by side do not approach, though their velocities may differ
-   by rounding. */
+/* Returns the possible rounding error of the rate of a gap, m/s: two bodies
+   flying side by side do not approach each other, although their velocities
+   may differ by rounding errors. */
 static double rate_rounding(const struct impact *p,
                             const struct impact_gap *g, const double v[])
 {
@@ -182,8 +182,8 @@ static double rate_rounding(const struct impact *p,
     return ROUNDING * most;
 }
 
-/* Computes the control points of a cubic for each coordinate in a part of
-   length h, s, (11.8, eq:gap-control); returns the degree. */
+/* Computes the control points of a cubic path of each coordinate in a part
+   of length h, s, (11.8, eq:gap-control). Returns the degree. */
 static size_t draw_cubics(struct impact *p, double h)
 {
     const struct stepping *s = p->stepping;
@@ -199,9 +199,9 @@ static size_t draw_cubics(struct impact *p, double h)
     return 3;
 }
 
-/* Computes the paths in the part, cubics or the polynomials that an
-   adaptive method provides, and the boxes around them, enlarged by the
-   radius of the body and a little more for rounding. */
+/* Computes the paths in the part, which are cubics or the polynomials of an
+   adaptive method, and boxes around them, enlarged by the radius of the
+   body and by a little more for rounding errors. */
 static void draw_paths(struct impact *p, double h)
 {
     const struct stepping *s = p->stepping;
@@ -223,7 +223,8 @@ static void draw_paths(struct impact *p, double h)
     }
 }
 
-/* Computes the control points of a wall's gap; returns their degree. */
+/* Computes the control points of the gap between a body and a wall. Returns
+   their degree. */
 static size_t wall_points(const struct impact *p,
                           const struct impact_gap *g, double q[])
 {
@@ -241,10 +242,10 @@ static void choose(size_t m, double c[])
         c[j + 1] = c[j] * (double)(m - j) / (double)(j + 1);
 }
 
-/* Computes the control points of a pair's gap, expressed as the squared
-   distance minus the square of the sum of the radii; returns their degree.
-   Control points of a product of two curves are sums of products of theirs,
-   weighted with binomials. */
+/* Computes the control points of the squared distance of a pair minus the
+   square of the sum of the radii. Returns their degree. The control points
+   of a product of two curves are sums of products of the control points of
+   both, weighted with binomial coefficients. */
 static size_t pair_points(const struct impact *p,
                           const struct impact_gap *g, double q[])
 {
@@ -266,16 +267,17 @@ static size_t pair_points(const struct impact *p,
     return 2 * m;
 }
 
-/* Returns whether a curve goes below this value. */
+/* Returns whether a curve goes below the value `below`. */
 static bool sinks(const double q[], size_t m, double below)
 {
     return root_first(q, m, -below, ROOT_HALVINGS) <= 1;
 }
 
-/* Replaces p->least by the minimum of a curve, divided by unit, if it lies
-   inside the part and is nearer to 0. It tells how narrowly a contact was
-   made or missed, since the error of a path may decide it either way. A
-   minimum below 0 by rounding counts as no root, and is recorded as 0. */
+/* Replaces p->least by the minimum of a curve, divided by unit, if this
+   minimum lies inside the part and is nearer to 0. It tells how narrowly a
+   contact was made or missed, and thus whether the error of a path may have
+   decided which. A minimum that is below 0 only by a rounding error is not
+   a root and is recorded as 0. */
 static void notice(struct impact *p, const double q[], size_t m,
                    double unit, double rounding)
 {
@@ -295,10 +297,10 @@ static void notice(struct impact *p, const double q[], size_t m,
 /* Finds when a gap closes in a part of length h, s. There are four cases:
    the gap is open; closed and closing, which is a contact now; closed and
    opening, where the next root counts; or closed and at rest. In the last
-   case, if the gap is also closed at the end, the bodies are pressed
-   together, or one has risen and come back: a shorter part will tell.
-   Bodies that overlap when a run begins count as touching at that
-   distance. */
+   two cases, if no root follows but the gap is closed at the end, the
+   bodies are pressed together, or one has risen and come back; only a
+   shorter part can show which. Bodies that overlap at the beginning count
+   as touching at their distance then. */
 static void find_root(struct impact *p, struct impact_gap *g, double h)
 {
     const struct stepping *s = p->stepping;
@@ -357,8 +359,8 @@ static void add_wall(struct impact *p, size_t k, size_t i, double side,
     double far = fmax(fabs(p->note[c]), fabs(edge)) + s->radius[i];
     if (!(out > 0 && s->freedom[c]))
         return;
-    /* A point at a wall at 0 has no length scale in its place or radius.
-       Rounding errors are then proportional to its path in the part. */
+    /* Neither the position nor the radius of a point at a wall at 0 is a
+       length scale. The length of the path then determines the rounding. */
     const double way = p->high[c] - p->low[c];
     if (fabs(edge) + s->radius[i] <= ROUNDING * way)
         far = fmax(far, way);
@@ -372,8 +374,8 @@ static void add_wall(struct impact *p, size_t k, size_t i, double side,
             h);
 }
 
-/* Returns the shift along axis k from b to the image of b that is nearest
-   to a at the beginning of the part, m. */
+/* Returns the shift along axis k, m, between b and the image of b that is
+   nearest to a at the beginning of the part. */
 static double image_of(const struct impact *p, size_t k, size_t a, size_t b)
 {
     const struct scene *s = p->scene;
@@ -411,8 +413,8 @@ static void add_pair(struct impact *p, size_t a, size_t b, double h)
         add_gap(p, g, h);
 }
 
-/* Sorts the bodies by where their paths begin along the axis, by insertion
-   as in pairs.c. */
+/* Sorts the bodies by the lower limits of their paths along the axis, by
+   insertion as in pairs.c. */
 static void sort_along(struct impact *p)
 {
     const size_t n = p->scene->bodies;
@@ -459,8 +461,9 @@ static int in_order(const void *a, const void *b)
     return g->b < o->b ? -1 : g->b > o->b;
 }
 
-/* Collects all gaps that may close in the part: walls, then pairs by their
-   numbers. Simultaneous contacts are resolved in this order. */
+/* Collects all gaps that may close in the part: first those at walls, then
+   those of pairs, sorted by the numbers of the bodies. Simultaneous
+   contacts are resolved in this order. */
 static void collect_gaps(struct impact *p, double h)
 {
     const struct scene *s = p->scene;
@@ -478,7 +481,7 @@ static void collect_gaps(struct impact *p, double h)
         qsort(p->gap + walls, p->gaps - walls, sizeof *p->gap, in_order);
 }
 
-/* Repeats the step from the beginning of the part, with length h, s. */
+/* Repeats the step from the beginning of the part with the length h, s. */
 static void go(struct impact *p, double h)
 {
     struct stepping *s = p->stepping;
@@ -490,7 +493,8 @@ static void go(struct impact *p, double h)
         p->end = stepping_part(s, h);
 }
 
-/* Moves to the time h in the part; returns how far the gap is open, m. */
+/* Moves to the time h, s, in the part. Returns how far the gap is open
+   there, m, and sets *rate to the growth of its width, m/s. */
 static double try(struct impact *p, const struct impact_gap *g, double h,
                   double *rate)
 {
@@ -498,8 +502,9 @@ static double try(struct impact *p, const struct impact_gap *g, double h,
     return width(p, g, p->stepping->x, p->stepping->v, rate) - g->start;
 }
 
-/* Moves to the time *h <= most at which a gap closes, improving the guess
-   in *h; returns false if it does not close. (11.9, eq:gap-newton) */
+/* Moves to the time *h <= most at which a gap closes, starting from the
+   guess in *h: (11.9, eq:gap-newton). Returns false if the gap does not
+   close. `shut` tells that it is closed at the time `most`. */
 static bool close_gap(struct impact *p, const struct impact_gap *g,
                       double most, bool shut, double *h)
 {
@@ -538,9 +543,10 @@ static struct impact_gap *first_gap(const struct impact *p)
     return first;
 }
 
-/* Returns the gap that the method has closed before the time *h, the first
-   of several, and sets *h to an estimate of its time; or returns NULL. The
-   paths may have the order of two close roots wrong. */
+/* Returns the gap that closes first before the time *h by the method, and
+   sets *h to an estimate of that time; or returns NULL if there is none.
+   Two roots that are close to each other may be in the wrong order on the
+   approximate paths. */
 static struct impact_gap *earlier_gap(const struct impact *p, double *h)
 {
     const double now = *h;
@@ -569,7 +575,7 @@ static void abandon_step(struct impact *p, const struct impact_gap *g)
 }
 
 /* Puts a body at rest at a wall: its velocity across the wall becomes 0,
-   and from now on the wall cancels the force that presses it on. */
+   and from now on the wall cancels the force that presses it there. */
 static void hold(struct impact *p, const struct impact_gap *g)
 {
     const size_t c = g->axis * p->scene->bodies + g->a;
@@ -588,8 +594,8 @@ static void release(struct impact *p)
         }
 }
 
-/* Steps by h, s; returns whether a wall would have to pull a resting body
-   to keep it there. */
+/* Moves to the time h, s, in the part. Returns whether a wall would have to
+   pull a resting body to keep it at the wall. */
 static bool lifts(struct impact *p, double h)
 {
     p->lifted = p->forces.size;
@@ -597,10 +603,10 @@ static bool lifts(struct impact *p, double h)
     return p->lifted < p->forces.size;
 }
 
-/* Continues for h, s, or for as long as no wall would have to pull; returns
-   that time, s. A rest ends when the forces reverse and would lift the
-   body; the part ends then, too, so that no step has a kink in its forces.
-   If that is at once, the body is released, and the part has length 0. */
+/* Moves to the time h, s, in the part, or to the earlier time at which the
+   forces on a resting body reverse and would lift it. Returns that time, s.
+   The part ends there, so that the forces have no kink in a step. If they
+   reverse at once, the body is released and the part has length 0. */
 static double rest(struct impact *p, double h)
 {
     enum { BITS = 52 };
@@ -621,8 +627,8 @@ static double rest(struct impact *p, double h)
     return low;
 }
 
-/* Reverses a body at a wall, and puts it at rest there if it would not rise
-   by more than rounding: (11.10, eq:rest). */
+/* Reflects a body at a wall, and puts it at rest there if the height to
+   which it would rise is within rounding errors: (11.10, eq:rest). */
 static void bounce(struct impact *p, const struct impact_gap *g)
 {
     struct stepping *s = p->stepping;
@@ -637,8 +643,8 @@ static void bounce(struct impact *p, const struct impact_gap *g)
         hold(p, g);
 }
 
-/* Resolves every contact that is closing now, each once. Returns whether
-   there was any. */
+/* Resolves each contact whose gap is closing now, once. Returns whether
+   there was such a contact. */
 static bool settle_once(struct impact *p, uint64_t *met)
 {
     const uint64_t before = *met;
@@ -658,10 +664,11 @@ static bool settle_once(struct impact *p, uint64_t *met)
     return *met > before;
 }
 
-/* Resolves closing contacts again and again, since one collision may cause
+/* Resolves closing contacts repeatedly, since one collision may cause
    another at the same time, as in a row of touching balls. Before that, a
-   wall takes up the body that is pressed against it; if two bodies are
-   pressed together, which no force here can hold, the step is abandoned. */
+   body that is pressed against a wall is put at rest there; if two bodies
+   are pressed together, for which there is no such rest, the step is
+   abandoned. */
 static void settle(struct impact *p, uint64_t *met)
 {
     uint64_t now = 0;
@@ -682,9 +689,10 @@ static void settle(struct impact *p, uint64_t *met)
         stepping_disturb(p->stepping);
 }
 
-/* Moves to the first contact of the part and shortens *h to its time, s; or
-   moves to the end and returns false. If the method does not confirm a
-   contact of the paths, it was a near miss, and the next one is tried. */
+/* Moves to the first contact of the part and reduces *h to its time, s; or
+   moves to the end of the part and returns false. A contact of the paths
+   that the method does not confirm was a near miss, and the next contact is
+   tried. */
 static bool find_contact(struct impact *p, double *h)
 {
     const double most = *h;
@@ -704,8 +712,8 @@ static bool find_contact(struct impact *p, double *h)
     return false;
 }
 
-/* Does what find_contact does, and then ensures that no other gap has
-   closed before on the method's own path. */
+/* Does what find_contact does, and then ensures that no other gap closes
+   earlier when the method moves the bodies. */
 static bool find_first(struct impact *p, double *h)
 {
     struct impact_gap *g;
@@ -719,9 +727,9 @@ static bool find_first(struct impact *p, double *h)
     return true;
 }
 
-/* Returns whether a shorter part is needed to decide what happens: resting
-   bodies are closed at the end. If this part is the last to be tried, they
-   count as pressed together. */
+/* Returns whether a shorter part is needed to decide whether bodies are
+   pressed together. If this part is the last one to be tried, those in
+   doubt count as pressed together. */
 static bool is_unclear(struct impact *p, bool last)
 {
     bool unclear = false;
@@ -735,8 +743,9 @@ static bool is_unclear(struct impact *p, bool last)
 }
 
 /* Takes the rest of a step, or its part before the first contact. Returns
-   the length of the part, s. An unclear part is halved as often as paths
-   are; a body that does not rise in the shortest part is pressed. */
+   the length of the part, s. An unclear part is halved up to ROOT_HALVINGS
+   times; a body that does not rise in the shortest part counts as pressed.
+ */
 static double take_part(struct impact *p, double left, uint64_t *met)
 {
     double h = left;
@@ -754,9 +763,9 @@ static double take_part(struct impact *p, double left, uint64_t *met)
 }
 
 /* Returns how far a body may move in a step of an adaptive method, m. The
-   polynomials are as long as the steps, but their last digits must tell a
-   contact from a near miss: so a step must not cross the scene, nor many
-   thousands of the smallest radius, nor half a periodic box. */
+   last digits of the polynomials must tell a contact from a near miss, so
+   in a step no body crosses the scene or more than 2^14 times the smallest
+   radius, and two bodies approach by less than half a periodic box. */
 static double longest_way(const struct impact *p)
 {
     const struct scene *s = p->scene;
@@ -778,8 +787,8 @@ static double longest_way(const struct impact *p)
     return wide > 0 ? fmin(way, wide) : way;
 }
 
-/* Returns the time in which the fastest body, or one accelerated from rest,
-   covers longest_way, s. */
+/* Returns the time, s, in which the fastest body, or a body accelerated
+   from rest, moves by longest_way. */
 static double longest_step(const struct impact *p)
 {
     const struct adaptive *own = p->stepping->own;
@@ -796,8 +805,8 @@ static double longest_step(const struct impact *p)
     return h;
 }
 
-/* Takes a step of the method's own length and searches it for contacts. The
-   step ends at the first one, which is resolved later. */
+/* Takes a step whose length the method chooses and searches it for
+   contacts. The step ends at the first one, which is resolved later. */
 static void take_own(struct impact *p)
 {
     struct stepping *s = p->stepping;
@@ -836,9 +845,9 @@ static void turn_own(struct impact *p, uint64_t *met)
 }
 
 /* Does what impact_step does, by an adaptive method. Such a method runs
-   ahead of the times at which states are requested, and these must not
-   change its steps. So its own steps are searched for contacts and end at
-   them; a contact is resolved when a time after it is requested. */
+   ahead of the times at which states are requested, and these times must
+   not change its steps. So its own steps are searched for contacts and end
+   at them; a contact is resolved when a later time is requested. */
 static enum stepping_end reach_look(struct impact *p, uint64_t *met)
 {
     struct stepping *s = p->stepping;

@@ -1,6 +1,7 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 2140952050 of the lines below */
-/* Moves bodies along ellipses, in Jacobi's coordinates, and kicks them. */
+/* checksum 610204605 of the lines below */
+/* Moves bodies along ellipses in Jacobi's coordinates, and computes the
+   forces that perturb these ellipses. */
 #include "forces/jacobi.h"
 
 #include "forces/kepler.h"

@@ -1,5 +1,5 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 2422284335 of the lines below */
+/* checksum 531889411 of the lines below */
 /* Solves Kepler's equation and moves a body along its ellipse. */
 #include "forces/kepler.h"
 
@@ -36,7 +36,7 @@ double kepler_anomaly(double eccentricity, double mean_anomaly)
     return copysign(anomaly, m) + turns * 2 * pi;
 }
 
-/* Return sin(x) / x and cos(x) for |x| <= pi / 4, from s = x^2. */
+/* Returns sin(x) / x for |x| <= pi / 4, where s = x^2. */
 static double sine_series(double s)
 {
     double sum = 1;
@@ -45,6 +45,7 @@ static double sine_series(double s)
     return sum;
 }
 
+/* Returns cos(x) for |x| <= pi / 4, where s = x^2. */
 static double cosine_series(double s)
 {
     double sum = 1;
@@ -99,16 +100,17 @@ void kepler_place(double mu, const struct kepler_elements *o, double x[],
     }
 }
 
-/* Returns two terms of the series for the change of the eccentric anomaly
-   while the mean anomaly changes by m; p and q are e cos E and e sin E at
-   the start. The error is of the order of m^3. */
+/* Returns the first two terms of the series for the change of the eccentric
+   anomaly while the mean anomaly changes by m; p and q are e cos E and e
+   sin E at the start. The error is of the order of m^3. */
 static double first_guess(double p, double q, double m)
 {
     const double g = m / (1 - p);
     return g - q / (1 - p) * g * g / 2;
 }
 
-/* Returns cosine and sine of the change of the eccentric anomaly. */
+/* Computes the cosine and the sine of the change of the eccentric anomaly,
+   with p, q and m as in first_guess. */
 static void change(double p, double q, double m, double *cosine,
                    double *sine)
 {

@@ -5,7 +5,7 @@
 /* pi, which is not part of standard C. */
 #define KEPLER_PI 3.14159265358979323846
 
-/* An ellipse and a place on it. Angles in rad. */
+/* An ellipse and a position on it. Angles are in rad. */
 struct kepler_elements {
     double axis;         /* semi-major, m */
     double eccentricity; /* 0 to less than 1 */
@@ -26,17 +26,17 @@ void kepler_shape(double mu, const double x[], const double v[],
    becomes NaN. */
 void kepler_move(double mu, double t, double x[], double v[]);
 
-/* Computes the cosine and the sine of an angle (rad, up to 1e5 in size),
-   within 2e-16 and with equal bits on every machine. */
+/* Computes the cosine and the sine of an angle of at most 1e5 rad in size,
+   with an error below 2e-16 and the same bits on every machine. */
 void kepler_turn(double angle, double *cosine, double *sine);
 
-/* Returns the eccentric anomaly E with E - e sin E = M, rad, for 0 <= e < 1
-   and any M up to 1e5 in size: (9.4, eq:kepler). */
+/* Returns the eccentric anomaly E, rad, for which E - e sin E = M, where 0
+   <= e < 1 and M is at most 1e5 in size: (9.4, eq:kepler). */
 double kepler_anomaly(double eccentricity, double mean_anomaly);
 
-/* Computes place and velocity (three numbers each) of a body relative to
-   the other of two; mu is k2 times the sum of their masses: (9.5,
-   eq:kepler-place). */
+/* Computes the position x[3], m, and the velocity v[3], m/s, of one of two
+   bodies relative to the other. mu is k2 times the sum of their masses:
+   (9.5, eq:kepler-place). */
 void kepler_place(double mu, const struct kepler_elements *o, double x[],
                   double v[]);
 

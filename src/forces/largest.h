@@ -1,18 +1,18 @@
-/* The largest absolute value in an array. */
+/* The largest absolute value, or absolute difference, in arrays. */
 #ifndef LARGEST_H
 #define LARGEST_H
 
 #include <math.h>
 #include <stddef.h>
 
-/* Returns the larger number, or NaN if one of them is NaN: a failed step
-   must not look like a converged one. */
+/* Returns the larger of two numbers, or NaN if one of them is NaN: a failed
+   step must not look like a converged one. */
 static inline double larger(double a, double b)
 {
     return a >= b || a != a ? a : b;
 }
 
-/* Returns the largest of n absolute values; 0 for none; NaN if one is. */
+/* Returns the largest |y[i]|, 0 if n is 0, or NaN if one is NaN. */
 static inline double largest(const double y[], size_t n)
 {
     double most = 0;
@@ -21,7 +21,7 @@ static inline double largest(const double y[], size_t n)
     return most;
 }
 
-/* Returns the largest |y[i] - z[i]|, 0 for none, NaN if one is NaN. */
+/* Returns the largest |y[i] - z[i]|, 0 if n is 0, or NaN if one is NaN. */
 static inline double largest_difference(const double y[], const double z[],
                                         size_t n)
 {

@@ -8,12 +8,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* The number (-1)^negative digits 10^exponent. `digits` has room for 19
-   digits, 20 if they are small enough; `whole`: no digit was left out. */
+/* The number (-1)^negative digits 10^exponent. */
 struct decimal {
-    uint64_t digits;
+    uint64_t digits; /* the first 19 digits, or 20 if these fit */
     int exponent;
-    bool negative, whole;
+    bool negative, whole; /* whole: no digit was left out */
 };
 
 static bool is_digit(char c)
@@ -21,9 +20,9 @@ static bool is_digit(char c)
     return '0' <= c && c <= '9';
 }
 
-/* Reads digits with a point or without; returns where they end, or NULL
-   when there is no digit. A digit after the point lowers the exponent; a
-   digit before the point for which there is no room raises it. */
+/* Reads digits with or without a point. Returns where they end, or NULL if
+   there is no digit. A digit after the point lowers the exponent; a digit
+   before the point for which d->digits has no room raises it. */
 static const char *read_digits(const char *c, const char *end,
                                struct decimal *d)
 {
@@ -45,8 +44,8 @@ static const char *read_digits(const char *c, const char *end,
     return any ? c : NULL;
 }
 
-/* Adds the exponent after an e to that of d; returns where it ends, or NULL
-   if it has no digit. The legal exponent e99999999999 must not overflow. */
+/* Adds the exponent after an e to that of d. Returns where it ends, or NULL
+   if it has no digit. The valid exponent e99999999999 must not overflow. */
 static const char *read_exponent(const char *c, const char *end,
                                  struct decimal *d)
 {
@@ -77,8 +76,8 @@ static bool find_decimal(const char *c, size_t length, struct decimal *d)
     return c == end;
 }
 
-/* The powers of ten that are exact doubles: 10^22 = 2^22 5^22, 5^22 <
-   2^53. */
+/* The powers of ten that are exact doubles: the largest one is 10^22 = 2^22
+   5^22, where 5^22 < 2^53. */
 enum { POWERS = 23 };
 static const double power[POWERS] = {
     1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
@@ -91,16 +90,16 @@ static bool is_easy(const struct decimal *d)
     return FLT_EVAL_METHOD == 0 && d->whole && abs(d->exponent) < POWERS;
 }
 
-/* Returns the double nearest to digits 10^exponent with digits <= 2^53:
-   both factors are exact, and IEEE 754 rounds their product or quotient to
-   the nearest, which is the only rounding. */
+/* Returns the double nearest to digits 10^exponent if digits <= 2^53. Both
+   operands are exact, and the only rounding, of their product or quotient,
+   is to the nearest double by IEEE 754. */
 static double round_short(const struct decimal *d)
 {
     const double w = (double)d->digits, p = power[abs(d->exponent)];
     return d->exponent < 0 ? w / p : w * p;
 }
 
-/* Returns the rounding error a * b - product, exactly, of product = a * b.
+/* Returns a * b - product, the exact rounding error of product = a * b.
    Each factor is split into halves of 26 bits, whose products are exact.
    Source: Dekker, Numerische Mathematik 18:224, 1971. */
 static double lost_product(double a, double b, double product)
@@ -111,14 +110,15 @@ static double lost_product(double a, double b, double product)
     return ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2;
 }
 
-/* Rounds a number of more than 53 bits whose power of ten p is exact.
-   Returns false if it cannot be sure which double is the nearest.
+/* Sets *value to the double nearest to a number of more than 53 bits whose
+   power of ten p is exact. Returns false if it is not certain which double
+   is the nearest.
 
    The digits are high + low, with the lowest eleven bits in low, so both
    are doubles. The product high * p is known exactly as a sum of two
-   doubles, to which low * p is added. In a division `back` is the double
-   next to `high`, so their difference is exact, and so is the remainder
-   high - head * p, being a double again. Either way the number is head +
+   doubles, to which low * p is added. In a division `back` is so near to
+   `high` that their difference is exact, and so is the remainder high -
+   head * p, since it is a double. In both cases the number is head +
    tail + rest, with |tail| <= 2^-41 |head|, and as the tail is rounded two
    or three times to its own 53 bits, |rest| < 2^-90 |head|. If head + (tail
    -+ 2^-90 head) round to the same double, so does every number between;

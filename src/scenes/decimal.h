@@ -8,22 +8,22 @@ enum { DECIMAL_LONGEST = 200 }; /* most characters of a number */
 
 /* The ways to read a number. */
 enum decimal_way {
-    DECIMAL_NONE,  /* not read: it is no number */
+    DECIMAL_NONE,  /* not read: not a decimal number */
     DECIMAL_SHORT, /* read by one operation on exact doubles */
     DECIMAL_PAIR,  /* read as a sum of two doubles */
     DECIMAL_STRTOD /* read by the C library */
 };
 
-/* Reads a decimal number, which fills a text of this length: a sign or
-   none, digits with a point or without, and perhaps an exponent after e or
-   E. Sets *value to the nearest double. Returns DECIMAL_NONE for anything
-   else (nan, inf, a hexadecimal number), and for a number longer than
+/* Reads a text of this length that is a decimal number: an optional sign,
+   digits with or without a point, and an optional exponent after e or E.
+   Sets *value to the nearest double. Returns DECIMAL_NONE for any other
+   text (nan, inf, a hexadecimal number), and for a number longer than
    DECIMAL_LONGEST or larger than every double.
 
-   strtod would do it, but takes nan, inf and 0x1p3 for numbers, reads 0.1
-   or 0,1 according to the locale, and is slow: 17 digits took 80 ns, 30 ns
-   here (plots/data/08-reading.dat has more), which counts in a scene of a
-   million bodies. So it is kept for the cases that need it. Sources:
+   strtod alone would accept nan, inf and 0x1p3, read 0.1 or 0,1 depending
+   on the locale, and be slow: it took 80 ns for 17 digits, this function 30
+   ns (plots/data/08-reading.dat has more), which matters in a scene of a
+   million bodies. So strtod is used only where it is needed. Sources:
    Clinger, PLDI 1990 (one operation); Ziv, ACM Transactions on Mathematical
    Software 17:410, 1991 (compute with a little more precision than needed,
    and test whether it was enough). */

@@ -1,27 +1,27 @@
-/* Scenes that a program can make, by name, and their parameters. */
+/* Scenes that a program makes by name, and their parameters. */
 #ifndef GALLERY_H
 #define GALLERY_H
 
 #include "scenes/scene.h"
 
-/* A key: a number with which a scene is made, as in --particles 3072. */
+/* A key: the name of a parameter of a scene, as in --particles 3072. */
 struct gallery_key {
     const char *name; /* without the dashes; NULL ends the list */
     double usual, low, high;
-    bool whole;       /* takes whole numbers only */
+    bool whole;       /* only whole numbers are allowed */
     const char *help; /* one phrase, with the unit */
 };
 
 enum { GALLERY_KEYS = 15 }; /* most keys of a scene */
 
-/* A scene that can be made. build must make a scene that can be written and
-   read, or say why not, for all values in the keys' ranges; tests set each
-   key to both ends of its range. */
+/* A scene that can be made. For all values in the ranges of the keys, build
+   must make a scene that can be written and read, or return a message;
+   tests set each key to both ends of its range. */
 struct gallery_scene {
     const char *name, *about; /* a name of NULL ends a list */
     struct gallery_key key[GALLERY_KEYS + 1];
-    /* Makes the scene; value[k] belongs to key[k]. Returns NULL, or a
-       message about the values, and then there is nothing to free. */
+    /* Makes the scene with value[k] for key[k]. Returns NULL, or an error
+       message, and then there is nothing to free. */
     const char *(*build)(struct scene *s, const double value[]);
 };
 
@@ -38,7 +38,7 @@ extern const struct gallery_scene celestial_scenes[];
 extern const struct gallery_scene elastic_scenes[];
 extern const struct gallery_scene hard_scenes[];
 
-/* Returns the scene of this name, or NULL when the list has none. */
+/* Returns the scene of this name, or NULL if the list has none. */
 const struct gallery_scene *gallery_find(const struct gallery_scene list[],
                                          const char *name);
 
@@ -51,15 +51,15 @@ size_t gallery_usual(const struct gallery_scene *g,
 size_t gallery_key(const struct gallery_scene *g, const char *name);
 
 /* Makes the scene of this name with its usual values, except for the chosen
-   ones (NULL: none). Returns as build does, or a message when there is no
-   such scene or key. */
+   ones (NULL: none). Returns the result of build, or a message if there is
+   no such scene or key. */
 const char *gallery_choose(struct scene *s,
                            const struct gallery_scene list[],
                            const char *name,
                            const struct gallery_choice chosen[]);
 
-/* Makes a scene as gallery_choose does, but g is given, and one key only,
-   whose name may be NULL: none. */
+/* Makes the scene g with its usual values, except that the key of this name
+   (NULL: none) has the given value. Returns as gallery_choose does. */
 const char *gallery_make(struct scene *s, const struct gallery_scene *g,
                          const char *name, double value);
 

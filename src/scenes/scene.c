@@ -1,4 +1,4 @@
-/* Reads a scene in four passes, and writes it so that no bit is lost. */
+/* Reads a scene in four passes, and writes it without loss of digits. */
 #include "scenes/scene.h"
 
 #include "scenes/decimal.h"
@@ -53,8 +53,8 @@ void scene_free(struct scene *s)
     *s = (struct scene){0};
 }
 
-/* Returns a copy of a list, or NULL if there is no memory. Its capacity is
-   a power of two, as make_room expects. */
+/* Returns a copy of a list, or NULL if memory runs out. The capacity of the
+   copy is a power of two, as make_room expects. */
 static void *copy_list(const void *list, size_t count, size_t size)
 {
     size_t room = 1;
@@ -66,8 +66,7 @@ static void *copy_list(const void *list, size_t count, size_t size)
     return copy;
 }
 
-/* Copies the lists that may be NULL; returns false if there is no
-   memory. */
+/* Copies the lists that may be NULL. Returns false if memory runs out. */
 static bool copy_rare(struct scene *to, const struct scene *from)
 {
     const size_t n = from->bodies, size = sizeof(double);
@@ -108,10 +107,11 @@ void scene_take_state(struct scene *s, const struct scene *from)
     memcpy(s->velocity, from->velocity, size);
 }
 
-/* Returns the list with room for one item more, or NULL. The capacity is
-   always a power of two and need not be stored: the list is full exactly
-   when count is a power of two, that is if count & (count - 1) is 0. Thus
-   each of n items is moved less than twice on average. */
+/* Returns the list with room for one more item, or NULL if memory runs out.
+   The capacity is always a power of two and need not be stored: a list is
+   full if count is 0 or a power of two, that is, if count & (count - 1) is
+   0. Since the capacity is doubled, an item is moved less than twice on
+   average. */
 static void *make_room(void *list, size_t count, size_t size)
 {
     if ((count & (count - 1)) != 0)
@@ -160,7 +160,7 @@ struct piece {
     size_t length;
 };
 
-/* The sorts of lines; those of a body come first. */
+/* The sorts of lines; those that describe a body come first. */
 enum { POS, VEL, VFIX, DIS, SPECIES, CARRY, KEPT };
 enum { S = KEPT + 1, SL, DASHPOT };
 enum { GRAV = DASHPOT + 1, DAMP, K2, SOFT, DT, TIME };
@@ -171,14 +171,17 @@ enum { MOST_FIELDS = 10 };
 struct reader {
     struct scene *scene;
     struct scene_error *error;
-    const char *next, *end;                /* the rest of the line */
-    size_t line;                           /* number of that line */
-    struct piece first, word[MOST_FIELDS]; /* first word of it, others */
-    size_t lines[LINES], read[LINES]; /* numbers of each sort: all, read */
-    unsigned char *seen; /* [bodies + kinds] bit s: sort s was read */
+    const char *next, *end; /* the rest of the line */
+    size_t line;            /* number of that line */
+    struct piece first,     /* first word of that line */
+        word[MOST_FIELDS];  /* its other words */
+    size_t lines[LINES],    /* number of lines of each sort in the text */
+        read[LINES];        /* number of lines of each sort read so far */
+    unsigned char *seen;    /* [bodies + kinds] bit s is set if a line of
+                               sort s was read for the body or kind */
 };
 
-/* Returns whether c separates words; \r does, for files from Windows. */
+/* Returns whether c separates words; files from Windows contain \r. */
 static bool is_blank(char c)
 {
     return c == ' ' || c == '\t' || c == '\r';
@@ -195,8 +198,8 @@ static struct piece next_word(struct reader *r)
     return (struct piece){start, (size_t)(r->next - start)};
 }
 
-/* Copies a word for a message: its beginning, with ? for characters that
-   cannot be printed. */
+/* Copies the beginning of a word for a message, with ? in place of
+   characters that cannot be printed. */
 static void quote(struct piece p, char text[], size_t size)
 {
     const size_t most = 40;
@@ -212,8 +215,8 @@ static void quote(struct piece p, char text[], size_t size)
             *c = '?';
 }
 
-/* Fills the error with what was found and, as printf does, what was
-   expected; returns false. */
+/* Fills the error with what was found and what was expected, formatted as
+   by printf. Returns false. */
 static bool fail(struct reader *r, struct piece found, const char *format,
                  ...)
 {
@@ -236,10 +239,10 @@ static bool fail(struct reader *r, struct piece found, const char *format,
    type of a wall, = the word axial. The values after a ; are optional. */
 struct line {
     const char *word, *fields;
-    int pass; /* the number of the pass over the text that reads it */
-    /* Stores the values. NULL: they are copied into the member of the scene
-       `offset` bytes from its beginning, or into the list that this member
-       points to, as coordinates of a body. */
+    int pass; /* number of the pass over the text that reads such lines */
+    /* Stores the values; NULL if they are copied into the member of the
+       scene `offset` bytes from its beginning or, as coordinates of a body,
+       into the list to which this member points. */
     bool (*store)(struct reader *r, const double value[], size_t count);
     size_t offset;
     bool list;
@@ -252,7 +255,7 @@ struct field {
     bool optional;
 };
 
-/* Returns the next field of *fields, and makes *fields the rest. */
+/* Returns the next field of *fields, and removes it from *fields. */
 static struct field next_field(const char **fields)
 {
     const char *c = *fields;
@@ -267,7 +270,8 @@ static struct field next_field(const char **fields)
     return f;
 }
 
-/* Reads a whole number of at most 32 bits: digits and nothing else. */
+/* Reads a whole number of at most 32 bits, which consists of digits only.
+   Returns false if there is none. */
 static bool read_whole(struct piece p, double *value)
 {
     *value = 0;
@@ -300,7 +304,7 @@ static const char *const wall_names[] = {"open", "hard", "periodic", NULL};
 static const char *const axial_names[] = {"axial", NULL};
 
 /* Reads a word as a value of the type that the mark stands for. Returns
-   false if it is not of this type. */
+   false if the word is not of this type. */
 static bool read_value(const struct reader *r, char mark, struct piece p,
                        double *value)
 {
@@ -334,8 +338,8 @@ static const char *describe(char mark)
     return "a number";
 }
 
-/* Fails with the values that the field allows; for a body or a kind with
-   the range of numbers. */
+/* Fills the error with the values that the field allows; if these are
+   bodies or kinds, with the range of their numbers. Returns false. */
 static bool refuse_value(struct reader *r, const struct field *f,
                          struct piece p)
 {
@@ -352,8 +356,8 @@ static bool refuse_value(struct reader *r, const struct field *f,
                 n - 1, word, n);
 }
 
-/* Reads the rest of a line into value and its number of values into *count,
-   field by field of its form. */
+/* Reads the values in the rest of a line, one for each of `fields`, into
+   value[], and sets *count to their number. */
 static bool read_fields(struct reader *r, const char *fields,
                         double value[], size_t *count)
 {
@@ -370,7 +374,7 @@ static bool read_fields(struct reader *r, const char *fields,
     return rest.length == 0 || fail(r, rest, "the end of the line");
 }
 
-/* Fails with a message that quotes no word. */
+/* Fills the error with a message that quotes no word. Returns false. */
 static bool fail_text(struct reader *r, const char *what)
 {
     r->error->line = r->line;
@@ -378,8 +382,8 @@ static bool fail_text(struct reader *r, const char *what)
     return false;
 }
 
-/* Stores value[1], value[2], ... as coordinates of body value[0]. Makes a
-   list that most scenes lack at its first line, of zeros. */
+/* Stores value[1], value[2], ... as coordinates of body value[0]. A list
+   that most scenes lack is allocated, with zeros, for its first line. */
 static bool store_axes(double **to, struct reader *r, const double value[],
                        size_t count)
 {
@@ -414,7 +418,8 @@ static bool store_vfix(struct reader *r, const double value[], size_t count)
     return true;
 }
 
-/* Stores the species of a body, a number that each program interprets. */
+/* Stores the species of a body, a number whose meaning depends on the
+   program. */
 static bool store_species(struct reader *r, const double value[],
                           size_t count)
 {
@@ -437,9 +442,9 @@ static bool store_dis(struct reader *r, const double value[], size_t count)
     return true;
 }
 
-/* Stores the acceleration that a body continues with. Requires a line
-   "kept" for each body if there is one: a body without it would feel no
-   force for half a step, unnoticed. check_once refuses two for one body. */
+/* Stores the acceleration with which a body continues. If there is one line
+   "kept", each body must have one: a body without it would feel no force
+   for half a step. check_once refuses a second line for a body. */
 static bool store_kept(struct reader *r, const double value[], size_t count)
 {
     const size_t bodies = r->scene->bodies, lines = r->lines[KEPT];
@@ -518,7 +523,7 @@ static bool store_dashpot(struct reader *r, const double value[],
     return r->scene->axial = true;
 }
 
-/* Stores contacts that act as springs, also without a line "contact". */
+/* Stores a law of soft contacts. A line "contact" is then not needed. */
 static bool store_law(struct reader *r, const double value[], size_t count)
 {
     const bool hertz = is_word(r->first, "hertz");
@@ -556,7 +561,8 @@ static const struct line forms[LINES] = {
     [BOX] = {"box", "xlow xhigh ylow yhigh zlow zhigh", 1, BY(store_box)},
     [WALLS] = {"walls", "|x |y |z", 2, BY(store_walls)}};
 
-/* Returns the sort of line that begins with this word; LINES: none. */
+/* Returns the sort of lines that begin with this word, or LINES if there is
+   none. */
 static size_t find_form(struct piece p)
 {
     size_t i = 0;
@@ -565,7 +571,7 @@ static size_t find_form(struct piece p)
     return i;
 }
 
-/* Fails with the list of the words that begin a line. */
+/* Fills the error with the words that may begin a line. Returns false. */
 static bool refuse_word(struct reader *r)
 {
     char list[160] = "";
@@ -582,8 +588,9 @@ static bool refuse_word(struct reader *r)
 
 _Static_assert(S < 8, "a byte of `seen` has a bit for each sort");
 
-/* Refuses a second line of a sort, or for the same body or kind. This also
-   finds missing numbers: n different ones below n are complete. */
+/* Refuses a second line of a sort that may occur only once, in the scene or
+   for each body or kind. Since there are n lines pos and their n numbers
+   are below n and differ, no body is missing; likewise for kinds. */
 static bool check_once(struct reader *r, size_t sort, const double value[])
 {
     if (sort > S)
@@ -617,7 +624,7 @@ static bool read_values(struct reader *r, size_t sort)
     return true;
 }
 
-/* Reads one line if it belongs to this pass; pass 0 only counts it. */
+/* Reads a line if this pass reads lines of its sort; pass 0 only counts. */
 static bool read_line(struct reader *r, const char *start, const char *stop,
                       int pass)
 {
@@ -634,10 +641,10 @@ static bool read_line(struct reader *r, const char *start, const char *stop,
     return forms[sort].pass != pass || read_values(r, sort);
 }
 
-/* Reads the lines of one pass. Lines come in any order, yet a velocity
+/* Reads the lines of one pass. Lines may come in any order, but a velocity
    needs its body, a spring its kind and the positions of two bodies, walls
-   the box, and a displacement all springs. So pass 0 counts, pass 1 reads
-   all lines but those of pass 2, sl and walls, and pass 3, dis. */
+   the box, and a displacement all springs. So pass 0 counts the lines, pass
+   2 reads sl and walls, pass 3 reads dis, and pass 1 reads all others. */
 static bool read_pass(struct reader *r, const char *text, size_t length,
                       int pass)
 {
@@ -684,7 +691,7 @@ bool scene_parse(struct scene *s, const char *text, size_t length,
 }
 
 /* Returns the whole content of a stream, to be freed, or NULL with errno
-   set. It asks for no file size, since a pipe has none. */
+   set. The buffer grows as needed, since a pipe has no size. */
 static char *read_all(FILE *stream, size_t *length)
 {
     size_t room = 1 << 16;
@@ -739,8 +746,8 @@ bool scene_read(struct scene *s, const char *program, const char *path)
     return good;
 }
 
-/* Returns whether these numbers of a body, axis by axis, are all +0, so
-   that their line can be left out: -0 would be read as +0. */
+/* Returns whether the `count` numbers of a body are all +0, so that their
+   line can be omitted. A number -0 is written, or it would become +0. */
 static bool is_nothing(const double *x, size_t bodies, size_t i,
                        size_t count)
 {
@@ -750,7 +757,7 @@ static bool is_nothing(const double *x, size_t bodies, size_t i,
     return true;
 }
 
-/* Writes a line: a word, a body, its numbers axis by axis. */
+/* Writes a line: a word, the number of a body, and `count` values. */
 static void write_body(struct table *out, const char *word, const double *x,
                        size_t bodies, size_t i, size_t count)
 {
@@ -774,10 +781,10 @@ static void write_places(const struct scene *s, struct table *out)
                     c[2 * n + i]);
 }
 
-/* Writes the remainders of compensated sums and the acceleration that a
-   damped leapfrog continues with. The first body has a line carry even if
-   it is all 0, so that the reader knows that there are remainders; no line
-   kept may be left out. */
+/* Writes the remainders of compensated sums and the accelerations with
+   which a damped leapfrog continues. The line carry of the first body is
+   written even if all its numbers are 0, so that the reader knows that
+   there are remainders. No line kept may be omitted. */
 static void write_carried(const struct scene *s, struct table *out)
 {
     const size_t n = s->bodies;

@@ -10,21 +10,21 @@
 
 enum { SCENE_AXES = 3 };
 enum scene_wall { SCENE_OPEN, SCENE_HARD, SCENE_PERIODIC };
-/* The laws of contacts: bodies act on each other at once, as hard bodies,
-   or as springs, linear ones or Hertz's. */
+/* The laws of contacts: hard bodies change their velocities at once, soft
+   bodies act on each other as linear springs or by Hertz's law. */
 enum scene_law { SCENE_SUDDEN, SCENE_LINEAR, SCENE_HERTZ };
 
-/* A kind of spring: a line "s". */
+/* A kind of spring, described by a line "s". */
 struct scene_kind {
     double stiffness;          /* D, N/m */
     double damping;            /* c, kg/s */
     double colour[SCENE_AXES]; /* red, green, blue, from 0 to 1 */
 };
 
-/* A spring from one body to another: a line "sl". */
+/* A spring between two bodies, described by a line "sl". */
 struct scene_spring {
-    uint32_t a, b, kind;
-    double rest; /* rest length, m */
+    uint32_t a, b, kind; /* numbers of the bodies and of the kind */
+    double rest;         /* rest length, m */
 };
 
 /* Bodies with their state, and what acts on them. Arrays with three numbers
@@ -38,22 +38,23 @@ struct scene {
     unsigned char *freedom;         /* [3 * bodies] 1: free, 0: fixed */
     double *colour;                 /* [3 * bodies] red, green, blue */
     uint32_t *species;              /* [bodies] */
-    double *carry; /* NULL, or [6 * bodies]: the remainders of compensated
-                      sums, of the positions, then of the velocities */
-    double *kept;  /* NULL, or [3 * bodies] m/s^2: the acceleration that a
-                      method continues with from this state */
+    double *carry; /* NULL, or [6 * bodies]: remainders of the compensated
+                      sums for the positions, then for the velocities */
+    double *kept;  /* NULL, or [3 * bodies]: accelerations, m/s^2, with
+                      which a method continues from this state */
     struct scene_kind *kind;
     struct scene_spring *spring;
-    double k2;        /* strength of gravity between bodies; or 0 */
+    double k2;        /* strength of gravity between bodies; 0: none */
     double softening; /* softening length of gravity, m */
     double gravity[SCENE_AXES]; /* uniform acceleration, m/s^2 */
     double damping;  /* each body feels the force -damping * v, kg/s */
-    double dt, time; /* s; a dt of 0: not given */
+    double dt, time; /* time step (0: not given), time of the state, s */
     bool axial;      /* dashpots act along their spring only */
     bool contact;    /* bodies collide; if not, radii are for drawing */
     double restitution;
-    enum scene_law law;        /* law of contacts */
-    double stiffness, dashpot; /* of soft contacts, N/m or N/m^1.5; kg/s */
+    enum scene_law law; /* law of contacts */
+    double stiffness,   /* of contacts, N/m; by Hertz N/m^1.5 */
+        dashpot;        /* damping of contacts, kg/s */
     enum scene_wall wall[SCENE_AXES];
     double low[SCENE_AXES], high[SCENE_AXES]; /* ends of the box, m */
 };
@@ -64,27 +65,27 @@ struct scene_error {
     char text[240]; /* "found this, expected that" */
 };
 
-/* Prepares a scene of `bodies` bodies at the origin, at rest: masses 1, all
-   free, restitution 1, walls open, all else 0. Returns false, with nothing
-   to free, when there is no memory. */
+/* Prepares a scene of `bodies` free bodies of mass 1, at rest at the origin
+   between open walls, with restitution 1. All else is 0. Returns false,
+   with nothing to free, if memory runs out. */
 bool scene_create(struct scene *s, size_t bodies);
 
 /* Frees the scene and makes *s empty. */
 void scene_free(struct scene *s);
 
-/* Makes *to a copy of the scene. Returns false, with nothing to free, when
-   there is no memory. */
+/* Makes *to a copy of the scene. Returns false, with nothing to free, if
+   memory runs out. */
 bool scene_copy(struct scene *to, const struct scene *from);
 
-/* Copies the positions and velocities of a scene with as many bodies. */
+/* Copies positions and velocities from a scene with as many bodies. */
 void scene_take_state(struct scene *s, const struct scene *from);
 
-/* Adds a kind of spring; its number is then s->kinds - 1. Returns false
-   when there is no memory. */
+/* Adds a kind of spring; its number is then s->kinds - 1. Returns false if
+   memory runs out. */
 bool scene_add_kind(struct scene *s, double stiffness, double damping);
 
 /* Adds a spring between two bodies. If rest < 0, its rest length is their
-   present distance. Returns false when there is no memory. */
+   present distance. Returns false if memory runs out. */
 bool scene_add_spring(struct scene *s, size_t a, size_t b, size_t kind,
                       double rest);
 
@@ -98,9 +99,9 @@ bool scene_read(struct scene *s, const char *program, const char *path);
 bool scene_parse(struct scene *s, const char *text, size_t length,
                  struct scene_error *e);
 
-/* Writes the scene so that reading it gives the same bits: the present
-   positions, each rest length, the time, `carry` and `kept`. A run
-   continued from the file gives the bits of an uninterrupted run. */
+/* Writes the scene with its present state, each rest length, the time,
+   `carry` and `kept`. No number is rounded, so that a run continued from
+   the file is bit-identical to an uninterrupted one. */
 void scene_write(const struct scene *s, struct table *out);
 
 #endif

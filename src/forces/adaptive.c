@@ -315,8 +315,7 @@ VECTOR_LOOP static void lead(double *restrict place, double *restrict speed,
     }
 }
 
-/* Computes the displacements at node i from the present estimate of the
-   forces. */
+/* Computes the displacements at node i from the present values of g. */
 static void move_to_node(struct adaptive *s, size_t i, double h)
 {
     lead(s->place, s->speed, s->g, &s->to, s->weights->x[i],
@@ -400,8 +399,7 @@ VECTOR_LOOP static void guess_one(double *restrict new_b,
    polynomial of the last step. If q is the ratio of the two lengths, the
    fraction s of the new step is the fraction 1 + q s of the old one, so s^m
    has the coefficient q^m sum_k binomial(k, m) b_k. The error of the last
-   guess is added, since the error of the new one is likely to be similar.
- */
+   guess is added, since the new one is likely to have a similar error. */
 static void guess_force(struct adaptive *s, double h)
 {
     const size_t n = s->forces.size;

@@ -150,8 +150,7 @@ static const char *build_solar_system(struct scene *s, const double value[])
 static const double star_a = 0.6897, star_b = 0.2026, separation = 0.2243;
 
 /* Builds two stars, and a planet on a circle around them. Stars on an
-   eccentric orbit start at their largest separation, where they are
-   slowest. */
+   eccentric orbit start where they are slowest and farthest apart. */
 static const char *build_circumbinary(struct scene *s, const double value[])
 {
     const double r = value[0], e = value[1], mass = value[3];

@@ -39,8 +39,7 @@ struct checkpoint {
 };
 
 /* Returns whether a run that writes its table to this file (NULL: standard
-   output) can be resumed: if the file is a regular one or does not exist.
- */
+   output) can be resumed: if it is a regular file or does not exist. */
 bool checkpoint_possible(const char *output);
 
 /* Returns a checksum of the bytes of a file, a whole number below 2^53, or
@@ -77,9 +76,8 @@ bool checkpoint_row(struct checkpoint *c, size_t n, const double values[]);
 bool checkpoint_write(struct checkpoint *c, struct motion *m,
                       struct checkpoint_numbers n);
 
-/* Copies all rows into a table. Returns false if a row was not copied or
-   the checksum of the rows has changed; the table must then be discarded.
- */
+/* Copies all rows into a table. Returns false after an error or if their
+   checksum has changed; the table must then be discarded. */
 bool checkpoint_copy(struct checkpoint *c, struct table *t);
 
 /* Closes both files. Removes them unless keep is true and there is a

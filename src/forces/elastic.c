@@ -143,8 +143,7 @@ static bool join(struct scene *s, size_t nx, size_t ny, int right, int up,
     return true;
 }
 
-/* Sets the masses, fixes the bodies of the rim and displaces all others
-   along z. */
+/* Sets masses, fixes the bodies of the rim, displaces others along z. */
 static void excite(struct scene *s, const struct elastic_membrane *m)
 {
     for (size_t y = 0; y < m->ny; ++y)

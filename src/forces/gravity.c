@@ -1,5 +1,5 @@
-/* Sums gravity over all bodies, by the chosen kernel or, for few bodies,
-   over pairs. */
+/* Sums gravity over all bodies, by a kernel or, for few bodies, by pairs.
+ */
 #include "forces/gravity.h"
 
 #include "forces/pull.h"

@@ -7,8 +7,7 @@
 
 static const char no_memory[] = "there is no memory for so many bodies";
 
-/* Creates a scene of colliding bodies of equal radius. Returns false if
-   memory runs out. */
+/* Creates a scene of colliding bodies, all of the same radius. */
 static bool create(struct scene *s, size_t bodies, double radius, double dt)
 {
     if (!scene_create(s, bodies))

@@ -102,7 +102,7 @@ static void divide_numbers(struct impact *p, size_t n)
 }
 
 /* Replaces the forces of the stepping by accelerate above, and removes its
-   sweep, which does not know of walls. */
+   sweep, which ignores walls. */
 bool impact_create(struct impact *p, struct spheres *spheres,
                    struct stepping *s)
 {
@@ -223,8 +223,7 @@ static void draw_paths(struct impact *p, double h)
     }
 }
 
-/* Computes the control points of the gap between a body and a wall. Returns
-   their degree. */
+/* Computes the control points of a wall's gap. Returns their degree. */
 static size_t wall_points(const struct impact *p,
                           const struct impact_gap *g, double q[])
 {
@@ -274,10 +273,9 @@ static bool sinks(const double q[], size_t m, double below)
 }
 
 /* Replaces p->least by the minimum of a curve, divided by unit, if this
-   minimum lies inside the part and is nearer to 0. It tells how narrowly a
-   contact was made or missed, and thus whether the error of a path may have
-   decided which. A minimum that is below 0 only by a rounding error is not
-   a root and is recorded as 0. */
+   minimum lies inside the part and is nearer to 0. The least minimum tells
+   whether the error of a path may have made or prevented a contact. If it
+   is below 0 only by a rounding error, it is recorded as 0. */
 static void notice(struct impact *p, const double q[], size_t m,
                    double unit, double rounding)
 {
@@ -347,7 +345,7 @@ static void add_gap(struct impact *p, struct impact_gap g, double h)
     p->gap[p->gaps++] = g;
 }
 
-/* Adds the gap to a wall if the path may lead beyond the wall. */
+/* Adds the gap between a body and a wall if its path may pass the wall. */
 static void add_wall(struct impact *p, size_t k, size_t i, double side,
                      double h)
 {
@@ -544,9 +542,8 @@ static struct impact_gap *first_gap(const struct impact *p)
 }
 
 /* Returns the gap that closes first before the time *h by the method, and
-   sets *h to an estimate of that time; or returns NULL if there is none.
-   Two roots that are close to each other may be in the wrong order on the
-   approximate paths. */
+   sets *h to an estimate of that time; NULL if there is none. Two roots
+   that are close to each other may be in the wrong order on the paths. */
 static struct impact_gap *earlier_gap(const struct impact *p, double *h)
 {
     const double now = *h;
@@ -666,9 +663,8 @@ static bool settle_once(struct impact *p, uint64_t *met)
 
 /* Resolves closing contacts repeatedly, since one collision may cause
    another at the same time, as in a row of touching balls. Before that, a
-   body that is pressed against a wall is put at rest there; if two bodies
-   are pressed together, for which there is no such rest, the step is
-   abandoned. */
+   body that is pressed against a wall is put at rest there. If two bodies
+   are pressed together, the step is abandoned. */
 static void settle(struct impact *p, uint64_t *met)
 {
     uint64_t now = 0;
@@ -690,9 +686,8 @@ static void settle(struct impact *p, uint64_t *met)
 }
 
 /* Moves to the first contact of the part and reduces *h to its time, s; or
-   moves to the end of the part and returns false. A contact of the paths
-   that the method does not confirm was a near miss, and the next contact is
-   tried. */
+   moves to the end of the part and returns false. If the method does not
+   confirm a contact of the paths, the next contact is tried. */
 static bool find_contact(struct impact *p, double *h)
 {
     const double most = *h;
@@ -744,8 +739,7 @@ static bool is_unclear(struct impact *p, bool last)
 
 /* Takes the rest of a step, or its part before the first contact. Returns
    the length of the part, s. An unclear part is halved up to ROOT_HALVINGS
-   times; a body that does not rise in the shortest part counts as pressed.
- */
+   times; a body that does not rise in the shortest part is pressed. */
 static double take_part(struct impact *p, double left, uint64_t *met)
 {
     double h = left;

@@ -34,11 +34,11 @@ struct impact {
                             rests, -1 or 1; 0: none */
     size_t lifted;       /* coordinate that a wall would have to pull */
     double *note;        /* state of the stepping at the part's beginning */
-    double *control;     /* [3 * bodies][10] of the paths, m */
+    double *control;     /* [3 * bodies][10] control points, m */
     size_t degree;       /* of the paths */
     double *low, *high;  /* [3 * bodies] box around each path, m */
     double *pull;        /* [3 * bodies] accelerations, m/s^2 */
-    size_t *order, axis; /* bodies sorted along axis; 3: not sorted */
+    size_t *order, axis; /* bodies, sorted along axis; axis 3: not */
     struct impact_gap *gap;
     size_t gaps, capacity;
     bool waiting; /* the last adaptive step ended at a contact */

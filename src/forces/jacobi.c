@@ -1,7 +1,6 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 610204605 of the lines below */
-/* Moves bodies along ellipses in Jacobi's coordinates, and computes the
-   forces that perturb these ellipses. */
+/* checksum 1868560840 of the lines below */
+/* Moves bodies along ellipses, and computes the perturbing forces. */
 #include "forces/jacobi.h"
 
 #include "forces/kepler.h"

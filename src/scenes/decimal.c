@@ -1,4 +1,4 @@
-/* Reads decimals in one operation, as a sum, or by the C library. */
+/* Reads decimal numbers, if possible without calling the C library. */
 #include "scenes/decimal.h"
 
 #include <float.h>

@@ -110,8 +110,7 @@ void scene_take_state(struct scene *s, const struct scene *from)
 /* Returns the list with room for one more item, or NULL if memory runs out.
    The capacity is always a power of two and need not be stored: a list is
    full if count is 0 or a power of two, that is, if count & (count - 1) is
-   0. Since the capacity is doubled, an item is moved less than twice on
-   average. */
+   0. Thus an item is moved less than twice on average. */
 static void *make_room(void *list, size_t count, size_t size)
 {
     if ((count & (count - 1)) != 0)
@@ -270,8 +269,7 @@ static struct field next_field(const char **fields)
     return f;
 }
 
-/* Reads a whole number of at most 32 bits, which consists of digits only.
-   Returns false if there is none. */
+/* Reads a whole number of at most 32 bits, without a sign or a point. */
 static bool read_whole(struct piece p, double *value)
 {
     *value = 0;
@@ -418,8 +416,7 @@ static bool store_vfix(struct reader *r, const double value[], size_t count)
     return true;
 }
 
-/* Stores the species of a body, a number whose meaning depends on the
-   program. */
+/* Stores the species of a body, which each program may interpret. */
 static bool store_species(struct reader *r, const double value[],
                           size_t count)
 {
@@ -456,7 +453,7 @@ static bool store_kept(struct reader *r, const double value[], size_t count)
     return store_axes(&r->scene->kept, r, value, count);
 }
 
-/* Stores the values of a kind of spring, which prepare has allocated. */
+/* Stores a kind of spring in the list that prepare has allocated. */
 static bool store_kind(struct reader *r, const double value[], size_t count)
 {
     struct scene_kind *kind = &r->scene->kind[(size_t)value[0]];
@@ -467,7 +464,7 @@ static bool store_kind(struct reader *r, const double value[], size_t count)
     return true;
 }
 
-/* Adds a spring. Refuses a length whose square overflows. */
+/* Adds a spring, unless the square of its length would overflow. */
 static bool store_spring(struct reader *r, const double value[],
                          size_t count)
 {
@@ -561,8 +558,7 @@ static const struct line forms[LINES] = {
     [BOX] = {"box", "xlow xhigh ylow yhigh zlow zhigh", 1, BY(store_box)},
     [WALLS] = {"walls", "|x |y |z", 2, BY(store_walls)}};
 
-/* Returns the sort of lines that begin with this word, or LINES if there is
-   none. */
+/* Returns the sort of lines that begin with this word; LINES: none. */
 static size_t find_form(struct piece p)
 {
     size_t i = 0;

@@ -1,5 +1,4 @@
-/* Sums gravity over all bodies, by a kernel or, for few bodies, by pairs.
- */
+/* Sums gravity over all bodies, by a kernel or over pairs. */
 #include "forces/gravity.h"
 
 #include "forces/pull.h"

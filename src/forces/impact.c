@@ -1,4 +1,4 @@
-/* Finds contacts on polynomial paths, and improves them by the method. */
+/* Finds contacts on polynomial paths, then their times by the method. */
 #include "forces/impact.h"
 
 #include "forces/adaptive.h"

@@ -1,16 +1,17 @@
-/* The coefficients of each stepping method, and its entry in the table. */
+/* Defines the coefficients of the stepping methods and their table. */
 #include "forces/stepping.h"
 
 #include <math.h>
 #include <string.h>
 
-/* The coefficients of the methods. Digits beyond the sixteenth are for
-   programs with more precise numbers. */
+/* The coefficients of the methods. Their digits beyond the sixteenth serve
+   programs that compute with more than double precision. */
 static const double leapfrog[] = {1};
 static const double symplectic_euler_drift[] = {1};
 static const double symplectic_euler_kick[] = {1, 0};
 
-/* 1 / (2 - cbrt(2)), and 1 minus twice that: (8.8, eq:triple-jump). */
+/* 1 / (2 - cbrt(2)), and 1 minus twice that number, (8.8,
+   eq:triple-jump). */
 static const double yoshida4[] = {1.3512071919596576340476878,
                                   -1.7024143839193152680953756,
                                   1.3512071919596576340476878};
@@ -24,7 +25,7 @@ static const double yoshida6[] = {
     0.78451361047755726381949763};
 
 /* Omelyan, Mryglod and Folk (2002). It begins and ends with a drift, so its
-   first and last kick have length 0 and need no forces. */
+   first and last kicks have length 0 and need no forces. */
 #define XI 0.1786178958448091
 #define LAMBDA (-0.2123418310626054)
 #define CHI (-0.06626458266981849)
@@ -44,8 +45,9 @@ static const double kahan_li8[] = {
     -0.38947496264484728640807860, 0.56116298177510838456196441,
     0.13020248308889008087881763};
 
-/* Laskar and Robutel (2001), SBAB4: 1/2 - sqrt(3/28), sqrt(3/28): nodes and
-   weights of Lobatto's quadrature, (sec:jacobi). */
+/* The method SBAB4 of Laskar and Robutel (2001). Its drifts, 1/2 -
+   sqrt(3/28) and sqrt(3/28), lie between the nodes of Lobatto's quadrature,
+   whose weights are the kicks, (sec:jacobi). */
 static const double sbab4_drift[] = {
     0.17267316464601142810085377, 0.32732683535398857189914623,
     0.32732683535398857189914623, 0.17267316464601142810085377};
@@ -61,25 +63,26 @@ static const double gauss4_a[] = {0.25, 0.25 - ROOT, 0.25 + ROOT, 0.25};
 static const double gauss4_b[] = {0.5, 0.5};
 static const double midpoint_a[] = {0.5}, midpoint_b[] = {1};
 
-/* Dormand and Prince (1980): weights of order 5, their differences from
-   order 4, and Shampine's dense weights, after Hairer, Norsett and Wanner.
-   A test checks the seventeen conditions of order 5 and the eight of the
-   dense weights. */
+/* The pair of Dormand and Prince (1980), as printed by Hairer, Norsett and
+   Wanner: the stages, the last of which has the weights of order 5, the
+   differences between these weights and those of order 4, and Shampine's
+   weights for dense output. A test checks the seventeen conditions of order
+   5 and the eight of the dense weights. */
 static const double dopri5_a[] = {
-    /* 1 */
+    /* stage 1 */
     0, 0, 0, 0, 0, 0, 0,
-    /* 2 */
+    /* stage 2 */
     1.0 / 5, 0, 0, 0, 0, 0, 0,
-    /* 3 */
+    /* stage 3 */
     3.0 / 40, 9.0 / 40, 0, 0, 0, 0, 0,
-    /* 4 */
+    /* stage 4 */
     44.0 / 45, -56.0 / 15, 32.0 / 9, 0, 0, 0, 0,
-    /* 5 */
+    /* stage 5 */
     19372.0 / 6561, -25360.0 / 2187, 64448.0 / 6561, -212.0 / 729, 0, 0, 0,
-    /* 6 */
+    /* stage 6 */
     9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656,
     0, 0,
-    /* 7: the end of the step */
+    /* stage 7, the end of the step */
     35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84, 0};
 static const double dopri5_error[] = {
     71.0 / 57600,      0,          -71.0 / 16695, 71.0 / 1920,
@@ -97,12 +100,12 @@ static const double radau15_node[] = {
     0.35262471711316963737390777,  0.54715362633055538300144856,
     0.73421017721541053152321061,  0.88532094683909576809035976,
     0.9775206135612875018911745};
-/* The weights, at the end of a step, of the differences of the seven forces
-   from that at the start: for each node head and tail of the weight for v,
-   then for x. They are two doubles each, since a weight rounded once has an
-   error common to all steps, which the energy shows after 1e5 steps. They
-   belong to the rounded nodes: with the force at the start they integrate
-   t^0 to t^7. */
+/* The weights that give v and x at the end of a step, for the differences
+   between the force at each of the seven nodes and the force at the start:
+   for each node the weight for v, then that for x. Each is the sum of two
+   doubles, since the rounding error of one would be common to all steps and
+   show in the energy after 1e5 steps. They are computed for the rounded
+   nodes: with the force at the start they integrate t^0 to t^7. */
 static const double radau15_weight[] = {
     0.092679077401489687,  -6.9250597277834874e-19,
     0.08746471519868225,   1.2569814901812666e-18,
@@ -121,8 +124,8 @@ static const double radau15_weight[] = {
 
 /* Macros that compute the counts of a method from the lengths of its lists.
    A composition of leapfrogs evaluates the forces once in each leapfrog.
-   Any other splitting gives the number of evaluations itself (stages),
-   since a kick of length 0 needs none. */
+   For any other splitting the table gives the number of evaluations
+   (stages), since a kick of length 0 needs none. */
 #define LENGTH(list) (sizeof(list) / sizeof *(list))
 #define COMPOSED(m)                                                        \
     .family = STEPPING_SPLITTING, .drifts = LENGTH(m),                     \
@@ -143,8 +146,9 @@ static const double radau15_weight[] = {
     .family = STEPPING_RADAU, .stages = LENGTH(m##_node),                  \
     .node = m##_node, .weight = m##_weight, .adaptive = true
 
-/* The table of methods. Limits are computed from the matrix of a step,
-   (8.5, eq:stability-limit), with 113 bits; tests measure all claims. */
+/* The table of methods. Stability limits are computed with 113 bits from
+   the matrix of a step, (8.5, eq:stability-limit); tests verify all
+   properties. */
 const struct stepping_method stepping_methods[STEPPING_MOST + 1] = {
     {"euler", "straight on, and outwards", EXPLICIT(euler), .order = 1,
      .limit = 0},

@@ -6,26 +6,27 @@
 
 /* The small oscillations of a scene of springs about an equilibrium. */
 struct modes {
-    size_t size;        /* number of free coordinates, and of modes */
+    size_t size;        /* number of free coordinates and of modes */
     size_t *coordinate; /* [size] free coordinates, ascending */
-    double *square;     /* [size] of the angular frequencies, 1/s^2,
-                           ascending; negative: unstable */
-    double *shape;      /* mode j from [j * size] on: displacements times
-                           the root of the mass, normalised to length 1 */
-    double *weight;     /* [size] inverse mass, 1/kg */
+    double *square;     /* [size] squared angular frequencies, 1/s^2,
+                           ascending; negative if unstable */
+    double *shape;      /* [size * size] mode j begins at j * size:
+                           displacements times the square root of the mass,
+                           normalised to length 1 */
+    double *weight;     /* [size] inverse mass at each coordinate, 1/kg */
 };
 
-/* Finds the modes about x, from the springs alone, without dashpots. The
-   time grows as size^3. Returns false, with nothing to free, if memory runs
-   out. Source: (10.10, eq:spring-stiffness). */
+/* Finds the modes about the equilibrium x from the springs alone, without
+   dashpots, (10.10, eq:spring-stiffness). The computing time grows as
+   size^3. Returns false, with nothing to free, if memory runs out. */
 bool modes_find(struct modes *m, const struct springs *p, const double x[]);
 
 /* Frees the modes and makes *m empty. */
 void modes_free(struct modes *m);
 
-/* Writes the static displacements of the bodies, m, due to accelerations a,
-   m/s^2, in linear theory, into u; u and a are arranged as x. Modes whose
-   square is below least are left out. */
+/* Writes into u the static displacements of the bodies, m, under the
+   accelerations a, m/s^2, in linear theory; u and a are arranged as x.
+   Modes whose squared frequency is below `least` are left out. */
 void modes_deflection(const struct modes *m, double least, const double a[],
                       double u[]);
 

@@ -8,8 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Subtracts the friction, the only term of (11.14, eq:motion) without a
-   module of its own. */
+/* Subtracts the acceleration due to friction, (11.14, eq:motion). */
 static void add_friction(const struct scene *s, const double v[],
                          double a[])
 {
@@ -20,8 +19,9 @@ static void add_friction(const struct scene *s, const double v[],
 }
 
 /* Writes the accelerations of all bodies into a, (11.14, eq:motion).
-   Uniform gravity comes first, because it can write instead of add; the
-   accelerations of fixed coordinates are set to zero at the end. */
+   Uniform gravity comes first, since it overwrites a, to which all other
+   forces are added; the accelerations of fixed coordinates are set to zero
+   at the end. */
 static void accelerate(void *what, const double x[], const double v[],
                        double a[])
 {
@@ -54,7 +54,7 @@ static void sweep_two(void *what, const double x[], const double v[],
 }
 
 /* Returns whether the scene has two bodies, not both fixed, on which only
-   their mutual and uniform gravity act. They have a loop of their own. */
+   their mutual and uniform gravity act. Such a scene uses sweep_two. */
 static bool are_two(const struct motion *m, bool damped)
 {
     return m->scene->bodies == 2 && m->fixed < 6 && m->attracts &&
@@ -62,9 +62,9 @@ static bool are_two(const struct motion *m, bool damped)
            !damped;
 }
 
-/* Makes the modules that the scene needs: without a line k2 there is no
-   gravity to compute, without contact no collision to find. Returns false
-   if memory runs out; motion_end frees them. */
+/* Creates the modules that the scene needs: gravity only if it has a line
+   k2, contacts only if it has a line contact. Returns false if memory runs
+   out; motion_end then frees them. */
 static bool make_parts(struct motion *m)
 {
     const struct scene *s = m->scene;
@@ -82,8 +82,8 @@ static bool make_parts(struct motion *m)
 }
 
 /* Lists the fixed coordinates and sets their velocities to 0, whatever the
-   line vel says: without an acceleration they would move uniformly. Returns
-   false if memory runs out. */
+   line vel says: otherwise they would move uniformly. Returns false if
+   memory runs out. */
 static bool hold_coordinates(struct motion *m)
 {
     struct scene *s = m->scene;
@@ -97,13 +97,13 @@ static bool hold_coordinates(struct motion *m)
 }
 
 /* Returns the acceleration that an earlier run saved in the scene (lines
-   kept), if the method can use it, or NULL. Only leapfrog under friction
-   uses it; all other methods need only places and velocities. It belongs to
-   the step of the earlier run, the scene's line dt: it was computed for the
-   velocity predicted over that step. With another step the run begins
-   afresh. Using the saved one then would add a small error proportional to
-   the step, so that repeatedly halving the step from a saved scene would
-   halve the error each time, instead of dividing it by four. */
+   kept), or NULL if the method cannot use it. Only leapfrog under friction
+   can; all other methods need only positions and velocities. The
+   acceleration was computed for the velocity predicted over the step of the
+   earlier run, the scene's line dt, so a run with another step does not use
+   it. With it, each step would begin with an error proportional to dt:
+   halving dt repeatedly from a saved scene would halve the error each time,
+   instead of dividing it by four. */
 static const double *find_kept(const struct motion *m)
 {
     const bool same_step = m->stepping.dt == m->scene->dt;
@@ -111,7 +111,7 @@ static const double *find_kept(const struct motion *m)
                                                      : NULL;
 }
 
-/* Prepares the module jacobi if the method drifts along ellipses. Returns
+/* Creates the module jacobi if the method drifts along ellipses. Returns
    false if that fails. */
 static bool begin_orbits(struct motion *m,
                          const struct stepping_method *method)
@@ -130,9 +130,9 @@ static bool accelerates(const struct motion *m)
            g[0] != 0 || g[1] != 0 || g[2] != 0;
 }
 
-/* Sets the step of contacts that are resolved after steps: they go back in
-   time by at most dt, and search for pairs that a step has moved through
-   each other only as far as bodies can move in dt. */
+/* Sets the time step for contacts that are resolved after steps: bodies are
+   traced back by at most dt, and pairs that have passed through each other
+   are sought only as far apart as bodies can move in dt. */
 static void set_dt_of_contacts(struct motion *m, double dt)
 {
     m->spheres.dt = dt;
@@ -143,9 +143,9 @@ static void set_dt_of_contacts(struct motion *m, double dt)
 /* Begins stepping; returns false if memory runs out. If only springs act,
    their module also computes uniform gravity and friction, in one sweep
    over the bodies. Sums are compensated if an earlier run saved their
-   rounding errors (lines carry), and for methods of order six and more,
-   whose own error is less than rounding; the caller may change it before
-   the first step. */
+   rounding errors (lines carry), and for methods of order six or more,
+   whose truncation error is less than rounding error, but never for
+   adaptive methods; the caller may change this before the first step. */
 static bool begin_stepping(struct motion *m,
                            const struct stepping_method *method, double dt)
 {
@@ -177,7 +177,7 @@ static bool begin_stepping(struct motion *m,
     return true;
 }
 
-/* Returns whether body i has no mass, though it may move. */
+/* Returns whether body i has no mass but may move. */
 static bool is_massless(const struct scene *s, size_t i)
 {
     const size_t n = s->bodies;
@@ -186,9 +186,9 @@ static bool is_massless(const struct scene *s, size_t i)
 }
 
 /* Returns a free body without mass on which a force acts, or the number of
-   bodies. Such a body may fall, since gravity does not depend on its mass;
-   but a spring or friction would accelerate it infinitely. Friction and
-   contacts act on all bodies, a spring on two. */
+   bodies if there is none. Gravity may act on it, since its acceleration
+   does not depend on its mass; but a spring, friction or a contact would
+   accelerate it infinitely. Friction and contacts act on all bodies. */
 static size_t find_massless(const struct scene *s)
 {
     const bool all = s->damping > 0 || s->contact;
@@ -205,8 +205,8 @@ static size_t find_massless(const struct scene *s)
 }
 
 /* Returns a body that is wider than the box along an axis along which it
-   may move, or the number of bodies. Two opposite walls would push it at
-   once, for ever. */
+   may move, or the number of bodies if there is none. Two opposite walls
+   would push such a body at the same time, endlessly. */
 static size_t find_thick(const struct scene *s)
 {
     for (size_t c = 0; s->contact && c < SCENE_AXES * s->bodies; ++c) {
@@ -219,7 +219,7 @@ static size_t find_thick(const struct scene *s)
     return s->bodies;
 }
 
-/* Returns whether the bodies have different coordinates along axis k, or
+/* Returns whether the bodies differ in their coordinates along axis k, or
    one of them may move along it. */
 static bool is_used(const struct scene *s, size_t k)
 {
@@ -241,11 +241,11 @@ static bool is_sprung(const struct scene *s, size_t i)
     return false;
 }
 
-/* Returns the first of several points confined to one line, if one of them
-   moves; otherwise the number of bodies. Such points would collide, which
-   steps cannot detect. Points joined by springs are usually meant to pass
-   through each other; so the number of bodies is also returned if every
-   point is on a spring. */
+/* Returns the first of several bodies without radius if all bodies lie on
+   one line, one of these points may move, and one is not on a spring;
+   otherwise the number of bodies. Such points would collide, which steps
+   cannot detect; points joined by springs are usually meant to pass through
+   each other. */
 static size_t find_point(const struct scene *s)
 {
     size_t axis = SCENE_AXES, axes = 0, points = 0, free = 0, loose = 0;
@@ -332,8 +332,8 @@ const struct spheres *motion_contacts(const struct motion *m)
                                       : NULL;
 }
 
-/* Sets up the motion of a scene that can be stepped; returns false after
-   printing an error. Only the last failure has anything to free. */
+/* Sets up the motion of a scene that can be stepped; otherwise prints an
+   error and returns false, with nothing to free. */
 static bool begin(struct motion *m, const char *program, struct scene *s,
                   const char *method, double dt)
 {
@@ -391,9 +391,9 @@ void motion_end(struct motion *m)
     *m = (struct motion){0};
 }
 
-/* Returns whether the method may take several steps of its own in one dt.
-   Then the motion back to the beginning of dt is not straight, and
-   spheres_watch cannot find pairs that have passed through each other. */
+/* Returns whether the method may divide dt into several steps. The paths of
+   the bodies during dt are then not straight, and spheres_watch cannot find
+   pairs that have passed through each other. */
 static bool is_split(const struct motion *m)
 {
     return m->stepping.own || m->outside;
@@ -417,8 +417,8 @@ bool motion_locate(struct motion *m)
     return m->located;
 }
 
-/* After a contact the velocities have changed outside the method, and its
-   stored acceleration is no longer valid. */
+/* Calls stepping_disturb after a contact: the velocities have changed, so
+   that the acceleration stored by the method is no longer valid. */
 enum stepping_end motion_run(struct motion *m, uint64_t steps)
 {
     enum stepping_end end = STEPPING_DONE;
@@ -451,10 +451,10 @@ void motion_resume(struct motion *m, double start, uint64_t steps)
     stepping_resume(&m->stepping, steps, NULL, find_kept(m));
 }
 
-/* Begins the method anew with the shorter step, keeping the compensated
-   sums, since the acceleration that leapfrog stores belongs to steps of one
-   length (see find_kept). An adaptive method (adaptive.c) only gets closer
-   output times. */
+/* Restarts the method with the new step, since the acceleration that
+   leapfrog stores belongs to steps of one length (see find_kept), but keeps
+   the compensated sums. For an adaptive method (adaptive.c) only the output
+   times become closer. */
 bool motion_shorten(struct motion *m, double dt)
 {
     struct stepping old = m->stepping, *s = &m->stepping;
@@ -480,7 +480,7 @@ bool motion_shorten(struct motion *m, double dt)
     return true;
 }
 
-/* Replaces *to by a copy of n numbers, or by NULL if from is NULL. Returns
+/* Replaces *to by a copy of from[n], or by NULL if from is NULL. Returns
    false if memory runs out. */
 static bool note(double **to, const double from[], size_t n)
 {
@@ -491,14 +491,14 @@ static bool note(double **to, const double from[], size_t n)
     return !*to == !from;
 }
 
-/* Stores rounding errors of compensated sums, too: each is less than a last
-   digit, but a run resumed without them differs after a thousand steps. It
-   also stores the acceleration that leapfrog keeps, except after a contact,
-   when that is no longer valid: an uninterrupted run also computes a new
-   one. A time in the first column of a resumed run may differ in its last
-   digit from that of an uninterrupted run: it is t0 + n dt, and t0 is now
-   the time of the saved scene. No motion depends on it; a checkpoint stores
-   t0 and n, and gives equal times. */
+/* Also stores the rounding errors of compensated sums: each is less than
+   the last digit, but without them a resumed run differs after a thousand
+   steps. Also stores the acceleration that leapfrog keeps, except after a
+   contact, when an uninterrupted run computes a new one, too. The times in
+   the first column of a resumed run may differ in their last digits from
+   those of an uninterrupted run: they are t0 + n dt, where t0 is now the
+   time of the saved scene. The motion does not depend on them; a checkpoint
+   stores t0 and n, and so reproduces the times. */
 bool motion_note(struct motion *m)
 {
     struct scene *s = m->scene;
@@ -524,7 +524,8 @@ static double weight_energy(const struct scene *s)
     return sum;
 }
 
-/* Sums body by body in the order of their numbers, for fixed last bits. */
+/* Adds the energies in the order of the bodies' numbers, so that the
+   rounding error is always the same. */
 double motion_kinetic(const struct motion *m)
 {
     const struct scene *s = m->scene;

@@ -22,28 +22,29 @@ struct motion {
     struct scene *scene; /* its positions and velocities are stepped */
     double dt;           /* length of the first steps, s */
     struct stepping stepping;
-    struct gravity gravity; /* if attracts */
-    struct springs springs; /* if bound */
-    struct spheres spheres; /* if collides */
-    struct jacobi jacobi;   /* if orbits: for methods with ellipses */
-    struct impact impact;   /* if located: finds the times of contacts */
-    struct soft soft;       /* if is_soft: contacts as springs */
+    struct gravity gravity; /* used if attracts */
+    struct springs springs; /* used if bound */
+    struct spheres spheres; /* used if collides */
+    struct jacobi jacobi;   /* used if orbits: drifts along ellipses */
+    struct impact impact;   /* used if located: finds times of contacts */
+    struct soft soft;       /* used if is_soft: contacts as springs */
     bool attracts, bound, collides, orbits, located, is_soft;
-    uint64_t collisions; /* between bodies and with walls, so far */
-    size_t *held, fixed; /* [fixed] the fixed coordinates */
+    uint64_t collisions; /* so far, between bodies and with walls */
+    size_t *held, fixed; /* held[fixed] lists the fixed coordinates */
     /* NULL, or a function that replaces the method: it moves x and v by the
-       time dt, s, and returns false if it fails. For steppers outside
-       forces/stepping.h, such as forces/reference.h. */
+       time dt, s, and returns false if it fails. It serves integrators
+       outside forces/stepping.h, such as forces/reference.h. */
     bool (*outside)(void *with, double dt, double x[], double v[]);
     void *with;
 };
 
-/* The parts of the energy, J in the units of the scene. */
+/* The parts of the energy, in the units of the scene: kinetic, mutual
+   gravity, springs with soft contacts, and uniform gravity (weight). */
 struct motion_energy {
     double kinetic, gravity, springs, weight;
 };
 
-/* The reasons why a scene cannot be stepped; MOTION_WELL: it can. */
+/* The reasons why a scene cannot be stepped, explained at motion_flaw. */
 enum motion_flaw {
     MOTION_WELL,
     MOTION_WALLS,
@@ -54,55 +55,58 @@ enum motion_flaw {
 };
 
 /* Prepares to step s, which must outlive m; velocities along fixed
-   coordinates become zero. A dt of 0 stands for the scene's. Sums are
-   compensated for orders from six on. On failure prints an error beginning
-   with program, and returns false with nothing to free. */
+   coordinates become zero. If dt is 0, the scene's step is taken. Sums are
+   compensated for methods of order six or more. On failure prints an error
+   that begins with `program`, and returns false with nothing to free. */
 bool motion_begin(struct motion *m, const char *program, struct scene *s,
                   const char *method, double dt);
 
 /* Prepares m, as motion_begin does, for a scene that an event-driven engine
-   moves: m then only gives its energy. Points may share a line. */
+   moves: m then only gives its energy. Bodies without radius may lie on one
+   line. */
 bool motion_view(struct motion *m, const char *program, struct scene *s);
 void motion_end(struct motion *m);
 
-/* Has contacts found inside the steps from now on, not after them. To be
-   called before the first step, for a scene with contacts, a method of
-   stepping_methods and dt > 0. Returns false, with m unchanged, if memory
-   runs out. */
+/* Makes motion_run find contacts within the steps instead of after them.
+   Must be called before the first step, for a scene with contacts, a method
+   of stepping_methods and dt > 0. Returns false, with m unchanged, if
+   memory runs out. */
 bool motion_locate(struct motion *m);
 
 /* Takes `steps` steps. Contacts, if the scene has any, are resolved after
    each step or within it. The number of calls into which a run is divided
    does not affect the results. */
 enum stepping_end motion_run(struct motion *m, uint64_t steps);
-double motion_time(const struct motion *m); /* s */
+double motion_time(const struct motion *m); /* present time, s */
 
-/* Sets the length of further steps to dt, s, and their count to 0. Returns
-   false, with m unchanged, if memory runs out. */
+/* Sets the length of the following steps to dt, s, and their count to 0.
+   Returns false, with m unchanged, if memory runs out. */
 bool motion_shorten(struct motion *m, double dt);
 
 /* Sets m, before its first step, to the time of a run that began at start,
    s, and has taken `steps` steps. */
 void motion_resume(struct motion *m, double start, uint64_t steps);
 
-/* Stores time, initial step, rounding errors and the acceleration kept by
-   the method in the scene: a file written by scene_write can then be
-   continued, by this method, with equal bits. False if memory runs out. */
+/* Stores in the scene the time, the initial step, the rounding errors and
+   the acceleration kept by the method, so that a run with this method from
+   a file of scene_write continues bit for bit. Returns false if memory runs
+   out. */
 bool motion_note(struct motion *m);
 
-/* Return the present energy, J: all parts, kinetic, and potential. Fixed
-   coordinates do not contribute to `weight`. */
+/* Return the present energy: its parts, the kinetic and the potential
+   energy, in the units of the scene. Fixed coordinates do not contribute to
+   `weight`. */
 struct motion_energy motion_energy(const struct motion *m);
 double motion_kinetic(const struct motion *m);
 double motion_potential(const struct motion *m);
 
-/* Returns whether s can be stepped: MOTION_WALLS if it has walls but no
-   contact; MOTION_RESTITUTION if it has a restitution but contacts as
-   springs, which determine their own. The others set *body, unless body is
-   NULL: MOTION_MASSLESS if a force acts on a body without mass;
-   MOTION_POINTS if a body without a radius shares a line with another,
-   whose collisions steps cannot detect; MOTION_THICK if a body is wider
-   than the box. */
+/* Returns why s cannot be stepped, or MOTION_WELL if it can. MOTION_WALLS:
+   it has walls but no contact. MOTION_RESTITUTION: it has a restitution,
+   but contacts as springs, which determine their own. The other flaws set
+   *body, unless body is NULL. MOTION_MASSLESS: a force acts on a body
+   without mass. MOTION_POINTS: a body without a radius shares a line with
+   another; steps cannot detect their collisions. MOTION_THICK: a body is
+   wider than the box. */
 enum motion_flaw motion_flaw(const struct scene *s, size_t *body);
 
 /* Returns the contacts that are resolved after steps, or NULL. */

@@ -10,12 +10,12 @@
 #include <string.h>
 
 enum {
-    DENSE = 1024, /* most unknowns for Newton's method */
+    DENSE = 1024, /* largest number of unknowns */
     MOST_CORRECTIONS = 50
 };
 
-/* Allocates the matrix at its first use: most runs need none. Returns false
-   if memory runs out or there are too many unknowns. */
+/* Allocates the matrix when it is first used, since most runs need none.
+   Returns false if memory runs out or there are too many unknowns. */
 static bool prepare(struct stepping *s)
 {
     struct stepping_work *const w = s->part;
@@ -31,9 +31,9 @@ static bool prepare(struct stepping *s)
     return w->matrix && w->pivot;
 }
 
-/* Exchanges row k with the row below it (or itself) that has the largest
-   number in column k, so that elimination never divides by a needlessly
-   small number; returns that row. */
+/* Exchanges row k with the row, from k on, that has the largest absolute
+   value in column k, so that elimination never divides by a needlessly
+   small number; returns the index of that row. */
 static size_t fetch_pivot(double m[], size_t n, size_t k)
 {
     size_t best = k;
@@ -48,8 +48,9 @@ static size_t fetch_pivot(double m[], size_t n, size_t k)
     return best;
 }
 
-/* Replaces m, n by n, by its factors L and U; row[k] is the row of the k-th
-   pivot before the exchange. Returns false if m is singular. */
+/* Replaces the n x n matrix m by its factors L and U; row[k] becomes the
+   index that fetch_pivot returned for pivot k. Returns false if m is
+   singular. */
 static bool factor(double m[], size_t n, size_t row[])
 {
     for (size_t k = 0; k < n; ++k) {
@@ -65,7 +66,7 @@ static bool factor(double m[], size_t n, size_t row[])
     return true;
 }
 
-/* Replaces y by the solution of m z = y. */
+/* Replaces y by the solution z of m z = y, with m and row[] from factor. */
 static void substitute(const double m[], size_t n, const size_t row[],
                        double y[])
 {
@@ -84,9 +85,10 @@ static void substitute(const double m[], size_t n, const size_t row[],
     }
 }
 
-/* Adds to the matrix the derivatives of the acceleration at stage i with
-   respect to coordinate k there, which has been displaced by d; by[i][j] is
-   the weight of acceleration j in that coordinate. */
+/* Subtracts from the matrix the derivatives of the accelerations at stage i
+   with respect to coordinate k at that stage, or its velocity, which has
+   been displaced by d; by[i * stages + j] is the weight of the acceleration
+   of stage j in that coordinate or velocity. */
 static void add_slope(struct stepping *s, size_t i, size_t k,
                       const double by[], double d)
 {
@@ -102,8 +104,9 @@ static void add_slope(struct stepping *s, size_t i, size_t k,
     }
 }
 
-/* Fills in the columns of coordinate k at stage i: displaces it by dx, and
-   its velocity, too, if the forces depend on velocities. */
+/* Enters the derivatives at stage i with respect to coordinate k, which is
+   displaced by dx, and, if the forces depend on velocities, with respect to
+   its velocity. */
 static void displace(struct stepping *s, size_t i, size_t k, double dx)
 {
     const struct stepping_work *const w = s->part;
@@ -120,9 +123,9 @@ static void displace(struct stepping *s, size_t i, size_t k, double dx)
 
 /* Computes the matrix of Newton's method, (8.12, eq:newton), at the present
    stages, and factors it. The displacements are 2^-26 of the size of the
-   system, about the root of the rounding error, so that the derivatives
-   have half of the digits. That is enough, since the matrix affects only
-   the speed of convergence. */
+   system, about the square root of the rounding error, so that the
+   derivatives have half of the digits. That suffices, since the matrix
+   affects only the speed of convergence. */
 static bool linearize(struct stepping *s)
 {
     struct stepping_work *const w = s->part;
@@ -141,8 +144,8 @@ static bool linearize(struct stepping *s)
     return factor(w->matrix, all, w->pivot);
 }
 
-/* Makes one correction of all accelerations; returns its largest
-   component. */
+/* Corrects all accelerations once; returns the largest component of the
+   correction. */
 static double correct(struct stepping *s)
 {
     struct stepping_work *const w = s->part;
@@ -155,12 +158,12 @@ static double correct(struct stepping *s)
     return largest(w->guess, all);
 }
 
-/* Uses one matrix as long as each correction is ten times smaller than the
-   one before. Corrections that no longer decrease are rounding errors.
-   Where forces cancel, as near an equilibrium, the accelerations are no
-   measure of these errors: an error of eps |x| in the places changes the
-   solution by up to J eps |x|/(1 + J dt^2/12), with J the stiffness per
-   mass; that is less than 12 eps |x|/dt^2. */
+/* Keeps the matrix as long as each correction is less than a tenth of the
+   previous one. Corrections that no longer decrease are rounding errors.
+   Where forces cancel, as near an equilibrium, the size of the
+   accelerations does not show these errors: an error of eps |x| in the
+   positions changes the solution by up to J eps |x|/(1 + J dt^2/12), with J
+   the stiffness per mass; that is less than 12 eps |x|/dt^2. */
 bool newton_solve(struct stepping *s)
 {
     double last = INFINITY, change = INFINITY;

@@ -4,9 +4,10 @@
 
 #include "forces/stepping.h"
 
-/* Solves for the accelerations at the stages, from the guess in
-   s->part->stage: the zero of F in (8.12, eq:newton). Returns false if it
-   does not converge, if memory runs out, or for more than 1024 unknowns. */
+/* Finds the accelerations at the stages, the zero of F in (8.12,
+   eq:newton), starting from the guess in s->part->stage. Returns false if
+   the iteration does not converge, memory runs out, or there are more than
+   1024 unknowns. */
 bool newton_solve(struct stepping *s);
 
 #endif

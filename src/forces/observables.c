@@ -93,7 +93,7 @@ static void angular_momentum(const struct motion *m, const size_t body[],
 }
 
 /* Returns whether nothing in the scene can change the momentum along axis
-   k: no wall, no gravity, no friction, and no fixed body. */
+   k: no wall, uniform gravity, friction or fixed body. */
 static bool keeps_momentum(const struct scene *s, size_t k)
 {
     bool free =
@@ -103,9 +103,10 @@ static bool keeps_momentum(const struct scene *s, size_t k)
     return free;
 }
 
-/* Returns the kinetic energy along axis k; if the momentum is conserved,
-   relative to the centre of mass. Velocities are taken relative to one
-   body, for an exact 0 if all are equal. */
+/* Returns the kinetic energy of the motion along axis k, relative to the
+   centre of mass if the momentum is conserved. The momentum is summed
+   relative to body 0, so that equal velocities give an energy of exactly
+   0. */
 static double heat_along(const struct scene *s, size_t k)
 {
     const double *v = s->velocity + k * s->bodies;
@@ -123,11 +124,12 @@ static double heat_along(const struct scene *s, size_t k)
 
 /* Computes kT from equipartition: each free coordinate has the mean kinetic
    energy kT/2, also with springs. Along axes with conserved momentum only
-   the motion relative to the drift counts. The energy is divided by all
-   free coordinates, so that a scene without a drift keeps its kT; in a gas
-   of N bodies in a periodic box, with only N - 1 relative velocities along
-   each axis, kT should be larger by N/(N - 1). A drift whose energy is less
-   than the last bit of the sum is a rounding error. */
+   the motion relative to the centre of mass counts. The energy is divided
+   by the number of all free coordinates, so that a scene without drift
+   keeps its kT; in a gas of N bodies in a periodic box, with only N - 1
+   relative velocities along each axis, kT should be larger by the factor
+   N/(N - 1). A drift whose energy is less than the rounding error of the
+   sum is ignored. */
 static void temperature(const struct motion *m, const size_t body[],
                         double out[])
 {
@@ -172,8 +174,8 @@ static void distance(const struct motion *m, const size_t body[],
    computes its columns. */
 struct observables_kind {
     const char *name;
-    size_t bodies, width; /* numbers of bodies in its arguments, and of
-                             columns */
+    size_t bodies, width; /* numbers of its arguments, which are bodies, and
+                             of its columns */
     const char *symbols, *unit, *meaning; /* a symbol for each column */
     void (*values)(const struct motion *m, const size_t body[],
                    double out[]); /* NULL: component */
@@ -216,7 +218,8 @@ static const struct observables_kind *find_kind(const char *name, size_t n)
     return NULL;
 }
 
-/* Reads :NUMBER; returns its end, or NULL if there is no such body. */
+/* Reads a colon and the number of a body; returns the end of the number, or
+   NULL if there is no such body. */
 static const char *read_body(const char *text, size_t bodies, size_t *body)
 {
     char *end;
@@ -228,7 +231,8 @@ static const char *read_body(const char *text, size_t bodies, size_t *body)
 }
 
 /* Reads a name and its bodies, up to the comma or the end of the text.
-   Returns that position, or NULL with a message about the expected form. */
+   Returns that position; on failure writes the expected form into message
+   and returns NULL. */
 static const char *read_one(struct observable *o, const char *text,
                             size_t bodies,
                             char message[OBSERVABLES_MESSAGE])
@@ -276,7 +280,7 @@ bool observables_read(struct observables *o, const char *text,
 }
 
 /* Writes the symbol of column k with the numbers of its bodies, as in z:30;
-   plots by make inspect use it to label axes. */
+   make inspect labels the axes of its plots with it. */
 static void symbol_of(const struct observable *o, size_t k, char *symbol,
                       size_t size)
 {

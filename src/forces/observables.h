@@ -1,4 +1,4 @@
-/* Observables of a motion, by name: energies, places, speeds. */
+/* Observables of a motion, by name: energies, positions, speeds. */
 #ifndef OBSERVABLES_H
 #define OBSERVABLES_H
 
@@ -24,8 +24,9 @@ struct observables {
 bool observables_read(struct observables *o, const char *text,
                       size_t bodies, char message[OBSERVABLES_MESSAGE]);
 
-/* An observable's number of columns, their unit, and the axis (0 to 2) if
-   it is a coordinate of a body; 3: it is not. */
+/* The number of columns of an observable, their unit, and the axis, 0 to 2,
+   of the coordinate that it is; axis is 3 if it is no coordinate of a
+   body. */
 struct observables_sort {
     size_t width, axis;
     const char *unit;
@@ -35,20 +36,21 @@ struct observables_sort observables_sort(const struct observable *o);
 /* Adds a line to the head of a table for each column. */
 void observables_head(const struct observables *o, struct table *t);
 
-/* Writes the present values, o->columns of them, in the scene's units of
-   length, time and mass. */
+/* Writes the o->columns present values, in the scene's units of length,
+   time and mass. */
 void observables_values(const struct observables *o, const struct motion *m,
                         double values[]);
 
-/* Add the lines, or write the numbers, for the states of n bodies, six
-   columns for each. A table without observables has all bodies' states. */
+/* Add the lines of the head, or write the values, for the positions and
+   velocities of n bodies, six columns for each body. A table without
+   observables has these columns for all bodies. */
 void observables_head_states(struct table *t, size_t n,
                              const size_t body[]);
 void observables_states(const struct motion *m, size_t n,
                         const size_t body[], double values[]);
 
-/* Returns the name of kind k, or NULL if there are fewer kinds. Sets
- *bodies to the number of bodies in its arguments. */
+/* Returns the name of kind k, or NULL if there is none. Sets *bodies to the
+   number of bodies in its arguments. */
 const char *observables_name(size_t k, size_t *bodies);
 
 #endif

@@ -12,13 +12,13 @@
    built in one way everywhere and without OpenCL's headers. There is no
    silent fallback: a requested device is used, or an error says why not.
    Without a graphics card, with pocl 3.1 on the processor and 3073 bodies,
-   it computes, in 1e9 ordered pairs a second of processor time: the
-   portable kernel 0.71, opencl 0.69, opencl-float 2.2, whose accelerations
-   have a root mean square error of 6e-7. The sharing meant for cards
-   (OPENCL_TILES) reaches only 0.34 and 0.30 there, hence the two ways. It
-   has not been run on a card. */
+   the speeds in 1e9 ordered pairs per second of processor time are 0.71 for
+   the portable kernel, 0.69 for opencl and 2.2 for opencl-float, whose
+   accelerations have a root mean square error of 6e-7. OPENCL_TILES, meant
+   for cards, reaches only 0.34 and 0.30 on the processor; hence there are
+   two ways. Neither has been run on a card. */
 
-/* The part of OpenCL's header that is used here, after the standard of
+/* The part of OpenCL's header that is used here, according to the standard
    OpenCL 1.2. Its objects are opaque pointers. */
 typedef int32_t answer;
 enum {
@@ -33,8 +33,9 @@ enum {
     CL_NO_DRIVER = -1001
 };
 
-/* The functions that are used: the list is expanded into a struct of
-   pointers, and below into the loop that looks them up in the library. */
+/* The functions of OpenCL that are used. The list is expanded into a struct
+   of pointers, and below into the statements that look them up in the
+   library. */
 #define CALLS(CALL)                                                        \
     CALL(answer, GetPlatformIDs, (uint32_t, void **, uint32_t *))          \
     CALL(answer, GetDeviceIDs,                                             \
@@ -78,7 +79,7 @@ struct calls {
 struct opencl {
     struct calls cl;
     void *library, *id, *context, *queue, *program, *kernel;
-    void *x, *mass, *a; /* on the device */
+    void *x, *mass, *a; /* buffers on the device */
     void *host;         /* [3 * padded] doubles or floats to transfer */
     size_t bodies, padded, width, size;
     uint32_t *order; /* [bodies] the caller's number of each body */
@@ -90,17 +91,19 @@ struct opencl {
 /* The program for the device, in OpenCL's C; LINES turns code into text.
    The width is eight doubles or sixteen floats for a processor, 1 for a
    card. The operations are those of pull_by (pull.h) in the same order,
-   without contraction: double precision has the portable kernel's bits. */
+   without contraction, so that double precision gives the bits of the
+   portable kernel. */
 #define LINES(...) #__VA_ARGS__
 static const char *const source[] = {
     "#pragma OPENCL FP_CONTRACT OFF\n"
     "#if DOUBLE\n"
     "#pragma OPENCL EXTENSION cl_khr_fp64 : enable\n"
     "#endif\n",
-    /* The accelerations so far, and their rounding errors, used in single
-       precision only: a sum of thousands of pulls would lose its last
-       digits to the larger ones, (sec:gravity-single), while double
-       precision must have the bits of the portable kernel. */
+    /* The sums of the accelerations, and their rounding errors. Only single
+       precision compensates these, since small pulls would lose their last
+       digits when they are added to the sum of thousands of others,
+       (sec:gravity-single); double precision must have the bits of the
+       portable kernel. */
     LINES(struct sums { wide a, b, c, lost_a, lost_b, lost_c; };),
     LINES(void add(wide *sum, wide *lost, wide term) {
         if (DOUBLE)
@@ -125,9 +128,10 @@ static const char *const source[] = {
         add(&o->c, &o->lost_c, w * dz);
     }),
 
-    /* OPENCL_BLOCKS: each work item is a block of bodies, one in each lane,
-       attracted by the others one by one, in order. For a body and itself 1
-       replaces the softening, and the differences are 0. */
+    /* OPENCL_BLOCKS: each work item computes a block of bodies, one in each
+       lane, and adds the pulls of all bodies in order. The pull of a body
+       on itself is 0; there 1 replaces the squared softening, which may be
+       0. */
     "\n#if WIDTH > 1\n",
     LINES(kernel void sum(global const real *x, global const real *mass,
                           global real *a, uint n, uint padded, real least) {
@@ -148,8 +152,8 @@ static const char *const source[] = {
         STORE(o.c, 0, a + 2 * padded + i);
     }),
 
-    /* OPENCL_TILES: each work item is one body, and TILE items share what
-       they read: each loads one source, and after a barrier all use
+    /* OPENCL_TILES: each work item computes one body. TILE items share the
+       sources: each loads one, and after a barrier every item uses all of
        them. */
     "\n#else\n",
     LINES(kernel void sum(global const real *x, global const real *mass,
@@ -200,8 +204,8 @@ static bool find_library(struct opencl *d, char *message)
     return true;
 }
 
-/* Returns whether the device has the requested precision, which not all
-   cards have; sets its type and its name. */
+/* Returns whether the device has the requested precision, since not all
+   cards have double; sets *kind to its type and writes its name. */
 static bool suits(const struct opencl *d, void *id, uint64_t *kind,
                   char *name, size_t size)
 {
@@ -218,7 +222,7 @@ static bool suits(const struct opencl *d, void *id, uint64_t *kind,
 enum { PLATFORMS = 8, DEVICES = 16 };
 
 /* Chooses the first suitable graphics card of a platform, or else the first
-   suitable device; returns the number of devices. */
+   suitable device; returns the number of its devices. */
 static uint32_t look_at(struct opencl *d, void *platform, uint64_t *kind)
 {
     void *id[DEVICES];
@@ -261,7 +265,7 @@ static bool find_device(struct opencl *d, uint64_t *kind, char *message)
 }
 
 /* Writes the compiler's options: width and type of the numbers. Returns
-   false if they are too long. */
+   false if they do not fit into text. */
 static bool write_flags(const struct opencl *d, char *text, size_t size)
 {
     const char *type = d->single ? "float" : "double";
@@ -312,9 +316,10 @@ static bool build(struct opencl *d, char *message)
     return d->kernel;
 }
 
-/* Sets the order in which the device adds. In single precision the heaviest
-   body comes last: added first, a planet's pull would hide those of light
-   bodies below its last digit, (9.17, eq:unseen). */
+/* Sets the order in which the device adds the pulls. In single precision
+   that of the heaviest body comes last: after a planet's pull those of
+   light bodies would be below the last digit of the sum, (9.17,
+   eq:unseen). */
 static void put_in_order(struct opencl *d, const double mass[])
 {
     const size_t n = d->bodies;
@@ -330,8 +335,8 @@ static void put_in_order(struct opencl *d, const double mass[])
     d->order[n - 1] = (uint32_t)last;
 }
 
-/* Writes one number of each body into the host's copy, from index `to` on,
-   in the device's order and precision. */
+/* Copies one number of each body into d->host, from index `to` on, in the
+   device's order and precision. */
 static void lay_out(const struct opencl *d, const double from[], size_t to)
 {
     float *narrow = d->host;
@@ -344,8 +349,8 @@ static void lay_out(const struct opencl *d, const double from[], size_t to)
 }
 
 /* Sets the kernel's arguments. Memory on the device is padded to a multiple
-   of TILE bodies, so that no item needs a bounds check; the bodies after
-   the last one have no mass. */
+   of TILE bodies, so that no item needs a bounds check; the padding has
+   mass 0. */
 static answer set_arguments(struct opencl *d, double least)
 {
     const uint32_t n = (uint32_t)d->bodies, padded = (uint32_t)d->padded;

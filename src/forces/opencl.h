@@ -19,16 +19,16 @@ struct opencl_order {
     const double *mass; /* [bodies] */
     double k2;          /* acceleration times distance squared for mass 1 */
     double softening;   /* m; 0: none */
-    bool single;        /* single precision, compensated */
+    bool single;        /* whether to use compensated single precision */
     enum opencl_way way;
 };
 
 struct opencl;
 
-enum { OPENCL_MESSAGE = 2000 }; /* bytes of an error message, with its 0 */
+enum { OPENCL_MESSAGE = 2000 }; /* size of an error message in bytes */
 
 /* Opens a device, preferably a graphics card, and compiles the program for
-   it. Returns NULL, with one line in message, if there is no library, no
+   it. Returns NULL, with an error in message, if there is no library, no
    driver or no suitable device, or the program does not compile. */
 struct opencl *opencl_open(const struct opencl_order *order,
                            char message[OPENCL_MESSAGE]);
@@ -36,10 +36,11 @@ struct opencl *opencl_open(const struct opencl_order *order,
 /* Frees what opencl_open allocated, and sets the pointer to NULL. */
 void opencl_close(struct opencl **device);
 
-/* Adds to a[] the accelerations of the bodies at x[], both of 3 * bodies
-   numbers, axis by axis; in double precision with the bits of the portable
-   kernel. If the device fails they are NaN, and opencl_failure() returns
-   its message, otherwise NULL. Source: (9.2, eq:softened-force). */
+/* Adds to a[] the accelerations of the bodies at x[], (9.2,
+   eq:softened-force); each array has 3 * bodies numbers, axis by axis.
+   Double precision gives the same bits as the portable kernel. If the
+   device fails, a[] becomes NaN, and opencl_failure returns the error
+   message; otherwise opencl_failure returns NULL. */
 void opencl_add(void *device, const double x[], double a[]);
 const char *opencl_failure(const struct opencl *device);
 

@@ -1,17 +1,17 @@
-/* Finds the pairs of spheres that overlap: among all, or along an axis. */
+/* Finds overlapping pairs of spheres, by testing all or by a sweep. */
 #include "forces/pairs.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-enum { FEW = 16 }; /* most bodies for which all pairs are examined */
+enum { FEW = 16 }; /* most bodies for which all pairs are tested */
 
 /* Computes the largest radius and, for find_passed, the smallest sum of two
    radii that is not 0. */
 static void measure_radii(struct spheres *p)
 {
     const struct scene *s = p->scene;
-    double least = INFINITY; /* of the radii so far that are not 0 */
+    double least = INFINITY; /* smallest radius so far that is not 0 */
     bool point = false;
     p->narrow = INFINITY;
     for (size_t i = 0; i < s->bodies; ++i) {
@@ -59,11 +59,11 @@ static bool make_room(struct spheres *p)
     return true;
 }
 
-/* Adds a pair if it may overlap when its turn comes. Places are folded into
-   the box, so every difference is less than the box; one of more than half
-   the box is replaced by the shorter way round. This finds the nearest
-   image without rounding to a whole number of boxes. Along axes that are
-   not periodic p->half is infinite. */
+/* Adds a pair to the list if it is nearer than p->margin. Positions are
+   folded into the box, so that every difference is less than its side; one
+   of more than half the side is replaced by the shorter way round. This
+   finds the nearest image without rounding to a whole number of sides.
+   Along axes that are not periodic p->half is infinite. */
 static void test(struct spheres *p, const struct spheres_edge *a,
                  const struct spheres_edge *b)
 {
@@ -94,8 +94,8 @@ static void find_in_all(struct spheres *p)
             test(p, &p->edge[i], &p->edge[j]);
 }
 
-/* Stores the places of all bodies in the edges, folded into the box along
-   periodic axes. */
+/* Stores the positions of all bodies in the edges, folded into the box
+   along periodic axes. */
 static void read_places(struct spheres *p, const double x[])
 {
     const struct scene *s = p->scene;
@@ -113,7 +113,8 @@ static void read_places(struct spheres *p, const double x[])
     }
 }
 
-/* Computes p->furthest, by how much two bodies approach in a step, m. */
+/* Computes p->furthest, the most by which two bodies approach in a step,
+   m. */
 static void set_furthest(struct spheres *p, const double v[])
 {
     const size_t n = p->scene->bodies;
@@ -124,8 +125,8 @@ static void set_furthest(struct spheres *p, const double v[])
     p->furthest = 2 * sqrt(most) * p->dt;
 }
 
-/* Sorts the bodies along an axis by insertion. It takes little more than
-   one comparison each, as the order hardly changes from step to step. */
+/* Sorts the bodies along an axis by insertion. This takes little more than
+   one comparison per body, as the order hardly changes between steps. */
 static void mend_order(struct spheres_edge edge[], size_t n, size_t axis)
 {
     for (size_t i = 1; i < n; ++i) {
@@ -162,7 +163,7 @@ static int along_z(const void *a, const void *b)
     return along_axis(a, b, 2);
 }
 
-/* Returns the axis along which the bodies are spread farthest. */
+/* Returns the axis along which the bodies extend farthest. */
 static size_t longest_axis(const struct spheres *p)
 {
     size_t longest = 0;
@@ -181,9 +182,9 @@ static size_t longest_axis(const struct spheres *p)
     return longest;
 }
 
-/* Sorts the edges, by insertion if they are nearly in order. The first time
-   they are not, and insertion would take a time proportional to the square
-   of the number of bodies. */
+/* Sorts the edges: the first time by qsort, since insertion would take a
+   time proportional to the square of the number of bodies, and later by
+   insertion, since they are then nearly in order. */
 static void sort_edges(struct spheres *p)
 {
     static int (*const along[SPHERES_AXES])(const void *, const void *) = {
@@ -198,10 +199,10 @@ static void sort_edges(struct spheres *p)
     p->sorted = true;
 }
 
-/* Compares each body with those that follow it along the axis within its
-   own radius plus the largest. Along a periodic axis the last body is
-   followed by the first, one box farther on; in a box of only a few
-   diameters a pair may be found both ways. */
+/* Tests each body with those that follow it along the axis within its own
+   radius plus the largest radius and the margin. Along a periodic axis the
+   last body is followed by the first, one box farther on; in a box of only
+   a few diameters a pair may be found twice. */
 static void sweep(struct spheres *p)
 {
     const size_t n = p->scene->bodies, k = p->axis;
@@ -238,7 +239,7 @@ static int deepest(const void *a, const void *b)
     return ascending(a, b);
 }
 
-/* Returns whether all pairs are examined, not only those on an axis. */
+/* Returns whether all pairs are tested, not only neighbours on an axis. */
 static bool is_every_pair(const struct spheres *p)
 {
     return p->search == SPHERES_PAIRS ||
@@ -275,8 +276,8 @@ static void find_near(struct spheres *p, const double x[])
     p->pairs = n;
 }
 
-/* Returns whether body i was between the walls a step ago, on a straight
-   path back. */
+/* Returns whether body i, on a straight path, was between the walls a step
+   ago. */
 static bool was_inside(const struct spheres *p, size_t i, const double x[],
                        const double v[])
 {
@@ -292,19 +293,19 @@ static bool was_inside(const struct spheres *p, size_t i, const double x[],
     return true;
 }
 
-/* Returns whether two bodies, which overlap neither now nor a step ago,
-   overlapped in between, while the step moved them farther than the sum of
-   their radii: their collision has been missed. Their paths are taken as
-   straight back in time; a body that has just bounced off a wall is left
-   out, since its path has a corner. */
+/* Returns whether a step has missed the collision of two bodies: they do
+   not overlap now, nor did they a step ago, but they overlapped in between
+   and moved, relative to each other, by more than the sum of their radii.
+   Their paths are taken as straight; a body that has just bounced off a
+   wall is left out, since its path has a corner. */
 static bool has_passed(const struct spheres *p, size_t i, size_t j,
                        const double x[], const double v[])
 {
     const size_t n = p->scene->bodies;
     const double sum = p->scene->radius[i] + p->scene->radius[j];
     const double touching = sum * sum, dt = p->dt;
-    double now = 0, b = 0, u2 = 0; /* d^2, d u and u^2; d, u: relative
-                                      place, velocity */
+    double now = 0, b = 0, u2 = 0; /* d^2, d u, u^2; d, u: relative
+                                      position, velocity */
     for (size_t k = 0; k < SPHERES_AXES; ++k) {
         const double d = spheres_way(p->scene, x, i, j, k);
         const double u = v[k * n + j] - v[k * n + i];
@@ -345,10 +346,10 @@ static void find_passed(struct spheres *p, const double x[],
         }
 }
 
-/* A pair may overlap only because another one has been pushed apart.
-   MPPhys's double loop, which tests a pair when its turn comes, detects it
-   if its turn is still to come. So pairs within a margin are listed, too,
-   and spheres.c tests them again when their turn comes. */
+/* Also lists pairs within a margin, which spheres.c tests again when their
+   turn comes: pushing one pair apart may make another overlap. MPPhys's
+   double loop, which tests each pair when its turn comes, detects this if
+   the turn of the other pair is still to come. */
 void pairs_find(struct spheres *p, const double x[], const double v[])
 {
     set_furthest(p, v);
@@ -375,7 +376,8 @@ size_t spheres_overlaps(struct spheres *p, const double x[])
     return p->pairs;
 }
 
-/* Returns how far bodies are beyond hard walls and do not move back, m. */
+/* Returns the most, m, by which a body is beyond a hard wall without moving
+   back. */
 static double beyond_walls(const struct scene *s)
 {
     double most = 0;

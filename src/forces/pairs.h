@@ -5,14 +5,14 @@
 #include "forces/spheres.h"
 
 /* Prepares to find pairs of the bodies of p->scene. Returns false if memory
-   runs out; pairs_end frees the rest. */
+   runs out; pairs_end frees what was allocated. */
 bool pairs_begin(struct spheres *p);
 void pairs_end(struct spheres *p);
 
-/* Finds the pairs that overlap after a step, or may overlap when their turn
-   comes: p->pairs of them in p->pair, each once, in p->order. Counts in
+/* Lists in p->pair, each once and in p->order, the p->pairs pairs that
+   overlap after a step or may overlap when their turn comes. Counts in
    p->passed the pairs that the step moved through each other. If memory
-   runs out, the remaining pairs wait for the next step. */
+   runs out, the remaining pairs are left to the next step. */
 void pairs_find(struct spheres *p, const double x[], const double v[]);
 
 #endif

@@ -4,8 +4,9 @@
 
 #include <math.h>
 
-/* Returns whether fixed coordinates along this axis change the motion. If
-   all bodies are fixed in one plane, they would stay in it anyway. */
+/* Returns whether fixed coordinates along this axis change the motion. They
+   do not if all bodies are fixed in one plane, which they would not
+   leave. */
 static bool is_held(const struct scene *s, size_t axis)
 {
     const size_t n = s->bodies, from = axis * n;
@@ -17,8 +18,8 @@ static bool is_held(const struct scene *s, size_t axis)
     return held > 0 && (held < n || flat < n);
 }
 
-/* Returns which other force acts on the bodies, or NULL if there is only
-   gravity between points. */
+/* Returns a message about an influence other than gravity between free
+   points, or NULL if there is none. */
 static const char *find_more(const struct scene *s)
 {
     if (s->contact)
@@ -36,9 +37,9 @@ static const char *find_more(const struct scene *s)
     return NULL;
 }
 
-/* Returns whether body i is on an ellipse around the bodies before it,
-   whose centre of mass is at x and moves with v; then adds it to these
-   bodies: (9.9, eq:jacobi). */
+/* Returns whether body i is on an ellipse about the centre of mass of the
+   bodies before it, which is at x, moves with v and has their total *mass;
+   then includes body i in x, v and *mass: (9.9, eq:jacobi). */
 static bool is_bound(const struct scene *s, size_t i, double x[3],
                      double v[3], double *mass)
 {

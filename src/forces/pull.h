@@ -1,6 +1,6 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 496917366 of the lines below */
-/* Gravity between bodies: pair by pair, or on sixteen at a time. */
+/* checksum 1962091641 of the lines below */
+/* Gravity between bodies: pair by pair, or on a block of sixteen bodies. */
 #ifndef PULL_H
 #define PULL_H
 
@@ -35,15 +35,16 @@ static inline void add_pairs(const struct gravity *g, const double x[],
 
 enum { BLOCK = 16 }; /* two vector registers or more */
 
-/* A block of bodies: positions, and their accelerations so far. */
+/* A block of bodies: positions, and sums of their accelerations. */
 struct block {
     double x[BLOCK], y[BLOCK], z[BLOCK];
     double a[BLOCK], b[BLOCK], c[BLOCK];
 };
 
-/* Adds the accelerations of a block due to a mass m at (x, y, z); least is
-   the square of the softening, and `self` the index in the block of the
-   body that attracts, or BLOCK if it is in another. */
+/* Adds the accelerations of a block due to a mass m at (x, y, z), without
+   the factor k2; least is the square of the softening, and `self` the index
+   in the block of the attracting body, or at least BLOCK if it is in
+   another. */
 static inline void pull_by(double m, double x, double y, double z,
                            double least, size_t self, struct block *o)
 {
@@ -58,7 +59,7 @@ static inline void pull_by(double m, double x, double y, double z,
     }
 }
 
-/* Returns the block of bodies i to end - 1, padded with the last one. */
+/* Returns the block of bodies i to end - 1, padded with the last body. */
 static inline struct block block_of(const struct gravity *g,
                                     const double x[], size_t i, size_t end)
 {

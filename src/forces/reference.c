@@ -1,4 +1,4 @@
-/* Steps a system by the GNU Scientific Library, if it is installed. */
+/* Integrates a system by the GNU Scientific Library, if it is installed. */
 #include "forces/reference.h"
 
 #include "forces/largest.h"
@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_TRIES = 1000000 }; /* most steps in a call */
+enum { MOST_TRIES = 1000000 }; /* largest number of steps in a call */
 
 const bool reference_available = true;
 
@@ -76,8 +76,8 @@ static double largest_or(const double y[], size_t n, double otherwise)
 }
 
 /* Returns a control that measures errors relative to the largest coordinate
-   and the largest velocity: a coordinate itself is no good scale, since it
-   may be zero. For bodies at rest it takes the velocity after dt. */
+   and the largest velocity, since a single coordinate may be zero. For
+   bodies at rest it takes the velocity after dt. */
 static gsl_odeiv2_control *control_errors(struct reference *r, double dt)
 {
     struct reference_parts *const p = r->parts;
@@ -94,7 +94,8 @@ static gsl_odeiv2_control *control_errors(struct reference *r, double dt)
                                          2 * n);
 }
 
-/* Returns whether n numbers are finite: the library does not check. */
+/* Returns whether n numbers are finite, which the library does not
+   check. */
 static bool are_finite(const double y[], size_t n)
 {
     double sum = 0;
@@ -103,8 +104,8 @@ static bool are_finite(const double y[], size_t n)
     return sum == 0;
 }
 
-/* The step size is chosen anew in each call, so that a run can be resumed
-   between any two calls. */
+/* Begins each call with a step of dt, whatever the earlier steps were, so
+   that a run can be resumed between any two calls. */
 bool reference_step(struct reference *r, double dt, double x[], double v[])
 {
     struct reference_parts *const p = r->parts;

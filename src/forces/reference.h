@@ -16,17 +16,17 @@ struct reference {
 /* Whether this program was built with the library. */
 extern const bool reference_available;
 
-/* Prepares r; in each of its steps the error of a coordinate is kept below
-   `tolerance` times the largest coordinate, and likewise for velocities, as
-   they are when reference_step is called. Returns false if memory runs out,
-   or if there is no library. Prevents the library from ending the program
+/* Prepares r. Each step of the method keeps the error of every coordinate
+   below `tolerance` times the largest coordinate at the call of
+   reference_step, and likewise for velocities. Returns false if memory runs
+   out or there is no library. Prevents the library from ending the program
    on errors. */
 bool reference_begin(struct reference *r, struct stepping_forces f,
                      double tolerance);
 
-/* Moves x and v by the time dt, s, in as many steps as needed; keeps
-   nothing between calls. Returns false if the library fails, or a million
-   steps are not enough. */
+/* Moves x and v by the time dt, s, in as many steps as needed, whatever
+   happened in earlier calls. Returns false if the library fails, or a
+   million steps are not enough. */
 bool reference_step(struct reference *r, double dt, double x[], double v[]);
 
 void reference_free(struct reference *r);

@@ -1,4 +1,4 @@
-/* Rods: lengths and velocities are corrected rod by rod after each step. */
+/* Corrects the lengths and velocities of rods, one by one, in each step. */
 #include "forces/rods.h"
 
 #include <math.h>
@@ -12,9 +12,9 @@ void rods_free(struct rods *p)
     *p = (struct rods){0};
 }
 
-/* A fixed coordinate has the inverse mass 0: no rod can move it. A body
-   without mass gets 0, too; no rod may be attached to it. A rod is as long
-   as its spring is at the start, not at rest. */
+/* Gives fixed coordinates the inverse mass 0, so that no rod moves them. A
+   body without mass gets 0, too; no rod may be attached to it. Each rod has
+   the length of its spring at the start, not at rest. */
 bool rods_create(struct rods *p, const struct scene *s,
                  const struct scene_spring spring[], size_t count,
                  struct stepping_forces forces)
@@ -45,9 +45,9 @@ bool rods_create(struct rods *p, const struct scene *s,
     return true;
 }
 
-/* Adds lambda (kg, or kg/s for velocities) times the vector way (m) times
-   the inverse mass to q of the rod's first end, and subtracts it from q of
-   the other end. */
+/* Adds lambda times `way` (m) times the inverse mass to q of the rod's
+   first end, and subtracts such a product from q of the other end. lambda
+   is in kg if q are positions, in kg/s if they are velocities. */
 static void shift_ends(const struct rods *p, const struct rods_rod *r,
                        const double way[3], double lambda, double q[])
 {
@@ -58,11 +58,11 @@ static void shift_ends(const struct rods *p, const struct rods_rod *r,
     }
 }
 
-/* The coefficients of (12.7, eq:rods-shake), and the vector between a rod's
-   ends before the step. */
+/* The vector `way` between a rod's ends before the step, m, and the
+   coefficients a, b and c of (12.7, eq:rods-shake). */
 struct rods_way {
-    double way[3], a, b, c; /* largest coordinate of the ends, m */
-    double far;             /* the largest coordinate, m */
+    double way[3], a, b, c;
+    double far; /* largest coordinate of the ends, m */
 };
 
 static struct rods_way measure(const struct rods *p,
@@ -82,9 +82,10 @@ static struct rods_way measure(const struct rods *p,
     return w;
 }
 
-/* Corrects rod r after a drift over dt from p->before to x (12.7,
-   eq:rods-shake). Returns whether there was an error beyond the rounding of
-   coordinates; sets *broken if it cannot be corrected. */
+/* Corrects the length of rod r after a drift over dt from p->before to x,
+   (12.7, eq:rods-shake). Returns whether it corrected an error beyond the
+   rounding of coordinates; sets *broken if such an error cannot be
+   corrected. */
 static bool mend_length(struct rods *p, const struct rods_rod *r, double dt,
                         double x[], double v[], bool *broken)
 {
@@ -105,8 +106,8 @@ static bool mend_length(struct rods *p, const struct rods_rod *r, double dt,
 
 enum { MOST_ROUNDS = 4000 };
 
-/* Corrects all rods in turn, as long as any was wrong; a single rod is
-   right after one correction. Returns whether all are right. */
+/* Corrects the lengths of all rods in turn until none was wrong; a single
+   rod needs only one correction. Returns whether all lengths are right. */
 static bool mend_lengths(struct rods *p, double dt, double x[], double v[])
 {
     bool broken = false, wrong = true;
@@ -120,7 +121,7 @@ static bool mend_lengths(struct rods *p, double dt, double x[], double v[])
 }
 
 /* Removes the relative velocity along a rod (12.8, eq:rods-rattle). Returns
-   whether it exceeded rounding, judged by the largest speed. */
+   whether it exceeded the rounding error of the largest speed. */
 static bool mend_velocity(struct rods *p, const struct rods_rod *r,
                           const double x[], double v[])
 {
@@ -151,8 +152,8 @@ bool rods_project(struct rods *p, const double x[], double v[])
     return !wrong;
 }
 
-/* Computes the accelerations, unless x equals the places at the end of the
-   last step, as it does if no contact has moved a body since. */
+/* Computes the accelerations at x, unless x is equal to the positions for
+   which they were last computed: no contact has moved a body since. */
 static void look(struct rods *p, const double x[], const double v[])
 {
     const size_t bytes = 3 * p->bodies * sizeof *x;
@@ -171,8 +172,8 @@ static void kick(const struct rods *p, double h, double v[])
 }
 
 /* Takes a step: kick, drift, correct lengths, kick, correct velocities. The
-   first projection is needed for the first step, and after contacts have
-   changed velocities. Only the drift changes lengths. */
+   velocities are also corrected at the beginning, which is needed in the
+   first step and after contacts. Only the drift changes lengths. */
 bool rods_step(void *rods, double dt, double x[], double v[])
 {
     struct rods *p = rods;

@@ -1,13 +1,13 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 61243126 of the lines below */
-/* Finds the first root of a curve in Bernstein's form, by halving it. */
+/* checksum 1359406292 of the lines below */
+/* Finds the first root of a curve in Bernstein's form, by bisection. */
 #include "forces/root.h"
 
 #include <math.h>
 #include <stdbool.h>
 #include <string.h>
 
-/* Halves a curve: q becomes its first half, r its second. */
+/* Divides a curve into halves: q becomes the first, r the second. */
 static void halve(double q[], double r[], size_t m)
 {
     for (size_t level = 0; level <= m; ++level) {
@@ -20,7 +20,8 @@ static void halve(double q[], double r[], size_t m)
     }
 }
 
-/* Returns whether a curve may go below 0 by more than rounding. */
+/* Returns whether a control point is below 0 by more than rounding: only
+   then can the curve be. */
 static bool goes_below(const double q[], size_t m, double rounding)
 {
     for (size_t j = 0; j <= m; ++j)
@@ -44,7 +45,7 @@ double root_first(const double q[], size_t m, double rounding, int halvings)
     return (1 + root_first(right, m, rounding, halvings - 1)) / 2;
 }
 
-/* Divides a polynomial in Bernstein's form that is 0 at time 0 by the time;
+/* Divides by the time a polynomial in Bernstein's form that is 0 at time 0;
    returns the degree of the quotient. */
 static size_t divide_by_time(double q[], size_t m)
 {

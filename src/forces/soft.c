@@ -20,8 +20,8 @@ void soft_free(struct soft *t)
     *t = (struct soft){0};
 }
 
-/* Returns the force between two bodies that overlap by depth, m, which
-   grows at this rate, m/s; N. (11.11, eq:touch) */
+/* Returns the force, N, between two bodies whose overlap is depth, m, and
+   grows at this rate, m/s: (11.11, eq:touch). */
 static double push(const struct scene *s, double depth, double rate)
 {
     if (s->law == SCENE_HERTZ)
@@ -29,7 +29,8 @@ static double push(const struct scene *s, double depth, double rate)
     return s->stiffness * depth + s->dashpot * rate;
 }
 
-/* Returns the distance from a to b, m, and fills d with the vector, m. */
+/* Returns the distance of a and b, m; writes the vector from a to b into d,
+   m. */
 static double distance(const struct scene *s, size_t a, size_t b,
                        const double x[], double d[])
 {
@@ -41,8 +42,8 @@ static double distance(const struct scene *s, size_t a, size_t b,
     return sqrt(square);
 }
 
-/* Adds the accelerations of two overlapping bodies, in the direction of the
-   line between their centres. Bodies at one place get no force. */
+/* Adds the accelerations of two overlapping bodies along the line between
+   their centres. Bodies at the same position get no force. */
 static void push_apart(const struct scene *s, size_t i, size_t j,
                        const double x[], const double v[], double a[])
 {
@@ -59,7 +60,8 @@ static void push_apart(const struct scene *s, size_t i, size_t j,
     }
 }
 
-/* Returns how deep body i overlaps the wall on a side across axis k, m. */
+/* Returns the depth, m, by which body i overlaps the wall across axis k at
+   its lower end (side -1) or upper end (side 1). */
 static double wall_depth(const struct scene *s, const double x[], size_t i,
                          size_t k, int side)
 {
@@ -68,8 +70,8 @@ static double wall_depth(const struct scene *s, const double x[], size_t i,
                     : s->low[k] - (place - s->radius[i]);
 }
 
-/* Pushes body i out of a wall that it overlaps, which acts as a body that
-   cannot move. */
+/* Adds the acceleration of body i due to a wall that it overlaps; the wall
+   acts as a body that cannot move. */
 static void push_off(const struct scene *s, size_t i, size_t k, int side,
                      const double x[], const double v[], double a[])
 {
@@ -79,7 +81,8 @@ static void push_off(const struct scene *s, size_t i, size_t k, int side,
         a[c] -= side * push(s, depth, side * v[c]) / s->mass[i];
 }
 
-/* Walls come first, then pairs by number: sums have a fixed order. */
+/* Adds the forces of walls first, then those of pairs in ascending order,
+   so that the rounding errors are always the same. */
 void soft_add(struct soft *t, const double x[], const double v[],
               double a[])
 {
@@ -94,7 +97,8 @@ void soft_add(struct soft *t, const double x[], const double v[],
         push_apart(s, t->near->pair[j].a, t->near->pair[j].b, x, v, a);
 }
 
-/* Returns the energy of an overlap, J: the integral of the force. */
+/* Returns the elastic energy of an overlap, J, the integral of the
+   force. */
 static double stored(const struct scene *s, double depth)
 {
     if (!(depth > 0))

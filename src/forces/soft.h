@@ -7,18 +7,18 @@
 /* The contacts of a scene whose law is not SCENE_SUDDEN. */
 struct soft {
     const struct scene *scene;
-    struct spheres *near; /* finds overlapping pairs; a pointer, since
-                             soft_potential takes a const *t */
+    struct spheres *near; /* finds overlapping pairs; a pointer, so that
+                             soft_potential, whose *t is const, can change
+                             it */
 };
 
-/* Prepares for the bodies of a scene, which must outlive *t. Returns false,
-   with nothing to free, if memory runs out. */
+/* Prepares *t for the bodies of a scene, which must outlive *t. Returns
+   false, with nothing to free, if memory runs out. */
 bool soft_create(struct soft *t, const struct scene *s);
 void soft_free(struct soft *t);
 
 /* Adds to a, m/s^2, the accelerations of bodies at x, m, with velocities v,
-   m/s, where they overlap each other or a wall. Source: (11.11, eq:touch).
- */
+   m/s, that overlap each other or a wall: (11.11, eq:touch). */
 void soft_add(struct soft *t, const double x[], const double v[],
               double a[]);
 

@@ -1,5 +1,5 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 653920991 of the lines below */
+/* checksum 4172979065 of the lines below */
 /* Reflects spheres that overlap after a step, and moves them apart. */
 #include "forces/spheres.h"
 
@@ -31,13 +31,14 @@ void spheres_free(struct spheres *p)
     *p = (struct spheres){0};
 }
 
-/* Two bodies, relative to the first. */
+/* Two bodies in contact; all vectors point from the first to the second. */
 struct contact {
     size_t a, b;
-    double d[SPHERES_AXES], u[SPHERES_AXES]; /* of b relative to a: m,
-                                                m/s */
-    double sigma, distance;                  /* sum of radii; distance; m */
-    double normal[SPHERES_AXES];             /* of the length distance, m */
+    double d[SPHERES_AXES], u[SPHERES_AXES]; /* relative position, m, and
+                                                velocity, m/s */
+    double sigma, distance;                  /* sum of radii, distance; m */
+    double normal[SPHERES_AXES];             /* vector, of length
+                                                `distance` */
     double back;                             /* time since the contact, s */
 };
 
@@ -81,8 +82,9 @@ static struct contact look_at(const struct spheres *p,
     return c;
 }
 
-/* Computes c->back and moves the normal back by it, (11.2, eq:back-time).
-   Returns false if the two did not touch within the last dt. */
+/* Computes c->back, (11.2, eq:back-time), and sets the normal to that at
+   the time of contact. Returns false if the bodies did not touch within the
+   last dt. */
 static bool go_back(struct contact *c, double dt)
 {
     const double b = dot(c->d, c->u), u2 = dot(c->u, c->u);
@@ -97,7 +99,8 @@ static bool go_back(struct contact *c, double dt)
     return true;
 }
 
-/* Gives body i an impulse of J times the normal. */
+/* Adds J times the normal times the inverse mass to v of body i; v may also
+   be an array of positions. */
 static void kick(const struct spheres *p, const struct contact *c, size_t i,
                  double J, double v[])
 {
@@ -139,7 +142,7 @@ static double along(const struct spheres *p, const struct contact *c,
     return sum;
 }
 
-/* Moves the two apart; returns by how much their sum of m x v grows, J
+/* Moves the bodies apart; returns the increase of their sum of m x v, J
    s. */
 static double push_apart(const struct spheres *p, const struct contact *c,
                          double wa, double wb, double x[], const double v[])
@@ -182,9 +185,9 @@ static bool collide_pair(struct spheres *p, struct spheres_pair pair,
     return true;
 }
 
-/* Reverses body i if it is beyond the wall at `edge`, on the side `sign`
-   along axis k, and moves outwards; *x is its coordinate. Returns whether
-   it did. */
+/* Reflects body i if its coordinate *x is beyond `edge`, where it touches
+   the wall on the side `sign` along axis k, and it moves outwards. Returns
+   whether it did. */
 static bool bounce(struct spheres *p, size_t i, size_t k, double sign,
                    double edge, double *x, double *v)
 {

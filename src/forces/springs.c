@@ -1,4 +1,5 @@
-/* Sums forces spring by spring, or in bands where they form a grid. */
+/* Sums the forces of springs one by one, or in bands if they form a
+   grid. */
 #include "forces/springs.h"
 
 #include "toolbox/aligned.h"
@@ -10,10 +11,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Returns the length by which a force is divided, m. Two bodies at one
-   place have no direction between them: DBL_MIN, the smallest normal
-   number, keeps the quotient finite there, so that the force is 0, and does
-   not change any length above 1e-145 m. */
+/* Returns the length of a spring, by which its force is divided, m. Adding
+   DBL_MIN, the smallest normal number, to the square keeps the quotient
+   finite for two bodies at the same position, so that their force is 0, and
+   does not change any length above 1e-145 m. */
 static inline double stretched(double dx, double dy, double dz)
 {
     return sqrt(dx * dx + dy * dy + dz * dz + DBL_MIN);
@@ -74,8 +75,8 @@ static void scatter(struct springs *p, size_t count, const double x[],
     }
 }
 
-/* Returns a spring with its ends in the order a < b. Exchanging them does
-   not change the motion. */
+/* Returns a spring with its ends in the order a < b. Exchanging the ends
+   does not change the motion. */
 static struct scene_spring forwards(struct scene_spring s)
 {
     const uint32_t a = s.a;
@@ -120,7 +121,8 @@ static struct scene_spring *in_order(const struct scene *s)
     return all;
 }
 
-/* Returns the end of the springs with the stride and kind of s[from]. */
+/* Returns the index after the last spring that follows s[from] and has its
+   stride and kind. */
 static size_t alike(const struct scene_spring s[], size_t from,
                     size_t count)
 {
@@ -132,8 +134,9 @@ static size_t alike(const struct scene_spring s[], size_t from,
 }
 
 /* Returns whether n springs of one stride and kind should form a band:
-   whether they are many and dense, and no two join one pair of bodies.
-   Equal lower bodies are neighbours in the list. */
+   whether there are many, at least half of those possible, and no two of
+   them join the same bodies. Springs with equal lower bodies are
+   adjacent. */
 static bool regular(const struct scene_spring s[], size_t n)
 {
     if (n < SPRINGS_BAND || 2 * n < s[n - 1].a - s[0].a + (size_t)1)
@@ -144,8 +147,9 @@ static bool regular(const struct scene_spring s[], size_t n)
     return true;
 }
 
-/* Makes a band of n springs. A missing spring gets a negative rest length,
-   which real springs do not have. Returns false if memory runs out. */
+/* Creates a band of n springs. A missing spring gets a negative rest
+   length, which real springs do not have. Returns false if memory runs
+   out. */
 static bool make_band(struct springs *p, const struct scene_spring s[],
                       size_t n)
 {
@@ -168,8 +172,9 @@ static bool make_band(struct springs *p, const struct scene_spring s[],
     return true;
 }
 
-/* Fills p->spring from all, which is sorted: first the springs in no band,
-   then the others. Makes the bands. Returns false if memory runs out. */
+/* Fills p->spring from `all`, which is sorted: first with the springs in no
+   band, then with the others, for which it creates the bands. Returns false
+   if memory runs out. */
 static bool sort_out(struct springs *p, const struct scene_spring all[])
 {
     size_t bands = 0, at = 0, end;
@@ -249,20 +254,20 @@ void springs_free(struct springs *p)
     *p = (struct springs){0};
 }
 
-/* A section of a band: its springs, and the distances in memory between the
-   axes of places and velocities (bodies) and of forces (row). */
+/* A section of a band: its springs, and the distances in memory between two
+   axes: `bodies` for positions and velocities, `row` for forces. */
 struct stretch {
     const double *rest;
     size_t count, stride, bodies, row;
     double stiffness, damping;
 };
 
-/* Computes the forces f[i] of the springs of a section along three axes, in
-   the inner loop of this module; x and v begin with the lower body of the
+/* Computes the forces f of the springs of a section along three axes; this
+   is the inner loop of the module. x and v begin with the lower body of the
    first spring. Memory is read and written in order. To avoid a branch, the
-   force of a missing spring is computed and multiplied by `here`, which is
-   0 for a negative rest length and otherwise 1. The operations are those of
-   pull, in order, for equal bits. */
+   force of a missing spring is also computed, and is multiplied by `here`,
+   which is 0 for a negative rest length and otherwise 1. The operations and
+   their order are those of pull, so that the bits are equal. */
 static inline void stretch(const struct stretch *t,
                            const double *restrict x,
                            const double *restrict v, double *restrict f,
@@ -296,7 +301,7 @@ static inline void stretch(const struct stretch *t,
     }
 }
 
-/* The loop compiled three times, with constants for damped and axial, so
+/* Compile the loop three times, with constants for damped and axial, so
    that neither is tested inside. */
 VECTOR_LOOP static void stretch_plain(const struct stretch *t,
                                       const double *restrict x,
@@ -328,10 +333,10 @@ static ptrdiff_t clamp(ptrdiff_t a, ptrdiff_t low, ptrdiff_t high)
     return a < low ? low : a > high ? high : a;
 }
 
-/* Computes the forces of count springs, the first of which has the lower
-   body `from`, and writes them into f, axis by axis, `row` numbers apart: 0
-   where the band has no spring. `from` may be negative: the first block
-   needs the springs that reach into it. */
+/* Writes into f the forces of the `count` springs whose lower bodies begin
+   with `from`, axis by axis, with `row` numbers from one axis to the next:
+   0 where the band has no spring. `from` is negative for springs that would
+   reach into the first block. */
 static void band_forces(const struct springs *p,
                         const struct springs_band *b, const double x[],
                         const double v[], ptrdiff_t from, size_t count,
@@ -401,8 +406,8 @@ VECTOR_LOOP static void sum_two(double *restrict sum,
 }
 
 /* Sums the forces in buffer on n bodies from body `from` on, along axis k:
-   first those of scatter, if any, then the bands in their order, two at a
-   time, which saves a pass over the sums. */
+   first those of scatter, if any, then those of the bands in their order,
+   two bands in each pass, which saves a pass over the sums. */
 static void sum_axis(const struct springs *p, size_t from, size_t n,
                      size_t k, const double buffer[], double sum[])
 {
@@ -426,8 +431,8 @@ static void sum_axis(const struct springs *p, size_t from, size_t n,
 
 /* Compute the accelerations a of n coordinates from the forces in three
    ways: added to a, written, or written with gravity and friction. The
-   first two do not read arrays they do not need, since for large grids the
-   time is that of memory. */
+   first two read no array that they do not need, since memory limits the
+   speed for large grids. */
 VECTOR_LOOP static void add_scaled(double *restrict a,
                                    const double *restrict inverse,
                                    const double *restrict force, size_t n)
@@ -441,7 +446,7 @@ VECTOR_LOOP static void write_scaled(double *restrict a,
                                      const double *restrict force, size_t n)
 {
     for (size_t i = 0; i < n; ++i)
-        a[i] = 0 + inverse[i] * force[i]; /* 0 + makes +0 of -0, as adding
+        a[i] = 0 + inverse[i] * force[i]; /* 0 + turns -0 into +0, as adding
                                              would */
 }
 
@@ -457,20 +462,20 @@ VECTOR_LOOP static void write_all(double *restrict a,
                inverse[i] * force[i];
 }
 
-/* A request: the accelerations at x and v, added to a or, if `writes`,
-   written into a with gravity and friction. */
+/* A task: to compute the accelerations at x and v, and to add them to a or,
+   if `writes`, to write them into a with gravity and friction. */
 struct task {
     const double *x, *v;
     double *a;
     bool writes;
-    /* NULL, or moves bodies just before the springs read them; owing: the
-       last step has still half a kick to do */
+    /* NULL, or moves bodies just before the springs read them; owing:
+       whether the last step still lacks half a kick */
     const struct stepping_ahead *ahead;
     bool owing;
 };
 
 /* Completes the task along axis k for n bodies from body `from` on, with
-   these forces of the springs. Inverse masses that are equal along all axes
+   the given forces of springs. Inverse masses that are equal along all axes
    are read from one array, which stays in the cache. */
 static void finish(const struct springs *p, const struct task *t, size_t k,
                    size_t from, size_t n, const double force[])
@@ -504,7 +509,7 @@ VECTOR_LOOP static void scale_two(double *restrict a,
         a[i] = 0 + inverse[i] * (0 - f[i] + f[i + s] - g[i] + g[i + t]);
 }
 
-/* Sums two bands and completes the task in one loop; needs is_plain. */
+/* Sums two bands and completes the task in one loop; requires is_plain. */
 static void write_two(const struct springs *p, double a[], size_t k,
                       size_t from, size_t n, const double buffer[])
 {
@@ -516,10 +521,10 @@ static void write_two(const struct springs *p, double a[], size_t k,
               two->stride, n);
 }
 
-/* Does the task for a block of n bodies from body `from` on. Before, the
+/* Does the task for a block of n bodies from body `from` on. At first the
    buffer contains the forces of the springs that reach into this block from
-   before; afterwards, of those that reach into the next. Strides may exceed
-   the rest of a row, so the copied ranges may overlap. */
+   earlier bodies; at the end, of those that reach into the next block.
+   Strides may exceed n, so the copied ranges may overlap. */
 static void gather_block(const struct springs *p, const struct task *t,
                          size_t from, size_t n, double buffer[])
 {
@@ -569,8 +574,8 @@ static size_t reach(const struct springs *p)
 }
 
 /* Computes the forces of the springs that reach into the block at body
-   `from` from before. The thread that has the bodies before it computes
-   them as well, with equal bits, so nothing is summed across threads. */
+   `from` from earlier bodies. The thread of those bodies computes them,
+   too, with equal bits, so nothing is summed across threads. */
 static void reach_in(const struct springs *p, const struct task *t,
                      size_t from, double buffer[])
 {
@@ -595,12 +600,11 @@ static void gather(const struct springs *p, const struct task *t,
 }
 
 /* Takes `steps` steps of the task, at most depth_of(p), in one sweep over
-   the bodies. For each step it keeps how far bodies have been moved, how
-   far forces have been summed, and a buffer; a step advances by a block as
-   soon as the step before has passed the bodies that it reads. No spring
-   reaches into the first block: the buffers for it start with zeros, and
-   have zeros again after a sweep, as no spring reaches beyond the last
-   body. */
+   the bodies. Each step has a buffer and its own counts of the bodies moved
+   and of those whose forces are summed; it advances by a block as soon as
+   the previous step has passed the bodies that it reads. No spring reaches
+   into the first block: the buffers for it start with zeros, and have zeros
+   again after a sweep, as no spring reaches beyond the last body. */
 static void march(const struct springs *p, struct task t, size_t steps)
 {
     const size_t n = p->bodies, far = reach(p), size = buffer_size(p);
@@ -631,9 +635,9 @@ static size_t depth_of(const struct springs *p)
 }
 
 /* Gives each thread a contiguous part of the bodies. Each of several
-   threads first moves its bodies, and all wait at the end of that loop,
-   since the first springs of a part read the part before, and its last
-   springs the next. */
+   threads first moves its bodies and waits for the others, since the first
+   springs of its part read the previous part, and its last springs the
+   next. */
 static void gather_shared(struct springs *p, const struct task *task)
 {
     const size_t size = buffer_size(p), threads = (size_t)p->threads;
@@ -661,7 +665,7 @@ static void gather_shared(struct springs *p, const struct task *task)
     }
 }
 
-/* Allocates a buffer for each thread, or for each step of a sweep; to be
+/* Allocates a buffer for each thread, or for each step of a sweep; must be
    called before a run, not during one. */
 bool springs_threads(struct springs *p, int threads)
 {
@@ -692,9 +696,9 @@ static void act(struct springs *p, const struct task *t)
     finish(p, t, 0, 0, 3 * p->bodies, p->force);
 }
 
-/* Takes `steps` steps of the task, whose ahead is not NULL. Scatter
-   accesses bodies in the order of the list and needs all of them moved
-   before, as does a scene of which only a part is in bands. */
+/* Takes `steps` steps of the task, whose ahead is not NULL. All bodies are
+   moved before scatter, which accesses them in the order of the springs,
+   and also if only some of the springs are in bands. */
 static void act_ahead(struct springs *p, struct task t, uint64_t steps)
 {
     const struct stepping_ahead *const ahead = t.ahead;

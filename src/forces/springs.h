@@ -7,14 +7,14 @@
 
 /* Sizes found by measurement. */
 enum {
-    SPRINGS_BAND = 16,     /* fewest springs of a band */
+    SPRINGS_BAND = 16,     /* smallest number of springs in a band */
     SPRINGS_BLOCK = 512,   /* bodies in a block */
-    SPRINGS_DEPTH = 8,     /* most steps in a sweep */
-    SPRINGS_WINDOW = 8192, /* bodies between its first and last step */
-    SPRINGS_SHARE = 10000  /* fewest bodies for which threads pay */
+    SPRINGS_DEPTH = 8,     /* largest number of steps in a sweep */
+    SPRINGS_WINDOW = 8192, /* bodies from the first to the last step */
+    SPRINGS_SHARE = 10000  /* smallest number for which threads pay */
 };
 
-/* How the forces are summed. Both ways give equal bits. */
+/* How the forces are summed, which does not affect the bits. */
 enum springs_engine {
     SPRINGS_GATHER, /* bands of springs, block by block */
     SPRINGS_SCATTER /* springs one after another */
@@ -25,32 +25,33 @@ enum springs_engine {
 struct springs_band {
     size_t stride, first, end;
     double stiffness, damping;
-    double *rest; /* rest[i - first] at body i, m; negative: none */
+    double *rest; /* rest[i - first]: rest length of the spring at body i,
+                     m; negative if there is none */
 };
 
-/* The springs of a scene. May be read; engine may be written. A body
-   without mass has the inverse mass 0, like a fixed one: no spring moves
-   it, but gravity does if it is free. */
+/* The springs of a scene. The members may be read, and engine may be set. A
+   body without mass has the inverse mass 0, like a fixed one: no spring
+   moves it, but gravity does if it is free. */
 struct springs {
     size_t bodies, count;
     struct scene_spring *spring; /* in the order of the sums; a < b */
     struct scene_kind *kind;
-    size_t listed; /* springs in no band, the first in the list */
+    size_t listed; /* number of springs in no band, listed first */
     size_t bands;
     struct springs_band *band;
-    double *inverse; /* [3 * bodies] 1/mass, 1/kg; 0 if fixed */
-    double *gravity; /* [3 * bodies] the scene's, m/s^2; 0 if fixed */
+    double *inverse; /* [3 * bodies] inverse mass, 1/kg; 0 if fixed */
+    double *gravity; /* [3 * bodies] uniform, m/s^2; 0 if fixed */
     double friction;
     bool quiet; /* neither gravity nor friction acts */
     bool even;  /* inverse masses are equal along all axes */
     bool axial;
     enum springs_engine engine;
     int threads;
-    double *force;  /* [3 * bodies] sums made spring by spring, N */
+    double *force;  /* [3 * bodies] sums made by scatter, N */
     double *buffer; /* band forces of each thread or step of a sweep */
 };
 
-/* Copies all data it needs from the scene, which may change afterwards.
+/* Prepares *p for the springs of a scene, which may change afterwards.
    Returns false, with nothing to free, if memory runs out. */
 bool springs_create(struct springs *p, const struct scene *s);
 
@@ -58,9 +59,9 @@ bool springs_create(struct springs *p, const struct scene *s);
 void springs_free(struct springs *p);
 
 /* Adds to a the accelerations due to springs and dashpots, m/s^2. x, v and
-   a are arranged axis by axis, as in struct scene. For a fixed coordinate a
-   does not change. The bits do not depend on the engine and the number of
-   threads. Source: (10.1, eq:spring-force), and (10.3, eq:axial-dashpot) if
+   a are arranged axis by axis, as in struct scene. For fixed coordinates a
+   does not change. Neither the engine nor the number of threads affects the
+   bits. Source: (10.1, eq:spring-force), and (10.3, eq:axial-dashpot) if
    the scene has axial dashpots. */
 void springs_add(struct springs *p, const double x[], const double v[],
                  double a[]);
@@ -73,8 +74,8 @@ void springs_accelerate(void *springs, const double x[], const double v[],
 /* Returns springs_accelerate in the form that stepping_begin needs. */
 struct stepping_forces springs_forces(struct springs *p);
 
-/* Does what springs_accelerate does, as a stepping_sweep: for a stepping
-   with springs_forces. */
+/* Computes what springs_accelerate does, as a stepping_sweep, for a struct
+   stepping with springs_forces. */
 void springs_sweep(void *springs, const double x[], const double v[],
                    double a[], const struct stepping_ahead *ahead,
                    uint64_t steps);
@@ -85,8 +86,8 @@ double springs_potential(const struct springs *p, const double x[]);
 /* Returns whether any spring has a dashpot. */
 bool springs_damped(const struct springs *p);
 
-/* Sets how many threads share the work from now on, 1 or more. Returns
-   false, with nothing changed, if memory runs out. */
+/* Sets the number of threads, 1 or more, that share the work from now on.
+   Returns false, with nothing changed, if memory runs out. */
 bool springs_threads(struct springs *p, int threads);
 
 #endif

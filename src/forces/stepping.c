@@ -1,4 +1,4 @@
-/* Runs by equal steps: their memory, the steps, checks for infinities. */
+/* Allocates memory, takes steps, and checks that all numbers are finite. */
 #include "forces/stepping.h"
 
 #include "forces/adaptive.h"
@@ -17,8 +17,8 @@ static double *take(double **next, size_t n)
     return part;
 }
 
-/* Divides one block of memory into arrays: those of every method, then
-   those of one family of methods, which have length 0 for the others. */
+/* Divides one block of memory into arrays: those used by every method, then
+   those of a family of methods, of length 0 for other families. */
 static void divide_memory(struct stepping *s, double *next)
 {
     struct stepping_work *const w = s->part;
@@ -38,7 +38,7 @@ static void divide_memory(struct stepping *s, double *next)
     w->b2 = take(&next, k);
 }
 
-/* Returns how many numbers divide_memory distributes. */
+/* Returns the total length of the arrays of divide_memory. */
 static size_t room(const struct stepping *s)
 {
     const size_t n = s->forces.size, k = s->method->stages;
@@ -65,7 +65,8 @@ static void measure_tableau(struct stepping *s)
     const struct stepping_method *const m = s->method;
     struct stepping_work *const w = s->part;
     const size_t n = m->stages;
-    memset(w->c, 0, (2 * n + 3) * n * sizeof *w->c); /* up to b2 */
+    memset(w->c, 0, (2 * n + 3) * n * sizeof *w->c); /* all arrays from c to
+                                                        b2 */
     for (size_t i = 0; i < n; ++i) {
         w->b[i] = m->b[i] * s->dt;
         for (size_t j = 0; j < n; ++j) {
@@ -155,7 +156,7 @@ bool stepping_keeps(const struct stepping *s)
 }
 
 /* Takes a step of any method that is not adaptive. Returns false if the
-   equations of an implicit step have not been solved. */
+   equations of an implicit step could not be solved. */
 static bool step(struct stepping *s)
 {
     switch (s->method->family) {
@@ -170,8 +171,8 @@ static bool step(struct stepping *s)
     }
 }
 
-/* Returns whether all coordinates and velocities are finite: only then is
-   zero times each of them zero. */
+/* Returns whether all coordinates and velocities are finite: zero times a
+   number is zero only if the number is finite. */
 static bool is_finite(const struct stepping *s)
 {
     double sum = 0;
@@ -181,7 +182,7 @@ static bool is_finite(const struct stepping *s)
 }
 
 /* Takes at most *left steps, up to the next check of the numbers, and
-   updates *left. Returns false if a step's equations have not been
+   updates *left. Returns false if the equations of a step could not be
    solved. */
 static bool run_until_watch(struct stepping *s, uint64_t *left)
 {
@@ -211,8 +212,8 @@ bool stepping_anew(struct stepping *s)
     return anew;
 }
 
-/* Lets an adaptive method take its own steps up to the time of `steps`
-   steps of dt, which only mark the times at which states are needed. */
+/* Lets an adaptive method take its own steps over the time steps * dt; dt
+   only determines the times at which states are needed. */
 static enum stepping_end run_own(struct stepping *s, uint64_t steps)
 {
     struct adaptive *const own = s->own;
@@ -240,13 +241,14 @@ enum stepping_end stepping_run(struct stepping *s, uint64_t steps)
     return STEPPING_DONE;
 }
 
-/* A product: adding dt a million times adds a million rounding errors. */
+/* Multiplies, since adding dt a million times adds a million rounding
+   errors. */
 double stepping_time(const struct stepping *s)
 {
     return s->start + (double)s->steps * s->dt;
 }
 
-/* carry and acceleration are adjacent in memory. */
+/* Copies carry and acceleration together: they are adjacent in memory. */
 void stepping_note(const struct stepping *s, double note[])
 {
     const size_t n = s->forces.size;
@@ -265,7 +267,7 @@ void stepping_recall(struct stepping *s, const double note[])
     s->fresh = note[5 * n] != 0;
 }
 
-/* The coefficients contain the factor dt: they are computed with h for the
+/* Computes the coefficients, which contain the factor dt, with h for the
    part, and with dt again afterwards. */
 enum stepping_end stepping_part(struct stepping *s, double h)
 {

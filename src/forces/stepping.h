@@ -7,12 +7,12 @@
 #include <stdint.h>
 
 enum {
-    STEPPING_WATCH = 64, /* steps between checks of the numbers */
-    STEPPING_MOST = 64   /* most methods in the table */
+    STEPPING_WATCH = 64, /* steps between checks for infinities */
+    STEPPING_MOST = 64   /* largest number of methods in the table */
 };
 
-/* Forces on `size` coordinates: accelerate writes all of a, the second
-   derivative of x, m/s^2. damped: a depends on v. */
+/* Forces on `size` coordinates. accelerate writes all accelerations a,
+   m/s^2; damped tells whether they depend on v. */
 struct stepping_forces {
     size_t size;
     bool damped;
@@ -21,26 +21,27 @@ struct stepping_forces {
     void *what;
 };
 
-/* A function that moves n coordinates, from number `from` on, to the places
-   at which the next step needs the forces; owing: it first does the second
-   half of the last step's kick. */
+/* A function that moves n coordinates, from index `from` on, to the
+   positions at which the next step needs the forces. If `owing`, it first
+   does the second half of the last step's kick. */
 struct stepping_ahead {
     void (*ready)(void *step, size_t from, size_t n, bool owing);
     void *step;
 };
 
 /* Computes the accelerations of `steps` steps of leapfrog, and has the
-   coordinates moved part by part, just before it reads them: large systems
-   are limited by memory, and a number moved in a separate pass would have
-   left the cache when the forces need it. It calls ahead->ready for each
-   coordinate once in a step, before it reads x and v or writes a there; in
-   the first step with owing = false; from any thread, in any order. */
+   coordinates moved in parts, just before it reads them: large systems are
+   limited by memory, and coordinates moved in a separate pass would have
+   left the cache when the forces need them. In each step it calls
+   ahead->ready once for each coordinate, before it reads x and v or writes
+   a there, with owing = false in the first step; from any thread, in any
+   order. */
 typedef void stepping_sweep(void *what, const double x[], const double v[],
                             double a[], const struct stepping_ahead *ahead,
                             uint64_t steps);
 
 /* Moves x and v by the time dt, s, which may be negative, along the part of
-   the motion known in closed form; accelerate has the other forces. */
+   the motion known in closed form; accelerate computes the other forces. */
 typedef void stepping_flow(void *what, double dt, double x[], double v[]);
 
 enum stepping_family {
@@ -48,7 +49,7 @@ enum stepping_family {
     STEPPING_EXPLICIT,  /* Runge-Kutta, stage after stage */
     STEPPING_IMPLICIT,  /* Runge-Kutta, all stages at once */
     STEPPING_PAIR,      /* explicit, with an estimate of its error */
-    STEPPING_RADAU      /* the force is a polynomial in time */
+    STEPPING_RADAU      /* the force as a polynomial in time */
 };
 
 /* A method: its properties and its coefficients. */
@@ -58,22 +59,22 @@ struct stepping_method {
     int order;
     bool symmetric, symplectic;
     size_t stages;       /* force evaluations in a step without friction;
-                            implicit: at least */
+                            for implicit methods at least */
     size_t drifts;       /* number of drifts of a splitting */
     const double *drift; /* [drifts], in units of dt */
     const double *kick;  /* [drifts + 1] before, between, after the drifts;
-                            NULL: means of adjacent drifts */
+                            if NULL, means of adjacent drifts */
     const double *a, *b; /* Runge-Kutta: tableau by rows, weights */
-    double limit;        /* largest stable omega dt; 0: never stable */
+    double limit;        /* largest stable omega dt; 0 if there is none */
     bool orbits;         /* drifts follow ellipses; for gravity only */
     bool adaptive;       /* can choose the length of its steps */
     bool raced;          /* tried in the search for the cheapest method */
     const double *error, *dense; /* [stages], of a pair:
                                     (8.15, eq:embedded),
                                     (8.17, eq:dense) */
-    const double *node;          /* [stages] Radau's */
-    const double *weight;        /* [4 * stages] Radau's: for v, then x,
-                                    head and tail */
+    const double *node;          /* [stages] of Radau's method */
+    const double *weight;        /* [4 * stages] of Radau's method,
+                                    explained in methods.c */
 };
 
 enum stepping_end {
@@ -90,20 +91,20 @@ struct stepping {
     double dt, start;      /* s; start may be set before the first step */
     uint64_t steps;        /* the time is start + steps * dt */
     double *x, *v;         /* [size], the caller's */
-    bool compensated;      /* to be set before the first step */
-    stepping_sweep *sweep; /* NULL, or computes accelerations in parts, with
-                              equal bits; for leapfrog, not compensated; to
-                              be set as well */
-    stepping_flow *flow; /* NULL: drifts are straight; or the motion between
-                            kicks; to be set as well */
+    bool compensated;      /* set before the first step */
+    stepping_sweep *sweep; /* NULL, or computes accelerations in parts, for
+                              leapfrog without compensation; set before the
+                              first step */
+    stepping_flow *flow; /* NULL for straight drifts, or the motion between
+                            kicks; set before the first step */
     double *carry; /* [2 * size] rounding errors to be added to x, then v */
-    double *acceleration; /* [size] last evaluated */
-    uint64_t evaluations; /* of the forces so far */
-    double tolerance;     /* of an adaptive method: see adaptive.h; 0: all
-                             steps are dt; to be set as well */
+    double *acceleration; /* [size] last evaluated, m/s^2 */
+    uint64_t evaluations; /* number of force evaluations so far */
+    double tolerance;     /* of an adaptive method (adaptive.h); if 0, all
+                             steps are dt; set before the first step */
     struct adaptive *own; /* state of an adaptive method, or NULL */
     /* ---- private */
-    bool fresh; /* acceleration is that at the present x (and v) */
+    bool fresh; /* whether acceleration is that at x (and v) */
     double *work;
     struct stepping_work *part;
 };
@@ -130,27 +131,27 @@ bool stepping_begin(struct stepping *s, const struct stepping_method *m,
                     double v[]);
 
 /* Continues a run after `steps` steps in another program. With the x and v
-   of that run, its carry if it was compensated, and its acceleration if
-   stepping_keeps (otherwise NULL), all bits equal those of an uninterrupted
-   run. To be called before the first step. */
+   of that run, its carry if it was compensated (otherwise NULL), and its
+   acceleration if stepping_keeps (otherwise NULL), all bits equal those of
+   an uninterrupted run. Must be called before the first step. */
 void stepping_resume(struct stepping *s, uint64_t steps,
                      const double carry[], const double acceleration[]);
 
-/* Returns whether a step begins with the stored acceleration at the end of
-   the last one, which cannot be computed from x and v. This is so for
+/* Returns whether each step begins with the acceleration stored at the end
+   of the last one, since it cannot be computed from x and v. This is so for
    leapfrog if the forces depend on velocities: (8.13,
    eq:leapfrog-damped). */
 bool stepping_keeps(const struct stepping *s);
 
-/* Takes `steps` steps; the number of calls they are divided into does not
-   affect the results. Checks whether all numbers are finite at the end, and
-   after every STEPPING_WATCH steps of the run. */
+/* Takes `steps` steps; the number of calls into which they are divided does
+   not affect the results. Checks whether all numbers are finite at the end,
+   and after every STEPPING_WATCH steps of the run. */
 enum stepping_end stepping_run(struct stepping *s, uint64_t steps);
 
 /* Returns the time of x and v, s. */
 double stepping_time(const struct stepping *s);
 
-/* Tells s that x or v were changed by the caller. */
+/* Tells s that the caller has changed x or v. */
 void stepping_disturb(struct stepping *s);
 
 void stepping_free(struct stepping *s);
@@ -160,14 +161,14 @@ void stepping_free(struct stepping *s);
 void stepping_note(const struct stepping *s, double note[]);
 void stepping_recall(struct stepping *s, const double note[]);
 
-/* Takes a part of a step, of length h, s, and does not count it in steps:
+/* Takes a part of a step, of length h, s, without counting it in steps:
    when the parts add up to a step, the caller adds 1 to steps. A part of
-   length dt equals a step to the last bit. Checks that numbers are
+   length dt equals a step to the last bit. Checks whether all numbers are
    finite. */
 enum stepping_end stepping_part(struct stepping *s, double h);
 
-/* Starts the adaptive method of s at x and v if it has not begun, or if
-   these were changed from outside. Returns whether it did. */
+/* Starts the adaptive method of s at x and v if it has not begun, or if the
+   caller has changed x or v. Returns whether it did. */
 bool stepping_anew(struct stepping *s);
 
 #endif

@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 4093418079 of the lines below */
+/* checksum 1215066028 of the lines below */
 /* The steps of the methods: kicks and drifts, leapfrog, Runge-Kutta. */
 #ifndef STEPS_H
 #define STEPS_H
@@ -18,7 +18,7 @@ struct stepping_work {
     double *drift, *kick;        /* of a splitting, times dt, s */
     double *c, *a, *a2, *b, *b2; /* of a tableau, times dt or dt^2 */
     double *stage;               /* [stages * size] accelerations */
-    double *guess;               /* [stages * size] improved ones */
+    double *guess;               /* [stages * size] improved values */
     double *x, *v;               /* [size] state at a stage */
     double *matrix, *slope;      /* of Newton's method */
     size_t *pivot;
@@ -31,7 +31,7 @@ static inline void evaluate(struct stepping *s, const double x[],
     ++s->evaluations;
 }
 
-/* Computes s->acceleration at the present places, unless it is known. */
+/* Computes s->acceleration at the present positions, unless it is known. */
 static inline void refresh(struct stepping *s)
 {
     if (!s->fresh)
@@ -147,8 +147,8 @@ static inline void move_ahead(void *stepping, size_t from, size_t n,
         move_many(stepping, from, n, owing);
 }
 
-/* Takes steps of leapfrog, (8.4, eq:verlet), with the bits of
-   splitting_step; under friction those of (8.13, eq:leapfrog-damped). */
+/* Takes steps of leapfrog, (8.4, eq:verlet), with the same bits as
+   splitting_step; under friction, steps of (8.13, eq:leapfrog-damped). */
 static inline void leap(struct stepping *s, uint64_t steps)
 {
     const double *const v = s->forces.damped ? s->part->v : s->v;
@@ -165,7 +165,7 @@ static inline void leap(struct stepping *s, uint64_t steps)
     add(s->v, s->part->kick[0], s->acceleration, s->forces.size);
 }
 
-/* Takes a step of leapfrog under friction, compensated. */
+/* Takes a step of leapfrog under friction, compensated if s is. */
 static inline void leap_carried(struct stepping *s)
 {
     const double h = s->part->kick[0];
@@ -178,7 +178,7 @@ static inline void leap_carried(struct stepping *s)
     push_v(s, h, s->acceleration);
 }
 
-/* Computes x and v of the work at stage i, (8.10, eq:stage). */
+/* Computes the state at stage i, w->x and w->v, (8.10, eq:stage). */
 static void go_to_stage(struct stepping *s, size_t i)
 {
     const struct stepping_work *const w = s->part;
@@ -231,7 +231,7 @@ static inline void guess_stages(struct stepping *s)
                n * sizeof *s->acceleration);
 }
 
-/* Stores the accelerations at all stages in guess. */
+/* Computes the accelerations at all stages and stores them in guess. */
 static inline void sweep(struct stepping *s)
 {
     const struct stepping_work *const w = s->part;
@@ -253,8 +253,8 @@ static inline bool settled(const struct stepping *s, double change,
     return change == 0 || (change > last / 2 && change <= 1e-10 * scale);
 }
 
-/* Replaces the stages by the forces computed with them, repeatedly. Returns
-   false if that does not converge. */
+/* Replaces the accelerations at the stages by those computed with them,
+   repeatedly. Returns false if this does not converge. */
 static inline bool iterate(struct stepping *s)
 {
     enum { MOST_SWEEPS = 100 };

@@ -16,7 +16,7 @@ static inline void add(double *restrict to, double h,
 }
 
 /* Adds `by` to a compensated sum, (8.14, eq:compensated): the rounding
-   error goes into *carry, and is added the next time. Returns the sum. */
+   error is stored in *carry and added the next time. Returns the sum. */
 static inline double add_one(double *to, double *carry, double by)
 {
     const double old = *to, more = by + *carry, sum = old + more;
@@ -33,7 +33,7 @@ static inline void add_carried(double *restrict to, double *restrict carry,
         add_one(to + i, carry + i, h * by[i]);
 }
 
-enum { MANY = 64 }; /* fewest coordinates for which vectors pay */
+enum { MANY = 64 }; /* coordinates from which on vectors pay */
 
 /* Does what add does, or add_carried if carry is not NULL; vectorised. */
 VECTOR_LOOP static void add_many(double *restrict to, double *carry,
@@ -58,7 +58,7 @@ static inline void push(double *to, double *carry, double h,
         add(to, h, by, n);
 }
 
-/* Add h by[] to places or to velocities of s, compensated if s is. */
+/* Add h by[] to positions or velocities of s, compensated if s is. */
 static void push_x(struct stepping *s, double h, const double by[])
 {
     push(s->x, s->compensated ? s->carry : NULL, h, by, s->forces.size);
@@ -73,7 +73,7 @@ static void push_v(struct stepping *s, double h, const double by[])
 #ifdef VECTOR_CLONES
 typedef double four __attribute__((vector_size(32), aligned(8), may_alias));
 
-/* Does what add_one does, for four sums at a time; *by becomes the sums.
+/* Does what add_one does, for four sums at once, and sets *by to the sums.
    Each is rounded separately, so the bits are those of add_one. */
 static inline void add_four(double *to, double *carry, four *by)
 {
@@ -84,10 +84,10 @@ static inline void add_four(double *to, double *carry, four *by)
 }
 #endif
 
-/* Kicks by h and, unless dt is NULL, drifts by *dt, compensated. The
-   accelerations have just been written one by one; a load of four would
+/* Kicks by h and, unless dt is NULL, drifts by *dt, with compensated sums.
+   The accelerations have just been written one by one; a load of four would
    wait some eleven cycles for these stores. So the array is volatile, and
-   is read one by one. */
+   each acceleration is loaded alone. */
 VECTOR_LOOP static void advance_carried(struct stepping *s, double h,
                                         const double *dt)
 {

@@ -1,6 +1,6 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 1934466152 of the lines below */
-/* Sums gravity by a tree, in which a distant cell of bodies is one mass. */
+/* checksum 3444312074 of the lines below */
+/* Sums gravity by a tree: a distant cell of bodies acts as one mass. */
 #include "forces/tree.h"
 
 #include "forces/pull.h"
@@ -14,13 +14,13 @@
 struct cell {
     double mass, x, y, z, side;
     size_t first, end; /* its bodies in the order of the tree */
-    size_t next;       /* the cell to visit next if this is not opened */
+    size_t next;       /* cell to visit next if this is not opened */
 };
 
-/* A tree. Its bodies have an order of their own: body[] has the caller's
-   numbers, place[] x, y, z and the mass, axis by axis. */
+/* A tree. Its bodies are sorted by cells: body[] has the caller's numbers,
+   place[] the values of x, then those of y, z and the mass. */
 struct tree {
-    double theta2, least; /* smallest side of a cell */
+    double theta2, least; /* theta squared; smallest side of a cell */
     size_t bodies, cells;
     const double *mass; /* in the caller's order */
     struct cell *cell;
@@ -28,8 +28,8 @@ struct tree {
     double *place;
 };
 
-/* Moves those of bodies first to end - 1 with a coordinate below `middle`
-   to the front; returns the position of the first of the others. */
+/* Moves to the front those of bodies first to end - 1 whose coordinate x is
+   below `middle`; returns the position of the first of the others. */
 static size_t sort(struct tree *t, const double x[], size_t first,
                    size_t end, double middle)
 {
@@ -58,8 +58,8 @@ static struct cube eighth(struct cube c, int q)
 }
 
 /* Sorts the bodies part[0] to part[8] - 1 into eighths of the cube, those
-   of eighth q from part[q] on; shrinks the cube while one eighth has all.
-   Returns false if they cannot be separated. */
+   of eighth q from part[q] on; if one eighth has all, divides that instead.
+   Returns false if the bodies cannot be separated. */
 static bool divide(struct tree *t, const double x[], size_t part[9],
                    struct cube *c)
 {
@@ -112,7 +112,7 @@ static struct cell weigh(const struct tree *t, size_t first, size_t end,
     return c;
 }
 
-/* Makes the cell of bodies first to end - 1, and the cells inside it. */
+/* Creates the cell of bodies first to end - 1, and the cells inside it. */
 static void grow(struct tree *t, const double x[], size_t first, size_t end,
                  struct cube c)
 {
@@ -167,7 +167,7 @@ static inline struct box box_of(const struct block *o)
     return b;
 }
 
-/* Returns whether the cell may count as a mass for the whole box. */
+/* Returns whether the cell may act as one mass on all bodies in the box. */
 static inline bool is_small(const struct tree *t, const struct cell *c,
                             const struct box *b)
 {
@@ -182,7 +182,7 @@ static inline bool is_small(const struct tree *t, const struct cell *c,
     return c->side * c->side < t->theta2 * d2;
 }
 
-/* Adds, for the block from body i on, the accelerations due to all
+/* Adds to the block, which begins with body i, the accelerations due to all
    bodies. */
 static inline void walk(const struct gravity *g, size_t i, struct block *o)
 {

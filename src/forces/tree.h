@@ -8,14 +8,14 @@
 
 /* Returns a tree for this number of bodies, or NULL if memory runs out. A
    cell is opened unless its width is less than theta times its distance.
-   The pointer mass is kept. */
+   The tree keeps the pointer mass. */
 struct tree *tree_create(size_t bodies, const double mass[], double theta);
 
 /* Frees a tree, which may be NULL. */
 void tree_free(struct tree *t);
 
 /* Sorts the bodies at x[], 3 * bodies numbers axis by axis, into cells. The
-   tree depends only on x, not on earlier places. */
+   tree depends only on x, not on earlier positions. */
 void tree_build(struct tree *t, const double x[]);
 
 /* Adds to a[] the accelerations, due to all bodies, of the block that

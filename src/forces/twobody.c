@@ -1,26 +1,27 @@
-/* Steps two bodies under gravity by pairs of coordinates, in registers. */
+/* Steps two bodies under gravity, with their coordinates in registers. */
 #include "forces/twobody.h"
 
 #include <math.h>
 #include <stdbool.h>
 #include <string.h>
 
-/* A pair of adjacent numbers, for both bodies: a coordinate, say. A step of
-   two bodies is little more than a root and a quotient, each waiting for
-   the other. Passing all numbers through memory in between, as the loops
-   for many bodies do, takes a sixth of the time. Here they stay in
-   registers, with equal operations in equal order. */
+/* A pair of adjacent numbers, one for each body, such as a coordinate. A
+   step of two bodies is little more than a root and a quotient, each
+   waiting for the other. Passing all numbers through memory in between, as
+   the loops for many bodies do, takes a sixth of the time. Here they stay
+   in registers; the operations and their order are those of these loops. */
 typedef double pair __attribute__((vector_size(16), aligned(8), may_alias));
 
-/* One coordinate of both bodies, velocity and acceleration along it, half a
-   kick's time (0 for a body fixed along this axis), and uniform gravity. */
+/* The motion of both bodies along one axis: coordinate, velocity,
+   acceleration, duration of half a kick (0 for a body fixed along this
+   axis), and uniform gravity. */
 struct axis {
     pair x, v, a, kick, weight;
 };
 
-/* Does the second half of the last kick, if it is owing, half a kick and
-   the drift, as in steps.h. Returns the difference of the bodies'
-   coordinates in both numbers of a pair. */
+/* Does the second half of the last kick, if `owing`, then the first half of
+   the next kick and the drift, as in steps.h. Returns the difference of the
+   bodies' coordinates in both numbers of a pair. */
 static inline pair move(struct axis *k, double dt, bool owing)
 {
     const pair half = k->kick * k->a;
@@ -31,9 +32,10 @@ static inline pair move(struct axis *k, double dt, bool owing)
     return (pair){k->x[1], k->x[1]} - (pair){k->x[0], k->x[0]};
 }
 
-/* Takes steps of leapfrog, with the forces of pull.h's loop over pairs.
-   `plain` leaves out three of the sixteen operations that depend on each
-   other, those that add 0, and saves an eighth of the time (is_plain). */
+/* Takes steps of leapfrog, with the forces of add_pairs in pull.h. If plain
+   (see is_plain), leaves out the three operations that add 0 from the chain
+   of sixteen, each of which waits for the one before, and saves an eighth
+   of the time. */
 static void run_two(const struct gravity *g, double dt, uint64_t steps,
                     struct axis axis[3], bool plain)
 {
@@ -78,9 +80,9 @@ static bool has_minus_zero(pair p)
 }
 
 /* Returns whether the bodies are in the plane z = 0, without softening and
-   uniform gravity, so that run_two may leave these out. The bits do not
-   change: adding 0 changes only -0, to 0. So no velocity may begin as -0,
-   which would stay; none becomes -0 later, and 0 is added to the
+   uniform gravity, so that run_two may leave these out. This changes no
+   bits, since adding 0 changes only -0, to 0. So no velocity may begin as
+   -0, which would stay; none becomes -0 later, and 0 is added to the
    accelerations after the loop. */
 static bool is_plain(const struct gravity *g, const struct axis axis[3])
 {

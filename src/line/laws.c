@@ -201,8 +201,8 @@ double laws_chi2(double chi2, double degrees)
     return gsl_cdf_chisq_Q(chi2, degrees);
 }
 
-/* The sum is that of one of two series. Both converge most slowly at lambda
-   = 1, where the omitted terms are below 1e-40. */
+/* Uses one of two series. Both converge most slowly at lambda = 1, where
+   the omitted terms are below 1e-40. */
 double laws_kolmogorov(double lambda)
 {
     const double pi = acos(-1);

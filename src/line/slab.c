@@ -44,7 +44,7 @@ struct slab {
     size_t logged, log_size;
     struct island *island;
     size_t islands, island_size;
-    uint64_t collisions; /* number with dropped log entries */
+    uint64_t collisions; /* collisions no longer in the log */
 };
 
 enum {
@@ -53,8 +53,8 @@ enum {
     MOST_ALONE = 63 /* largest number of slabs run alone after a failure */
 };
 
-/* The numbers of a body that collisions change: position, m, velocity, m/s,
-   and time, s. */
+/* The numbers of a body that collisions change: position in m, velocity in
+   m/s and time in s. */
 struct motion {
     double x, v, since;
 };
@@ -73,7 +73,7 @@ struct bonkers_slab {
     uint64_t redone;   /* collisions undone in these slabs */
     bool collapse;     /* the run must end as BONKERS_COLLAPSE */
     bool failed;       /* all slabs must be undone */
-    bool crowded;      /* an island has too many due gaps, SLAB_WAITING */
+    bool crowded;      /* an island has over SLAB_WAITING due gaps */
 };
 
 void slab_free(struct bonkers_slab *s)

@@ -10,7 +10,7 @@
    Every error is one standard deviation, in the unit of the number to which
    it belongs. */
 
-/* Moments of a series; they do not depend on its order. */
+/* The moments of a series, which do not depend on its order. */
 struct statistics_moments {
     double mean, variance; /* variance: with divisor n - 1 */
     double third, fourth;  /* means of (x - mean)^3 and ^4 */
@@ -50,7 +50,8 @@ struct statistics_correlation {
 struct statistics_histogram {
     double low, high;
     size_t bins;
-    uint64_t total, below, above; /* all samples; below low; above high */
+    uint64_t total, below, above; /* all samples; those below low; above
+                                     high */
     uint64_t count[];             /* samples in each bin */
 };
 

@@ -34,8 +34,8 @@ struct adaptive {
     double *difference;    /* [size] scratch */
     double *g,             /* [stages * size] coefficients of Radau's force
                               for Newton's polynomials */
-        *b,                /* those for powers, as many */
-        *guess;            /* the b extrapolated from the step before */
+        *b,                /* [stages * size] coefficients for powers */
+        *guess;            /* [stages * size] b as it was guessed */
     double *new_b, *new_guess; /* b and guess of a trial step */
     struct adaptive_weights *weights;
     double *work;

@@ -17,13 +17,13 @@
 #define PROGRAM "gravity-studies"
 
 static struct {
-    double orbits;              /* 0: the study's own number */
-    double factor, moon, mixed; /* of the ring, see the options */
+    double orbits;              /* --orbits; 0: the usual number */
+    double factor, moon, mixed; /* keys of the ring */
     size_t kernel;
 } own = {.factor = 1};
 
-/* Returns the length of a study in its own unit: --orbits, or the usual
-   one. */
+/* Returns the duration of a study in its own unit: --orbits if given,
+   otherwise the usual one. */
 static double duration(double usual)
 {
     return own.orbits > 0 ? own.orbits : usual;
@@ -36,8 +36,7 @@ struct sky {
     struct stepping stepping;
 };
 
-/* Makes a scene of chapter 9 with its default values, apart from the keys
-   chosen. */
+/* Makes the named scene of chapter 9 with chosen values of its keys. */
 static void make_scene(struct scene *s, const char *name,
                        const struct gallery_choice chosen[])
 {
@@ -75,8 +74,8 @@ static double energy_of(const struct sky *k)
     return sum / 2 + gravity_potential(&k->gravity, s->position);
 }
 
-/* Sets x[] and v[] to the position and velocity of body i relative to body
-   0, the one in the middle. */
+/* Sets x[] and v[] to the position and velocity of body i relative to the
+   central body 0. */
 static void relative_to_first(const struct scene *s, size_t i, double x[3],
                               double v[3])
 {
@@ -92,9 +91,10 @@ static double length(const double x[3])
     return sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
 }
 
-/* Measures the year and the drift of the paper's listing, in steps of its
-   own length, to a small fraction of a step: after a turn the Earth is at
-   the height y and climbs at v_y, so it passed the axis y / v_y ago. */
+/* Measures the Earth's period and the drift of the centre of mass in the
+   paper's example, with its time step. The period is interpolated: at the
+   height y above the axis and with the speed v_y, the Earth crossed the
+   axis y / v_y earlier. */
 static void measure_year(struct study *s)
 {
     struct sky k;
@@ -117,8 +117,8 @@ static void measure_year(struct study *s)
     end_sky(&k);
 }
 
-/* Runs five years in steps of two days, by the closed form and by two
-   methods, whose errors it compares with their laws. */
+/* Writes five years of the Earth in steps of two days, by the closed form
+   and by two methods, whose errors are compared with their laws. */
 static void study_sun_earth(struct study *s)
 {
     struct sky k[2];
@@ -157,7 +157,7 @@ static void study_sun_earth(struct study *s)
 }
 
 /* Writes solutions of Kepler's equation against the mean anomaly, then
-   positions on an ellipse at 24 equal times. */
+   positions on an ellipse at 24 equidistant times. */
 static void study_anomaly(struct study *s)
 {
     static const double e[] = {0.1, 0.5, 0.9, 0.99};
@@ -179,8 +179,8 @@ static void study_anomaly(struct study *s)
     }
 }
 
-/* Returns the distance of a planet from its start after one orbit that
-   begins at the aphelion, in units of the aphelion's distance. */
+/* Returns the distance between the positions of a planet before and after
+   one orbit from the aphelion, in units of the aphelion's distance. */
 static double orbit_error(double e, const char *method, double evaluations)
 {
     struct sky k;
@@ -199,8 +199,8 @@ static double orbit_error(double e, const char *method, double evaluations)
     return error;
 }
 
-/* Writes the error after an orbit against the eccentricity, by three
-   methods with 1e4 evaluations each, and a path. */
+/* Writes the errors after an orbit of three methods with 1e4 evaluations
+   each, against the eccentricity, and then a path. */
 static void study_eccentric(struct study *s)
 {
     static const char *const methods[] = {"leapfrog", "rk4", "kahan-li8"};
@@ -220,8 +220,8 @@ static void study_eccentric(struct study *s)
     TABLE_RESULTS(s->summary,
                   {"leapfrog", orbit_error(.99, methods[0], 1e4)},
                   {"more", orbit_error(.99, methods[0], 1e6)});
-    /* A path from the aphelion, with the speed sqrt(1 - e) of the circular
-       one. */
+    /* A path that starts at the aphelion, with sqrt(1 - e) times the speed
+       on a circle. */
     struct sky k;
     const double axis = 1 / 1.95;
     const double period = 2 * KEPLER_PI / CELESTIAL_K * axis * sqrt(axis);
@@ -238,11 +238,11 @@ static void study_eccentric(struct study *s)
     end_sky(&k);
 }
 
-/* Runs a fall past the Sun, of a planet without mass, from 1 AU to 1 AU, on
-   an ellipse of semi-major axis 1 AU that comes as near as q. Sets *energy
-   to the relative error of the energy, by the potential of the run,
-   softened or not, and *place to the error of the position, AU, compared
-   with the orbit without softening. */
+/* Moves a planet without mass past the Sun, from 1 AU to 1 AU, on an
+   ellipse of semi-major axis 1 AU and perihelion distance q (AU). Sets
+   *energy to the relative error of the energy, whose potential is softened
+   as in the run, and *place to the error of the position, AU, compared with
+   the orbit without softening. */
 static void fly_by(double q, const char *method, double dt,
                    double softening, double *energy, double *place)
 {
@@ -279,9 +279,9 @@ enum { FALLS = 3 };
 static const char *const fall_columns[2 * FALLS] = {"dE_l", "dE_k", "dE_s",
                                                     "dx_l", "dx_k", "dx_s"};
 
-/* Writes the errors of falls past the Sun. The closest approach shrinks by
-   10^(1/4) from row to row; kahan-li8 takes steps 17 times as long, since
-   it has 17 stages. */
+/* Writes the errors of falls past the Sun. The perihelion distance shrinks
+   by a factor of 10^(1/4) from row to row; kahan-li8 takes steps 17 times
+   as long as leapfrog, since it has 17 stages. */
 static void study_encounter(struct study *s)
 {
     const double dt = 0.01;
@@ -320,8 +320,8 @@ static double eccentricity_of(const struct scene *s, size_t i)
     return e;
 }
 
-/* Returns the relative change of the energy in a century of all eight
-   planets, by leapfrog, with the mass of Jupiter multiplied by a factor. */
+/* Returns the relative change in a century, by leapfrog, of the energy of
+   all eight planets, with the mass of Jupiter multiplied by a factor. */
 static double century_with_jupiter(double jupiter)
 {
     struct sky k;
@@ -335,7 +335,7 @@ static double century_with_jupiter(double jupiter)
 }
 
 /* Writes the eccentricities of the Earth and of Mars every five years, with
-   the mass of Jupiter times 1, 30, 100 and 300. */
+   the mass of Jupiter multiplied by 1, 30, 100 and 300. */
 static void study_planets(struct study *s)
 {
     struct sky k[JUPITERS];
@@ -367,8 +367,8 @@ static void study_planets(struct study *s)
         end_sky(&k[i]);
 }
 
-/* Writes the paths of the stars and of a planet that starts at this
-   distance (AU), for a number of days. */
+/* Writes the daily positions of the two stars and of a planet that starts
+   at this distance (AU), for a number of days. */
 static void write_paths(struct study *s, double distance, double days)
 {
     struct sky k;
@@ -385,9 +385,9 @@ static void write_paths(struct study *s, double distance, double days)
     end_sky(&k);
 }
 
-/* Writes two paths of a planet of Kepler-16, the speeds at the start, and
-   the error of its position after 400 days against one computed in
-   quadruple precision. */
+/* Writes two paths of a planet of Kepler-16 and, to the summary, the
+   initial velocities and the error of the planet's position after 400 days
+   against one computed in quadruple precision. */
 static void study_circumbinary(struct study *s)
 {
     struct sky k;
@@ -404,14 +404,14 @@ static void study_circumbinary(struct study *s)
     end_sky(&k);
 }
 
-/* Of Kepler-16, AU and days. */
+/* The distance of the stars of Kepler-16, AU, and their period, days. */
 static const double binary = 0.2243, binary_period = 41.0808939256;
 
-/* Returns how many of 8 phases survive for `periods` periods of the stars:
-   massless planets that start at this distance (in units of the stars') and
-   come neither within 0.05 of it to the centre nor beyond 5. Without a mass
-   they do not disturb the stars' circles. Leapfrog with 100 steps a period
-   suffices for a yes or no, and every tenth step is examined. */
+/* Returns how many of 8 massless planets survive for `periods` periods of
+   the stars. They start at different phases and at this distance, in units
+   of the distance of the stars; those that come within 0.05 of the centre
+   or beyond 5 do not survive. They do not disturb the stars. Leapfrog with
+   100 steps per period is precise enough; every tenth step is examined. */
 static int survivors(double distance, double periods)
 {
     int alive = 0;
@@ -433,8 +433,8 @@ static int survivors(double distance, double periods)
     return alive;
 }
 
-/* Writes the survivors at distances that grow by 0.04 of the stars', and
-   finds the distance from which on all phases survive. */
+/* Writes the number of survivors against the distance, which grows by 0.04
+   times that of the stars. Finds the distance above which all survive. */
 static void study_survival(struct study *s)
 {
     const double periods = duration(1000);
@@ -456,8 +456,9 @@ static void study_survival(struct study *s)
 }
 
 /* Sets *energy to the largest relative error of the energy in `periods`
-   periods of the stars, and *place to the error of the planet's position
-   after 400 days, AU, against one computed in quadruple precision. */
+   periods of the stars, with this number of evaluations per period, and
+   *place to the error of the planet's position after 400 days, AU, against
+   one computed in quadruple precision. */
 static void precision(const char *method, double evaluations,
                       double periods, double *energy, double *place)
 {
@@ -479,8 +480,8 @@ static void precision(const char *method, double evaluations,
     end_sky(&k);
 }
 
-/* Writes the errors of all methods for equal budgets. A run whose error
-   exceeds the energy itself is left out. */
+/* Writes the errors of seven methods for equal numbers of evaluations. Runs
+   with a relative error of the energy of 1 or more are left out. */
 static void study_work(struct study *s)
 {
     static const char *const methods[] = {
@@ -508,7 +509,7 @@ static void study_work(struct study *s)
 }
 
 /* Returns the largest relative error of the energy up to the time t, from a
-   thousand samples, and in *cost the processor time, s; ends the sky. */
+   thousand samples. Sets *cost to the processor time, s, and frees *k. */
 static double largest_energy_error(struct sky *k, double t, double *cost)
 {
     struct jacobi j = {0};
@@ -516,7 +517,7 @@ static double largest_energy_error(struct sky *k, double t, double *cost)
     const uint64_t bite = steps / 1000 + 1;
     const double before = energy_of(k);
     double worst = 0;
-    if (k->stepping.method->orbits) { /* it moves on Kepler's ellipses */
+    if (k->stepping.method->orbits) { /* drifts follow ellipses */
         const struct scene *s = &k->scene;
         program_memory(jacobi_create(&j, s->bodies, s->mass, s->k2), NULL);
         k->stepping.forces = jacobi_forces(&j);
@@ -533,9 +534,9 @@ static double largest_energy_error(struct sky *k, double t, double *cost)
     return worst;
 }
 
-/* Returns the largest relative error of the energy of eight planets in a
-   century, with their masses multiplied by a factor, and the days between
-   two kicks. */
+/* Returns the largest relative error, in a century, of the energy of eight
+   planets whose masses are multiplied by a factor. The time between two
+   kicks is given in days. */
 static double century(const char *method, double days, double factor)
 {
     struct sky k;
@@ -551,9 +552,8 @@ static const char *const along[] = {"leapfrog", "kahan-li8",
                                     "wisdom-holman", "sbab4"};
 enum { ALONG = sizeof along / sizeof *along };
 
-/* Writes the error against the days from kick to kick, then against the
-   masses. Errors of 1 and more, where a method lost the orbits, are left
-   out. */
+/* Writes the error against the time between two kicks, except errors of 1
+   and more, where a method lost the orbits, and against the masses. */
 static void study_ellipses(struct study *s)
 {
     TABLE_COLUMNS(s->out, {"d", "d", "from kick to kick"},
@@ -582,7 +582,8 @@ static void study_ellipses(struct study *s)
     }
 }
 
-/* Times the planet of two suns for 1e4 periods, for a table in
+/* Measures the processor time in which the planet of two suns is moved for
+   1e4 periods of the suns, and the error of the energy, for a table in
    plots/data. */
 static void study_two_suns(struct study *s)
 {
@@ -610,8 +611,9 @@ static void study_two_suns(struct study *s)
     }
 }
 
-/* Returns the deviation of the bodies from one circle, in units of its
-   radius. At the start rounding is the only disturbance. */
+/* Returns the difference between the largest and the smallest distance from
+   the centre. The bodies start on a circle of radius 1, disturbed only by
+   rounding errors. */
 static double deviation(const struct scene *s)
 {
     double least = INFINITY, most = 0;
@@ -625,16 +627,16 @@ static double deviation(const struct scene *s)
 
 enum { PARTS_OF_ORBIT = 20 };
 
-/* The results of a choreography that breaks. The rate is the slope of the
-   logarithm where it is straight: above rounding and below a tenth. */
+/* The results of a choreography that breaks. The growth rate is the slope
+   of the logarithm of the deviation between 1e-12 and 1e-4. */
 struct broken {
-    double orbits;       /* until the circle is off by a tenth */
-    double rate;         /* of growth, in units of the angular velocity */
-    double early, first; /* orbits and deviation when it was 1e-12 */
+    double orbits;       /* until the radii differ by a tenth */
+    double rate;         /* growth rate over the angular velocity */
+    double early, first; /* orbits, deviation: last below 1e-12 */
 };
 
-/* Runs a choreography until its radii differ by a tenth, or for twenty
-   orbits, and writes its deviation. */
+/* Runs a choreography until its radii differ by a tenth, but at most for
+   twenty orbits. Writes its deviation, and returns the results. */
 static struct broken run_until_broken(struct study *s, size_t count)
 {
     struct sky k;
@@ -661,8 +663,9 @@ static struct broken run_until_broken(struct study *s, size_t count)
     return b;
 }
 
-/* Runs circles of 3 to 10 bodies until they break, then compares rates of
-   growth and times with theory, for a first deviation of 1e-16. */
+/* Runs circles of 3 to 10 bodies until they break. Compares the growth
+   rates and times with theory, which assumes an initial deviation of
+   1e-16. */
 static void study_choreography(struct study *s)
 {
     struct broken b[11] = {{0}};
@@ -687,7 +690,8 @@ static void study_choreography(struct study *s)
 
 static const double eight_period = 6.32591398292621167758900033397;
 
-/* Returns by how much the three bodies miss their start after a period. */
+/* Returns the largest change of a coordinate of the three bodies in one
+   period, in which they should return to their start. */
 static double closure(const char *method, double steps, bool compensated)
 {
     struct sky k;
@@ -703,8 +707,8 @@ static double closure(const char *method, double steps, bool compensated)
     return worst;
 }
 
-/* Writes the path, then the errors of methods with 100 to 1e5
-   evaluations. */
+/* Writes the path of the figure-eight, then the errors of three methods
+   with 100 to 1e5 evaluations. */
 static void study_eight(struct study *s)
 {
     static const char *const methods[] = {"leapfrog", "rk4", "kahan-li8"};
@@ -732,8 +736,8 @@ static void study_eight(struct study *s)
     table_real(s->summary, "closure", closure("kahan-li8", 2000, true));
 }
 
-/* Writes the speeds in a ring of 0.02 planets, by equations (22) to (24) of
-   the paper. */
+/* Writes the speeds of circular orbits near a ring of 0.02 times the mass
+   of the planet, by equations (22) to (24) of the paper. */
 static void study_ring_speeds(struct study *s)
 {
     const double sigma = 0.02, inner = 2, outer = 2.5;
@@ -757,12 +761,12 @@ static void study_ring_speeds(struct study *s)
     table_real(s->summary, "per_decade", 2 * log(10) * sigma / area);
 }
 
-/* Cells of a ring: r^2 and the angle are divided evenly, so they have equal
-   areas. */
+/* The numbers of cells of a ring along the radius and the circumference.
+   The cells divide r^2 and the angle evenly, so they have equal areas. */
 enum { RADIAL = 4, AROUND = 96 };
 
-/* Returns the variance over the mean of the numbers of particles in the
-   cells: 1 for independent positions. */
+/* Returns the variance of the numbers of particles in the cells divided by
+   their mean, which is 1 for independent positions. */
 static double dispersion(const struct scene *s, size_t particles)
 {
     static double count[RADIAL * AROUND];
@@ -787,8 +791,8 @@ static double dispersion(const struct scene *s, size_t particles)
 }
 
 /* Returns the root mean square of the radial velocities in units of the
-   circular one. The particles start on circles, so this tells how much they
-   disturb each other. */
+   circular velocity. Since the particles start on circles, this measures
+   how much they disturb each other. */
 static double stirring(const struct scene *s, size_t particles)
 {
     double sum = 0;
@@ -804,16 +808,16 @@ static double stirring(const struct scene *s, size_t particles)
 
 enum { PARTICLES = 3072 };
 
-/* Runs a ring, and writes all its bodies and three numbers that tell how
-   good the run is. Three thousand bodies are worth the fastest kernel,
-   unless --kernel names another one; so the bytes of this table may differ
-   between processors, and its head names the kernel. */
+/* Runs a ring. Writes all its bodies, and three numbers that describe the
+   quality of the run. Unless --kernel names another, the fastest kernel is
+   used for the 3000 bodies; so the table may differ between processors, and
+   its header names the kernel. */
 static void study_ring(struct study *s)
 {
     const double period = 2 * KEPLER_PI / CELESTIAL_K * 2.25 * sqrt(2.25);
     const double orbits = duration(2);
     struct sky k;
-    /* 200 steps for an orbit in the middle of the ring. */
+    /* An orbit in the middle of the ring takes 200 steps. */
     begin_sky(&k, "ring",
               GALLERY_CHOICES({"factor", own.factor}, {"moon", own.moon},
                               {"moon-distance", 2.7}, {"mixed", own.mixed},
@@ -843,10 +847,10 @@ static void study_ring(struct study *s)
     end_sky(&k);
 }
 
-/* Returns the angle, rad, by which softening turns the ellipse of
-   eccentricity e in an orbit. The aphelion is between two steps, where r v
-   passes zero; near it the path is straight enough to go back along the
-   velocity. */
+/* Returns the angle, rad, by which softening turns an ellipse of
+   eccentricity e in one orbit. At the aphelion, which lies between two
+   steps, r v passes zero; the path there is nearly straight, so the
+   position is extrapolated back along the velocity. */
 static double precession(double e, double softening)
 {
     struct sky k;
@@ -871,8 +875,8 @@ static double precession(double e, double softening)
     return atan2(x[1], x[0]);
 }
 
-/* Writes by which angle softening turns an ellipse. The change of a
-   circle's period is known without a run. */
+/* Writes the angle by which softening turns an ellipse, and the change of a
+   circle's period, which is known in closed form. */
 static void study_softening(struct study *s)
 {
     TABLE_COLUMNS(s->out, {"eps", "AU", "softening"},
@@ -886,10 +890,10 @@ static void study_softening(struct study *s)
     }
 }
 
-/* Adds to sum[] the acceleration, along x and y and in single precision,
-   that bodies first to last - 1 give body i. Positions keep their 53 bits,
-   since the sum is what is tested. compensation: of the sums, or NULL for
-   plain sums. */
+/* Adds to sum[], in single precision, the acceleration of body i along x
+   and y by the bodies first to last - 1. Positions are in double precision,
+   since only the sum is to be tested. If compensation is not NULL, it is
+   used for a compensated sum. */
 static void add_single(const struct scene *s, size_t i, size_t first,
                        size_t last, float sum[2], float compensation[2])
 {
@@ -912,15 +916,15 @@ static void add_single(const struct scene *s, size_t i, size_t first,
     }
 }
 
-/* Accelerations of a body by the planet, body 0, and by the ring; and the
-   change of the ring's if each term is rounded to a whole number of
-   spacings of the planet's, which is a model of the error of a sum in
-   single precision. */
+/* Accelerations of a body along x and y: by the planet (body 0), by the
+   ring, and the change of that by the ring if each term is rounded to a
+   multiple of the spacing of single-precision numbers near the planet's.
+   This is a model of the error of a sum in single precision. */
 struct pulls {
     double planet[2], ring[2], lost[2];
 };
 
-/* Returns these accelerations of body i, summed in double precision. */
+/* Returns the accelerations of body i, summed in double precision. */
 static struct pulls pulls_at(const struct scene *s, size_t i)
 {
     const double *x = s->position, *y = x + s->bodies;
@@ -947,13 +951,13 @@ static struct pulls pulls_at(const struct scene *s, size_t i)
     return p;
 }
 
-/* Three ways to sum: the planet first, the planet last, and the planet
-   first with compensation. */
+/* Three ways to sum: with the planet first, with the planet last, and with
+   the planet first and compensation. */
 enum { FIRST, LAST, CARRIED, ORDERS };
 
-/* Fills a row for a ring: its size, then the root mean square errors of its
-   own acceleration, by the three sums and by the model, in units of this
-   acceleration, from some 250 of the particles. */
+/* Sets row[] to the number of particles of a ring, and the root mean square
+   errors of their acceleration by the three sums and by the model, from
+   about 250 particles, in units of the acceleration by the ring. */
 static void compare_singly(const struct scene *s, double row[2 + ORDERS])
 {
     const size_t every = s->bodies > 256 ? s->bodies / 256 : 1;
@@ -978,14 +982,14 @@ static void compare_singly(const struct scene *s, double row[2 + ORDERS])
         row[1 + k] = sqrt(error[k] / size);
 }
 
-/* Computes forces in single precision for a run, to see whether the energy
-   shows their errors. */
+/* Sets a[] to accelerations summed in single precision, for a run that
+   tests whether the energy shows their errors. */
 static void accelerate_single(void *what, const double x[],
                               const double v[], double a[])
 {
     const struct scene *s = what;
     const size_t n = s->bodies;
-    (void)x, (void)v; /* x is the scene's */
+    (void)x, (void)v; /* x is s->position */
     for (size_t i = 0; i < n; ++i) {
         float sum[2] = {0, 0};
         add_single(s, i, 0, n, sum, NULL);
@@ -995,8 +999,8 @@ static void accelerate_single(void *what, const double x[],
     }
 }
 
-/* Begins a ring of this number of particles. Its mass does not depend on
-   the number. */
+/* Begins a ring with this number of particles. The mass of the ring does
+   not depend on the number. */
 static void begin_single(struct sky *k, double particles)
 {
     const double step = 2 * KEPLER_PI / CELESTIAL_K * 3.375 / 200;
@@ -1006,8 +1010,8 @@ static void begin_single(struct sky *k, double particles)
               "leapfrog", step);
 }
 
-/* Returns the relative change of the energy of a ring of 3072 in 20 steps,
-   a tenth of an orbit. */
+/* Returns the relative change, in 20 steps (a tenth of an orbit), of the
+   energy of a ring of 3072 particles. */
 static double energy_singly(bool single)
 {
     struct sky k;
@@ -1023,8 +1027,8 @@ static double energy_singly(bool single)
     return fabs(change);
 }
 
-/* Writes the error of a ring's own acceleration against the number of its
-   particles, at a constant mass of the ring. */
+/* Writes the error of the acceleration by the ring itself against the
+   number of its particles, at a constant mass of the ring. */
 static void study_single(struct study *s)
 {
     struct sky k;
@@ -1052,10 +1056,10 @@ static void study_single(struct study *s)
 #ifdef VECTOR_AVX512
 #include <immintrin.h>
 
-/* Runs 20 n operations in four lanes, to measure the peak of this machine:
-   fused multiply-adds in ten independent chains, which occupy all units and
-   compute nothing useful. The chains stay in registers only if the inner
-   loop is unrolled, which VECTOR_LONG, gcc's third level, does. */
+/* Performs 20 n operations in each of four lanes, to measure the peak speed
+   of this machine. Fused multiply-adds in ten independent chains occupy all
+   units. The chains stay in registers only if the inner loop is unrolled,
+   as by VECTOR_LONG, the third optimization level of gcc. */
 VECTOR_LONG
 __attribute__((target("avx2,fma"))) static double peak4(uint64_t n)
 {
@@ -1071,7 +1075,7 @@ __attribute__((target("avx2,fma"))) static double peak4(uint64_t n)
     return _mm256_cvtsd_f64(a[0]);
 }
 
-/* Runs 20 n operations in eight lanes, as peak4 does in four. */
+/* Performs 20 n operations in each of eight lanes, otherwise as peak4. */
 VECTOR_LONG
 __attribute__((target("avx512f"))) static double peak8(uint64_t n)
 {
@@ -1089,9 +1093,8 @@ __attribute__((target("avx512f"))) static double peak8(uint64_t n)
 
 #endif
 
-/* Runs 20 n operations in plain C, for the portable kernel. It is unrolled
-   by hand, for machines on which the level of the compiler cannot be
-   set. */
+/* Performs 20 n operations in plain C, for the portable kernel. The loop is
+   unrolled by hand, for compilers whose level VECTOR_LONG cannot set. */
 static double peak1(uint64_t n)
 {
     const double m = 0.999, c = 0.001;
@@ -1113,10 +1116,9 @@ static double peak1(uint64_t n)
     return sum;
 }
 
-/* The standard with which a kernel is compared: its operations for a pair
-   (a fused multiply-add counts as two; a root, a quotient and an estimate
-   as one), and the speed of a loop of multiply-adds alone, on as many
-   numbers at a time as there are lanes. */
+/* The standard with which a kernel is compared: the kernel's operations for
+   a pair (a fused multiply-add counts as two; a root, a quotient or an
+   estimate as one), and a loop of multiply-adds alone, in `lanes` lanes. */
 struct yardstick {
     double operations, lanes;
     double (*peak)(uint64_t n);
@@ -1134,8 +1136,8 @@ static struct yardstick yardstick(enum gravity_kernel kernel)
     return (struct yardstick){operations, 1, peak1};
 }
 
-/* Returns the operations a second of the loop. Its result is volatile, or
-   the compiler would drop the loop. */
+/* Returns the number of operations per second of the loop. The result of
+   the loop is volatile; otherwise the compiler would remove the loop. */
 static double measure_peak(const struct yardstick *y)
 {
     const uint64_t n = 5000000;
@@ -1145,8 +1147,8 @@ static double measure_peak(const struct yardstick *y)
     return (double)n * 20 * y->lanes / (bench_seconds() - begin);
 }
 
-/* Returns the ordered pairs a second of a kernel, which is repeated for a
-   tenth of a second by the clock that is given. */
+/* Returns the number of ordered pairs per second of a kernel, which is
+   repeated for a tenth of a second of the given clock. */
 static double measure_pairs(struct gravity *g, double (*seconds)(void),
                             const double x[], double a[])
 {
@@ -1159,9 +1161,9 @@ static double measure_pairs(struct gravity *g, double (*seconds)(void),
     return runs * n * (n - 1) / (seconds() - begin);
 }
 
-/* Returns the largest error of an acceleration along x, of every 37th body,
-   against a sum in long double, in units of the summed sizes of the
-   terms. */
+/* Returns the largest error of the accelerations along x of every 37th body
+   against a sum in long double, in units of the sum of the absolute values
+   of the terms. */
 static double kernel_error(struct gravity *g, const double x[], double a[])
 {
     const size_t n = g->bodies;
@@ -1184,9 +1186,9 @@ static double kernel_error(struct gravity *g, const double x[], double a[])
     return worst;
 }
 
-/* Runs a leapfrog of two bodies in its simplest form, to measure the
-   overhead of the general one. Returns a coordinate, so that the loop is
-   not dropped. */
+/* Runs leapfrog for two bodies in its simplest form, to measure the
+   overhead of the module stepping. Returns a coordinate, so that the
+   compiler does not remove the loop. */
 static double step_by_hand(double x[6], double v[6], const double m[2],
                            double k2, double h, uint64_t steps)
 {
@@ -1205,8 +1207,9 @@ static double step_by_hand(double x[6], double v[6], const double m[2],
     return x[1];
 }
 
-/* Sets the nanoseconds of a leapfrog step of the Sun and the Earth, by the
-   module stepping and by step_by_hand. */
+/* Sets *general and *by_hand to the times, in nanoseconds, of a leapfrog
+   step of the Sun and the Earth by the module stepping and by
+   step_by_hand. */
 static void measure_two(double *general, double *by_hand)
 {
     const uint64_t steps = 2000000;
@@ -1224,12 +1227,12 @@ static void measure_two(double *general, double *by_hand)
     end_sky(&k);
 }
 
-/* Writes the row of a kernel, compared with the peak of the machine. */
+/* Measures a kernel, and writes its row with the peak of the machine. */
 static void measure_kernel(struct study *s, struct sky *k, double a[],
                            enum gravity_kernel kernel)
 {
     const struct yardstick y = yardstick(kernel);
-    double v[2]; /* peak, kernel */
+    double v[2]; /* peak in operations/s, kernel in pairs/s */
     k->gravity.kernel = kernel;
     const double error = kernel_error(&k->gravity, k->scene.position, a);
     BENCH_TURNS(way, 2, v,
@@ -1241,8 +1244,8 @@ static void measure_kernel(struct study *s, struct sky *k, double a[],
                 100 * v[1] * y.operations / v[0], error);
 }
 
-/* Measures on a ring all kernels that this machine has and that sum pairs,
-   then the step of two bodies. */
+/* Measures, on a ring, all kernels of this machine that sum over pairs, and
+   then the leapfrog step of two bodies. */
 static void study_speed(struct study *s)
 {
     struct sky k;
@@ -1271,9 +1274,9 @@ static void study_speed(struct study *s)
     end_sky(&k);
 }
 
-/* Writes, for rings of 63 to 4095 particles, the pairs a second by one
-   thread and by two, and the median of the ratios of the rounds: a slow
-   moment of the machine then spoils only one of five. */
+/* Writes, for rings of 63 to 4095 particles, the pairs per second by one
+   thread and by two, and the median of the ratios of the rounds, of which a
+   slow moment of the machine then spoils only one. */
 static void study_threads(struct study *s)
 {
     bench_machine(s->out);
@@ -1292,7 +1295,7 @@ static void study_threads(struct study *s)
         program_memory(a, NULL);
         double pairs[2][BENCH_ROUNDS], ratio[BENCH_ROUNDS];
         for (int round = -1; round < BENCH_ROUNDS; ++round) {
-            const int at = round < 0 ? 0 : round; /* the first: a warm-up */
+            const int at = round < 0 ? 0 : round; /* -1 is a warm-up */
             for (int way = 0; way < 2; ++way) {
                 k.gravity.threads = way ? 2 : 1;
                 pairs[way][at] = measure_pairs(&k.gravity, bench_clock,
@@ -1311,8 +1314,8 @@ static void study_threads(struct study *s)
 
 enum { DIRECT, LANES, NARROW, WIDE, WAYS };
 
-/* Returns the milliseconds that all forces take, and puts them into a[].
-   The time of a tree includes its construction. */
+/* Returns the time in which all forces are computed, ms, and sets a[] to
+   the accelerations. The time of a tree includes its construction. */
 static double time_forces(struct sky *k, int way, double a[])
 {
     struct gravity *g = &k->gravity;
@@ -1325,9 +1328,9 @@ static double time_forces(struct sky *k, int way, double a[])
     return (bench_seconds() - begin) * 1e3;
 }
 
-/* Sets ring[] to the ring's own acceleration at body i: a[] without the
-   planet's, which is so much larger that any tree would look exact in
-   comparison. */
+/* Sets ring[] to the acceleration of body i by the ring alone: a[] without
+   the planet's share, beside which the error of any tree would look
+   small. */
 static void without_planet(const struct sky *k, size_t i, const double a[],
                            double ring[3])
 {
@@ -1342,8 +1345,9 @@ static void without_planet(const struct sky *k, size_t i, const double a[],
                   s->k2 * s->mass[0] / (r2 * sqrt(r2)) * d[c];
 }
 
-/* Returns the root mean square error of the tree's accelerations a against
-   the direct sum b, in units of the root mean square of the ring's own. */
+/* Returns the root mean square error of the tree's accelerations a[]
+   against the direct sum b[], in units of the root mean square acceleration
+   by the ring alone. */
 static double tree_error(const struct sky *k, const double a[],
                          const double b[])
 {
@@ -1360,7 +1364,8 @@ static double tree_error(const struct sky *k, const double a[],
     return sqrt(error / size);
 }
 
-/* Writes a row: the number of particles, two direct sums, and two trees. */
+/* Writes a row: the number of particles, the times of two direct sums, and
+   the times, errors and speed-ups of two trees. */
 static void compare_tree(struct study *s, size_t particles)
 {
     struct sky k;
@@ -1477,8 +1482,7 @@ static const struct options_entry entries[] = {
     {"kernel", 'k', "NAME", "auto, portable or avx512 (the fastest here)"},
     {0}};
 
-/* Takes an option. A kernel that this processor lacks is refused at
-   once. */
+/* Takes an option. Refuses a kernel that this processor lacks. */
 static void take_option(struct options *o, int letter)
 {
     switch (letter) {

@@ -1,4 +1,4 @@
-/* Compiles an exercise, and explains what the compiler says. */
+/* Compiles an exercise, and explains the compiler's messages. */
 #include "examiner/build.h"
 #include "examiner/message.h"
 #include "examiner/process.h"
@@ -12,8 +12,8 @@
 
 /* Returns the text of build/check/flags, which make has written: a line
    with the compiler's command, then one with the libraries. They are never
-   taken from the environment, because objects of two compilers whose
-   sanitizers differ cannot be linked. */
+   taken from the environment, because objects cannot be linked if they come
+   from two compilers with different sanitizers. */
 static char *flags_read(void)
 {
     char *flags = text_read("build/check/flags");
@@ -30,9 +30,9 @@ bool build_sanitized(void)
     return found;
 }
 
-/* Builds the suite of an exercise by make, unless it exists. make check has
-   built the suites of the exercises that are named or begun; but during
-   make watch a student may begin another one. */
+/* Builds the suite of an exercise by make, unless it exists. For the
+   exercises that are named or begun, make check has built it; but during
+   make watch a student may begin another exercise. */
 void build_suite(const char *exercise)
 {
     static char script[] = "exec ${MAKE:-make} -s \"$@\" >&2";
@@ -66,10 +66,11 @@ static char function[] =
     "-Wall -Wextra -fmax-errors=20 "
     "-o \"$3/runner\" \"$4\" build/check/$5.suite.o $6";
 static char runner[] = "exec $1 -o \"$3/runner\" build/check/$5.suite.o $6";
-/* The script that builds a project, once for each function that it is
-   linked with in place of the one in its header. Only the first, the right
-   one, is built with sanitizers and warnings: the others take half the
-   time, and would give the same warnings. */
+/* The script that builds a project several times: each program has a
+   different function linked in place of the one in the header. Only the
+   first function is right, and only the first program is built with
+   sanitizers and warnings: the others take half the time, and would give
+   the same warnings. */
 static char program[] =
     "given=build/check/$5.given.o law=1\n"
     "name=$(sed -n 's/^void \\([a-z]*\\)_0(.*/\\1/p' \\\n"
@@ -86,11 +87,11 @@ static char program[] =
     "    law=$((law + 1))\n"
     "done\n";
 
-/* Runs one of the scripts above; returns whether it succeeded. What varies
-   is passed in arguments: in the script a name could end a quotation and
-   become a command. Messages are asked for in English and without colours,
-   because they are read here. A compiler that takes half a minute for an
-   exercise is itself in an endless loop. */
+/* Runs one of the scripts above; returns whether it succeeded. Everything
+   that varies is passed in arguments, as a name inside the script could end
+   a quotation and become a command. Messages are requested in English and
+   without colours, because they are parsed here. A compiler that takes half
+   a minute for an exercise is itself in an endless loop. */
 static bool compile(const char *folder, const char *exercise, char *source,
                     bool strict, char *script)
 {
@@ -140,8 +141,8 @@ static const char *find_line(const char *text, const char *start,
     return NULL;
 }
 
-/* Returns how often a word occurs. " error: " with its blanks is part of no
-   name, note or warning. */
+/* Returns how often a word occurs in a text. " error: ", with its blanks,
+   is not part of any name, note or warning. */
 static int count(const char *text, const char *word)
 {
     int found = 0;
@@ -152,8 +153,9 @@ static int count(const char *text, const char *word)
 
 /* Returns the line of the first error in the student's file: later errors
    often follow from it, and a beginner who starts with the last one changes
-   what was right. A missing return comes after all others, since it may
-   follow from them: the compiler has not read the function to its end. */
+   what was right. A missing return is chosen only if there is no other
+   error, since it may follow from the others: the compiler has not read the
+   function to its end. */
 static const char *find_error(const char *text, const char *source)
 {
     const char *first = find_line(text, source, "error:");
@@ -163,9 +165,9 @@ static const char *find_error(const char *text, const char *source)
     return line ? line : first;
 }
 
-/* Shows the #include of the student's file in whose header the compiler
-   found an error. The system's headers have no errors: the cause is the end
-   of the line above the #include. */
+/* Shows the #include in the student's file after which the compiler found
+   an error in a header. As the system's headers have no errors, the cause
+   is the end of the line above the #include. */
 static void tell_header(const char *text, const char *source, FILE *story)
 {
     char place[4200];
@@ -182,7 +184,8 @@ static void tell_header(const char *text, const char *source, FILE *story)
     text_field(story, "means", place);
 }
 
-/* Copies the name between the first two quotation marks behind start. */
+/* Copies to name the text between the first two quotation marks after
+   start. */
 static void quoted_name(const char *start, char name[64])
 {
     *name = '\0';
@@ -190,10 +193,10 @@ static void quoted_name(const char *start, char name[64])
         *name = '\0';
 }
 
-/* Copies to name the function whose types the error in this line is about;
-   returns false for any other error. If the definition is in the old style,
+/* If the error in this line is about the types of a function, copies the
+   function's name and returns true. If the definition is in the old style,
    with the types behind the parenthesis, only the message above the error
-   names the function. */
+   contains the name. */
 static bool name_function(const char *text, const char *line, char name[64])
 {
     static const char *const words[] = {
@@ -213,8 +216,8 @@ static bool name_function(const char *text, const char *line, char name[64])
     return *name;
 }
 
-/* Returns the declaration of a function, as the exercise gives it, or NULL.
-   It is in a comment of the header that tests/types.awk has made. */
+/* Returns the declaration of a function as given in the exercise, or NULL.
+   It is in a comment of the header made by tests/types.awk. */
 static char *given_function(char *header, const char *name)
 {
     char call[66];
@@ -231,8 +234,8 @@ static char *given_function(char *header, const char *name)
     return NULL;
 }
 
-/* Explains an error about the types of a function that the exercise gives;
-   returns NULL for any other error. */
+/* Returns an explanation of an error about the types of a function that the
+   exercise gives, or NULL for any other error. */
 static const char *name_types(const char *text, const char *line,
                               const char *types)
 {
@@ -329,10 +332,10 @@ static const char *find_warning(const char *text, const char *source)
     return line ? line : first;
 }
 
-/* Shows one warning about the student's file. It is called only when a test
-   has failed, because a warning often names the cause. The first warning
-   that we can explain is preferred: others, such as that of an unused
-   variable, seldom help a beginner. */
+/* Shows one warning about the student's file. This is called only after a
+   test has failed, because a warning often names the cause. The first
+   warning that we can explain is preferred: others, such as one about an
+   unused variable, seldom help a beginner. */
 void build_warning(const char *folder, const char *source, FILE *story)
 {
     char *text = read_messages(folder);

@@ -6,7 +6,7 @@
 #include <stdio.h>
 
 /* Builds the suite of an exercise ("01a") by make, unless it exists. Exits
-   with status 2 when that fails. */
+   with status 2 if that fails. */
 void build_suite(const char *exercise);
 
 /* Compiles source and links it with the suite of an exercise ("01a") to
@@ -16,14 +16,14 @@ void build_suite(const char *exercise);
 bool build_runner(const char *folder, const char *exercise,
                   const char *source, bool strict, FILE *story);
 
-/* Explains in story the compiler's messages in text, in which the student's
-   file is called source. The file types has the functions of the exercise
-   with their types; it need not exist. */
+/* Explains to the student, in story, the compiler's messages in text, where
+   `source` is the name of the student's file. The file `types` contains the
+   functions of the exercise with their types; it need not exist. */
 void build_tell(const char *text, const char *source, const char *types,
                 FILE *story);
 
-/* Writes to story a warning about source from the last build in `folder`:
-   the first that we can explain or, if there is none, the first of all. */
+/* Writes to story one warning about source from the last build in `folder`:
+   the first that we can explain or, if there is none, the first. */
 void build_warning(const char *folder, const char *source, FILE *story);
 
 /* Returns whether the last build in `folder` found an error in source. */

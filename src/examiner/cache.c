@@ -1,4 +1,4 @@
-/* Stores each verdict with a checksum of all that it depends on. */
+/* Stores each verdict with a checksum of everything that it depends on. */
 #include "examiner/cache.h"
 #include "examiner/sum.h"
 #include "examiner/text.h"
@@ -10,8 +10,8 @@
 #include <unistd.h>
 
 /* Returns whether an #include names a header of the system or one that the
-   kit gives to students. Like the compiler it looks for a header in angle
-   brackets among the kit's own first. */
+   kit gives to students. Like the compiler, it looks among the kit's own
+   headers first if the name is in angle brackets. */
 static bool harmless(const char *what)
 {
     char name[64], path[128];
@@ -28,8 +28,8 @@ static bool harmless(const char *what)
     return access(path, F_OK) != 0;
 }
 
-/* Returns whether a file includes no other file of the student: the verdict
-   would depend on that file as well, which is not read here. */
+/* Returns whether a file includes no other file of the student. Otherwise
+   the verdict would depend on that file as well, which is not read here. */
 static bool stands_alone(const char *path)
 {
     char *text = text_read(path);
@@ -46,11 +46,11 @@ static bool stands_alone(const char *path)
     return alone;
 }
 
-/* Returns a checksum of all that every verdict depends on: the examiner,
-   the library, the compiler's command, the table of equations, and headers
-   of the student's, which the compiler would find before ours. The
-   compiler's version and the system's headers are not included: after an
-   upgrade use make clean. */
+/* Returns a checksum of everything that all verdicts depend on: the
+   examiner, the library, the compiler's command, the table of equations,
+   and headers of the student's, which the compiler would find before ours.
+   The compiler's version and the system's headers are not included: after
+   an upgrade use make clean. */
 static uint64_t sum_common(void)
 {
     static const char *const files[] = {
@@ -66,10 +66,10 @@ static uint64_t sum_common(void)
     return sum;
 }
 
-/* Returns the key of a verdict, never 0. Times of files would not do: a
-   file that was restored from an archive is older than the verdict on its
-   predecessor. For the whole course some megabytes are read, in some
-   milliseconds. */
+/* Returns the key of a verdict, never 0 if it can be stored. The times of
+   files would not be reliable: a file restored from an archive is older
+   than the verdict on its predecessor. For the whole course some megabytes
+   are read, in some milliseconds. */
 uint64_t cache_key(const struct exercise *e, bool strict, int seconds)
 {
     char path[64];
@@ -124,9 +124,9 @@ bool cache_load(struct exercise *e, uint64_t key)
     return e->story != NULL;
 }
 
-/* Writes the verdict on an exercise. Its checksum includes the key, so
-   that nobody can put a verdict under another key by hand. A story of more
-   than 64 KiB is not stored. */
+/* Writes the verdict on an exercise. Its checksum includes the key, so that
+   a verdict copied to another key is recognized. A story of more than 64
+   KiB is not stored. */
 void cache_save(const struct exercise *e, uint64_t key)
 {
     static char text[CACHE_SIZE], body[CACHE_SIZE - 64];

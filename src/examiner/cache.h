@@ -1,4 +1,4 @@
-/* Stores verdicts until something that they depend on changes. */
+/* Stores verdicts, which are valid until an input of theirs changes. */
 #ifndef CACHE_H
 #define CACHE_H
 
@@ -6,9 +6,9 @@
 
 #include <stdint.h>
 
-/* Returns a checksum of all that a verdict on the student's file depends
-   on, or 0 if the file includes other files of the student, which are not
-   read: then the verdict cannot be stored. */
+/* Returns a checksum of everything that a verdict on the student's file
+   depends on. Returns 0 if the file includes other files of the student,
+   which are not read: then the verdict cannot be stored. */
 uint64_t cache_key(const struct exercise *e, bool strict, int seconds);
 
 /* Fills in the state of an exercise from its stored verdict. Returns

@@ -1,4 +1,5 @@
-/* The runner's own code: one test in a process, reported line by line. */
+/* The runner's own code: runs one test in a process and reports line by
+   line. */
 #include "examiner/check.h"
 #include "examiner/exercise.h"
 #include "examiner/report.h"
@@ -20,9 +21,9 @@
 #include <sys/syscall.h>
 #endif
 
-/* Returns a text in one of 32 buffers, which are used in turn: 20 that the
-   header promises, and others for this file. Suites call it within
-   initializers, where allocated memory could not be freed. */
+/* Returns a text in one of 32 buffers, which are used in turn: the header
+   promises 20, and the others are for this file. Suites call this function
+   in initializers, where allocated memory could not be freed. */
 const char *check_text(const char *format, ...)
 {
     static char texts[32][512];
@@ -67,8 +68,9 @@ static bool report_open(void)
            fcntl(REPORT_FILE, F_SETFD, FD_CLOEXEC) == 0;
 }
 
-/* Reports that a gap was reached, and ends the process. So NOT_DONE_YET
-   never returns its value, and a loop that waits for a value ends. */
+/* Reports that a gap in the student's code was reached, and ends the
+   process. So NOT_DONE_YET never returns a value, and a loop that waits for
+   one ends. */
 void exercise_not_done(const char *file, int line)
 {
     report(REPORT_UNDONE, check_text("%s:%d", file, line));
@@ -88,8 +90,8 @@ void check_tell(const char *label, const char *text)
     say(label, text);
 }
 
-/* Writes a number with this many digits. A NaN gets no sign, which means
-   nothing and differs between compilers. */
+/* Writes a number with this many digits. A NaN is written without its sign,
+   which means nothing and differs between compilers. */
 static void number_text(char *text, size_t room, int digits, double x)
 {
     if (isnan(x))
@@ -134,11 +136,11 @@ static bool is_empty(double got)
 }
 
 /* Returns whether an answer has the value of this mistake, within the
-   tolerance and a part in 1e9, since suite and student compute it in two
-   ways. A mistake with the expected value (a radius of 1 equals its square)
-   does no harm and explains nothing. Nor does a value that is NaN without
-   being CHECK_NAN or CHECK_EMPTY, or every NaN would be taken for this
-   mistake. */
+   tolerance plus 1e-9 of the value, since suite and student compute it in
+   two ways. A mistake whose value is the expected one (a radius of 1 equals
+   its square) does no harm and explains nothing. Nor does a value that is a
+   NaN other than CHECK_NAN or CHECK_EMPTY, or every NaN would be taken for
+   this mistake. */
 static bool explains(const struct check_mistake *mistake, double got,
                      const struct check *c)
 {
@@ -151,9 +153,9 @@ static bool explains(const struct check_mistake *mistake, double got,
 }
 
 /* Returns the mistake that explains an answer, or NULL. If two mistakes
-   have the same value for an input none is told, because the hint of the
-   likelier one would mislead everybody else. Suites should choose inputs
-   for which mistakes have different values. */
+   have the same value for an input, neither is returned, because the hint
+   of the likelier one would mislead everybody who made the other. Suites
+   should choose inputs for which mistakes have different values. */
 static const struct check_mistake *mistake_behind(double got,
                                                   const struct check *c)
 {
@@ -209,10 +211,10 @@ static void say_failure(double got, const struct check *c)
                                                           : c->question);
 }
 
-/* Compares, tells CUnit, and reports the first failure of a test: a loop
-   over a thousand inputs that fails at each would tell one thing a thousand
-   times. CUnit counts passed comparisons as well, so that a test without
-   any does not pass. */
+/* Compares, tells CUnit, and reports only the first failure of a test: a
+   loop over a thousand inputs that fails at each would otherwise report the
+   same failure a thousand times. CUnit counts passed comparisons as well,
+   so that a test without any does not pass. */
 bool check_near(const char *file, int line, double got, struct check c)
 {
     const bool passed = near(got, c.expected, c.tolerance);
@@ -224,8 +226,8 @@ bool check_near(const char *file, int line, double got, struct check c)
 }
 
 /* Reports that a function wrote outside of an output. The name comes from
-   the program in the sandbox and may have any bytes, so it is cut at the
-   first that is not in a name. */
+   the program in the sandbox and may contain any bytes, so it is cut at the
+   first character that cannot be part of a name. */
 static void say_overrun(const struct check_overrun *o)
 {
     static const char low[] = "Does your function use an index below 0?";
@@ -242,7 +244,7 @@ static void say_overrun(const struct check_overrun *o)
                                name, o->before ? low : high));
 }
 
-/* Fails the test, even if all its numbers are right. */
+/* Fails the test even if all its numbers are right. */
 void check_overrun(const struct check_overrun *overrun)
 {
     struct check_overrun o = *overrun;
@@ -272,8 +274,8 @@ void check_demand(const char *what, double asked, double most)
 
 static struct random inputs;
 
-/* Seeds the inputs of a test by its number, so that they do not depend on
-   which tests ran before. The odd factor with many bits prevents
+/* Seeds the inputs of a test with the test's number, so that they do not
+   depend on which tests ran before. The odd factor with many bits prevents
    neighbouring seeds and tests from sharing a sequence. */
 static void seed_inputs(uint64_t seed, int number)
 {
@@ -344,7 +346,7 @@ int __lsan_do_recoverable_leak_check(void) __attribute__((weak));
 #endif
 static bool leaks_wanted = true;
 
-/* Prints, by the sanitizer, which memory was leaked. It does so in a child
+/* Lets the sanitizer print which memory was leaked. This happens in a child
    process, since a sanitizer that may not trace ends the program, and after
    the verdict, since a leak costs no point. */
 static void look_for_leaks(void)
@@ -398,8 +400,9 @@ static int run_test(const struct check_test *t)
 }
 
 #ifdef __linux__
-/* Gives up the rights that a judge does not need, and becomes this user. It
-   is NULL in a runner at home: only the grader links the function. */
+/* Gives up the rights that a judge does not need, and changes to this user.
+   The pointer is NULL in a runner at home: only the grader links the
+   function. */
 void judge_confine(long user) __attribute__((weak));
 #endif
 
@@ -418,12 +421,12 @@ static const struct check_test *find_test(int number)
 long syscall(long number, ...);
 #endif
 
-/* Waits for orders; for each it makes a copy of this process, in which it
+/* Waits for orders. For each order it copies this process, and in the copy
    returns to run one test. A runner with sanitizers takes as long to start
-   as ten tests to run, so it starts once; it has not run any of the
-   student's code when it is copied. CLONE_PARENT makes the copy a child of
-   the examiner, which can then wait for it and get its status from the
-   kernel; the C library has no function for that. */
+   as ten tests to run, so it starts only once; when it is copied it has not
+   run any of the student's code. CLONE_PARENT makes the copy a child of the
+   examiner, which can then wait for it and get its status from the kernel;
+   the C library has no function for that. */
 static struct report_order next_order(void)
 {
 #ifdef __linux__
@@ -444,11 +447,10 @@ static struct report_order next_order(void)
 }
 
 /* Lists the suite or runs one test. Output is flushed at each line end,
-   because the last lines before a crash matter most to a student. It ends
-   by _exit, since a handler of the student's that calls exit(1) could turn
-   a passed test into a crash.
-
-   To start a runner by hand, in a debugger, say: `printf %032d 0 >report;
+   because the last lines before a crash matter most to a student. The
+   process ends with _exit, since a handler that the student's code has
+   registered and that calls exit(1) could turn a passed test into a crash.
+   To start a runner by hand, in a debugger, use: `printf %032d 0 >report;
    build/check/01a.stub 1 3<>report; cat report`. */
 int main(int argc, char **argv)
 {

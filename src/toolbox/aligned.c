@@ -1,12 +1,12 @@
-/* Allocates doubles that begin with a line of the cache. */
+/* Allocates doubles, aligned to cache lines. */
 #include "toolbox/aligned.h"
 
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Takes one byte for n = 0, so that NULL always means that there is no
-   memory; otherwise no more than asked for, so that a sanitizer notices a
+/* Allocates one byte for n = 0, so that NULL always means that memory has
+   run out; otherwise no more than requested, so that a sanitizer detects a
    read beyond the end. */
 double *aligned_doubles(size_t n)
 {

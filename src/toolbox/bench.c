@@ -39,7 +39,8 @@ double bench_median(double values[], size_t n)
     return values[n / 2];
 }
 
-/* Names machine and flags, since a time means nothing without them. */
+/* Also names the compiler's flags, since a time means nothing without
+   them. */
 void bench_machine(struct table *t)
 {
     char line[BUFSIZ];

@@ -6,8 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Returns a b / 2^shift, rounded to the nearest whole number, a half to the
-   even one. The result must fit into 64 bits; shift is 1 to 63. */
+/* Returns a b / 2^shift, rounded to the nearest whole number, and a tie to
+   the even one. The result must fit into 64 bits; shift is 1 to 63. */
 static uint64_t scaled(uint64_t a, uint64_t b, int shift)
 {
     const uint64_t a0 = a & UINT32_MAX, a1 = a >> 32;
@@ -64,7 +64,8 @@ static uint64_t five_to(int k)
     return power;
 }
 
-/* Splits a normal number b 2^(e - 53): returns the integer b, sets *e. */
+/* Splits a normal number b 2^(e - 53): returns the integer b and sets
+ *e. */
 static uint64_t take_apart(double size, int *e)
 {
     uint64_t bits;

@@ -69,7 +69,8 @@ static void print_real(struct table *t, double value)
     lines_note_error(t, fwrite(text, 1, n, t->stream) == n);
 }
 
-/* Writes no date, machine or folder: equal commands give equal bytes. */
+/* Writes no date, machine or folder, so that equal commands give equal
+   bytes. */
 void table_begin(struct table *t, const char *command, uint64_t seed)
 {
     table_print(t, "# %s (Bonkers) %s\n", t->program, TOOLBOX_VERSION);

@@ -35,8 +35,8 @@ void options_fail(struct options *o, const char *format, ...)
     exit(OPTIONS_FAILURE);
 }
 
-/* Prints each line of an explanation from column 28 on; `width` letters are
-   on the first line already. If they reach that column, the explanation
+/* Prints each line of an explanation from column 28 on; `width` characters
+   are on the first line already. If they reach that column, the explanation
    begins on the next line. */
 static void print_from(int width, const char *text)
 {
@@ -53,7 +53,8 @@ static void print_from(int width, const char *text)
     }
 }
 
-/* Returns the letter of an option, without its flags; 0: it has none. */
+/* Returns the letter of an option without its flags, or 0 if it has
+   none. */
 static int letter_of(const struct options_entry *e)
 {
     return e->letter & 0xff;
@@ -69,8 +70,8 @@ static void print_entry(const struct options_entry *e)
     print_from(width, e->help);
 }
 
-/* Prints a heading; for NULL "always:", if a heading came before. Returns
-   it, as `before` for the next call. */
+/* Prints a heading; for NULL prints "always:" if a heading came before.
+   Returns the heading, to be passed as `before` to the next call. */
 static const char *print_heading(const char *heading, const char *before)
 {
     if (heading)
@@ -113,8 +114,8 @@ void options_keys(struct options *o, const struct table_key *keys)
     o->keys = keys;
 }
 
-/* Prints help or version to standard output and exits, with failure if it
-   cannot be written. */
+/* Prints help or version to standard output and exits, with EXIT_FAILURE if
+   this cannot be written. */
 static _Noreturn void print_and_exit(const struct options *o, bool help)
 {
     if (help)
@@ -196,7 +197,7 @@ static const struct options_entry *named(const struct options *o,
 }
 
 /* Copies the value of an option or, if it was not given, its default, which
-   is in parentheses at the end of its help. Returns false if it has
+   is in parentheses at the end of its help. Returns false if the option has
    neither. */
 static bool get_value(const struct options *o,
                       const struct options_entry *e, char value[],
@@ -227,8 +228,8 @@ static bool is_among(const char *value, const char *list)
     }
 }
 
-/* Ends in options_fail if a condition of the heading over option e does not
-   hold; the message names the other option of that condition. */
+/* Calls options_fail if a condition of the heading of option e is not met;
+   the message names the other option of that condition. */
 static void check_heading(struct options *o, const struct options_entry *e,
                           const char *heading)
 {
@@ -262,8 +263,8 @@ static void check_heading(struct options *o, const struct options_entry *e,
     }
 }
 
-/* Checks the headings of all options given. It is called after the last one
-   was read, since an option that a heading depends on may come last. */
+/* Checks the headings of all options given. It is called after the last
+   option, since a heading may depend on an option given later. */
 static void check_headings(struct options *o)
 {
     const char *heading = NULL;
@@ -355,7 +356,8 @@ static const struct options_entry *find_entry(const struct options *o,
     return NULL;
 }
 
-/* Fails with the option's help, which lists the values, on one line. */
+/* Fails with the option's help, which lists the possible values, on one
+   line. */
 static _Noreturn void fail_without_value(struct options *o)
 {
     char help[2048];
@@ -380,9 +382,9 @@ static void fail_if_ambiguous(struct options *o, const char *given)
     }
 }
 
-/* Fails with a message for what getopt_long refuses. It returns ":" for a
-   missing value and "?" for the rest, and leaves in optopt the code of a
-   known option, the letter of an unknown short one, otherwise 0. */
+/* Fails with a message for an option that getopt_long refuses. It returns
+   ":" for a missing value and otherwise "?", and sets optopt to the code of
+   a known option, to the letter of an unknown short one, otherwise to 0. */
 static _Noreturn void refuse_option(struct options *o, int code)
 {
     const char *given = o->arguments[optind - 1];
@@ -400,9 +402,9 @@ static _Noreturn void refuse_option(struct options *o, int code)
                  o->program);
 }
 
-/* Sets `ended` when getopt_long returns -1: at the end, or at a double
-   dash, after which everything is an argument. Called again, it would read
-   those arguments as options. */
+/* Sets `ended` when getopt_long returns -1, at the end or at a double dash,
+   after which everything is an argument: another call would read those
+   arguments as options. */
 int options_next(struct options *o)
 {
     o->current = NULL;
@@ -438,9 +440,9 @@ static bool is_digit(char c)
     return '0' <= c && c <= '9';
 }
 
-/* Adds an exponent such as e6 to *scale; returns false if there is none
+/* Adds an exponent such as e6 to *scale; returns false unless there is one
    from -999 to 999. A larger one is a mistake or belongs to a zero, and
-   would make read_count's loops long. */
+   would make the loops of read_count long. */
 static bool read_exponent(const char *text, int *scale)
 {
     char *end;
@@ -535,7 +537,7 @@ double options_positive(struct options *o, double high)
     return options_real(o, OPTIONS_POSITIVE, high);
 }
 
-/* Fails with a message that shows the whole value beside the wrong piece,
+/* Fails with a message that shows the whole value beside the wrong item,
    since "1,,2" is easily mistyped and hard to see. */
 size_t options_list(struct options *o, double values[], size_t max)
 {

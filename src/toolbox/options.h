@@ -1,6 +1,6 @@
-/* Reads a command line by a list of options. */
-/* A program loops over options_next with a switch; everything that can be
-   wrong ends in options_fail, so it has no error to handle. */
+/* Reads a command line according to a list of options. */
+/* A program calls options_next in a loop with a switch; every mistake in
+   the command ends in options_fail, so the program handles no errors. */
 #ifndef TOOLBOX_OPTIONS_H
 #define TOOLBOX_OPTIONS_H
 
@@ -24,8 +24,8 @@
 struct options_entry {
     const char *name;     /* the long name, without the dashes */
     int letter;           /* the short name or 0, plus flags: see below */
-    const char *argument; /* name of its value; NULL: it has none */
-    const char *help;     /* one phrase; \n breaks the line */
+    const char *argument; /* name of its value, or NULL if it has none */
+    const char *help;     /* a phrase; \n breaks the line */
 };
 
 enum {
@@ -37,7 +37,8 @@ enum {
 
 /* Flags of an option, to be added to its letter. */
 enum {
-    OPTIONS_SILENT = 1 << 10, /* changes no result: not in the command */
+    OPTIONS_SILENT = 1 << 10, /* changes no result: omitted in the
+                                 command */
     OPTIONS_WRITES = 1 << 11  /* the value names an output file */
 };
 
@@ -59,14 +60,14 @@ struct options {
     char **arguments;
     const char *value, *command;
     const char *given[OPTIONS_MAXIMUM]; /* values, by index in the list */
-    bool input[OPTIONS_MAXIMUM]; /* true: the value names a file to read */
+    bool input[OPTIONS_MAXIMUM];        /* values that name files to read */
     bool ended;
 };
 
 /* The lower bound for options_real that stands for "more than 0". */
 #define OPTIONS_POSITIVE DBL_TRUE_MIN
 
-/* Prints what is wrong, formatted as by printf, after "program: --option: "
+/* Prints an error, formatted as by printf, after "program: --option: "
    ("program: " if no option is being read), and exits with status 2. */
 _Noreturn void options_fail(struct options *o, const char *format, ...);
 
@@ -78,7 +79,7 @@ void options_begin(struct options *o, const char *program,
                    const struct options_entry entries[], int argc,
                    char *argv[]);
 
-/* Returns the program's name as last given to options_begin. */
+/* Returns the name of the program that options_begin last received. */
 const char *options_program(void);
 
 /* Returns the letter of the next option, OPTIONS_LONG + index if it has
@@ -89,7 +90,7 @@ const char *options_program(void);
    after the last option, one whose heading does not hold. */
 int options_next(struct options *o);
 
-/* Ends in options_fail if --name was given, with the message that it "means
+/* Calls options_fail if --name was given, with the message that it "means
    nothing" and `why`, as in "without contacts". It is for conditions that
    no heading can state, such as whether a scene has contacts. */
 void options_refuse(struct options *o, const char *name, const char *why);
@@ -120,8 +121,8 @@ double options_real(struct options *o, double low, double high);
 double options_positive(struct options *o, double high);
 
 /* Splits the value, one to max decimal numbers with commas between them,
-   into values. Returns their number; whether it is right is for the program
-   to check, with options_fail. */
+   into values. Returns their number; the program must check whether this is
+   right, and call options_fail if not. */
 size_t options_list(struct options *o, double values[], size_t max);
 
 /* Returns the index of the value in names, a list that ends with NULL. */
@@ -131,13 +132,13 @@ size_t options_choice(struct options *o, const char *const names[]);
 const char *options_text(const struct options *o);
 
 /* Returns the value as the name of a file to be read ("-": standard input).
-   At the end options_next refuses an output that would replace it: after
-   `histogram t.dat -o t.dat` the table would be lost silently. */
+   At the end options_next refuses an output that would replace this file:
+   after `histogram t.dat -o t.dat` the table would be lost silently. */
 const char *options_input(struct options *o);
 
-/* Returns the value as options_input does, but ends in options_fail if
-   `before`, the file named earlier, is not NULL; `kind` says in the message
-   what the files are, as in "scene". */
+/* Returns the value as options_input does, but calls options_fail if
+   `before`, the file named earlier, is not NULL; the message calls the
+   files `kind`, as in "scene". */
 const char *options_only(struct options *o, const char *before,
                          const char *kind);
 

@@ -1,4 +1,4 @@
-/* Opens table and summary together, closes them together, ends early. */
+/* Opens and closes a table with its summary, and ends programs early. */
 #include "toolbox/program.h"
 
 #include "toolbox/progress.h"

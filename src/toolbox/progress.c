@@ -29,13 +29,13 @@ void progress_begin(struct progress *p, const char *program, uint64_t total,
     p->visible = isatty(STDERR_FILENO) == 1;
 }
 
-/* Returns the fraction of the work that is done; 0: unknown. */
+/* Returns the fraction of the work that is done, or 0 if it is unknown. */
 static double fraction_done(const struct progress *p)
 {
     return p->total > 0 ? (double)p->done / (double)p->total : 0;
 }
 
-/* Overwrites the line printed before, its end with spaces if it was longer.
+/* Overwrites the previous line, and its end with spaces if it was longer.
    If a fraction f took the time T, the rest takes T (1-f)/f, provided the
    work is spread evenly. */
 static void print_progress(struct progress *p, double elapsed,
@@ -72,8 +72,8 @@ void progress_update(struct progress *p, uint64_t done, uint64_t events)
 enum { SECONDS_TO_END = 10 };
 static volatile sig_atomic_t signal_seen;
 
-/* Stores the first signal's number, in the one type that a handler can
-   write whole, and ends the process at the second. */
+/* Stores the number of the first signal, in the one type that a handler can
+   write whole; ends the process at the second signal. */
 static void note_signal(int number)
 {
     if (signal_seen) {
@@ -85,7 +85,7 @@ static void note_signal(int number)
     alarm(SECONDS_TO_END);
 }
 
-/* Ends the process, when its time to stop is over (SIGALRM), by the signal
+/* Ends the process when its time to stop is over (SIGALRM), by the signal
    that asked it to stop. */
 static void end_process(int number)
 {

@@ -1,11 +1,11 @@
-/* Shows how far a long run has come, and lets a signal stop it. */
+/* Shows the progress of a long run, and lets a signal stop it. */
 #ifndef TOOLBOX_PROGRESS_H
 #define TOOLBOX_PROGRESS_H
 
 #include <stdbool.h>
 #include <stdint.h>
 
-/* The line that shows how far a run has come. The fields are private. */
+/* The line that shows the progress of a run. The fields are private. */
 struct progress {
     const char *program, *what;
     uint64_t total, done;
@@ -20,10 +20,10 @@ struct progress {
 void progress_begin(struct progress *p, const char *program, uint64_t total,
                     const char *what);
 
-/* Shows the fraction done, events a second and the time left on standard
-   error, at most 5 times a second, if that is a terminal and the run has
-   lasted a second. Each call reads the clock; one in a thousand events is
-   enough. */
+/* Shows the fraction done, the events per second and the time left on
+   standard error, at most 5 times per second, if that is a terminal and the
+   run has lasted a second. Each call reads the clock; one call in a
+   thousand events is enough. */
 void progress_update(struct progress *p, uint64_t done, uint64_t events);
 
 /* Makes the first SIGINT, SIGTERM, SIGHUP or SIGXCPU only set what
@@ -37,9 +37,9 @@ void progress_catch_signals(void);
 int progress_signal(void);
 
 /* Clears the line. Returns true if no signal has asked the run to stop;
-   otherwise says on standard error how far it came and returns false: the
-   program then exits with 1, so that no script takes a part for the
-   whole. */
+   otherwise prints the fraction done on standard error and returns false.
+   The program then exits with status 1, so that no script takes an
+   incomplete run for a whole one. */
 bool progress_end(struct progress *p);
 
 #endif

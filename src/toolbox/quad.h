@@ -5,9 +5,9 @@
 #include <float.h>
 #include <math.h>
 
-/* quad: the widest floating-point number at hand, used to see what double
-   has rounded away. QUAD_DIGITS is the number of bits of its mantissa: 113,
-   or those of long double (64 on x86-64) where no compiler has more, so a
+/* The widest floating-point type available, used to see the rounding errors
+   of double. QUAD_DIGITS is the number of bits of its mantissa: 113, or
+   those of long double (64 on x86-64) where no compiler has more, so a
    program that judges rounding errors prints it. __extension__ keeps the
    compiler from calling __float128 a violation of the standard. */
 #if LDBL_MANT_DIG < 113 && defined(__SIZEOF_FLOAT128__)

@@ -4,14 +4,14 @@
 #include <assert.h>
 #include <math.h>
 
-/* Returns a word made by a mixer from a counter. The counter grows by 2^64
-   over the golden ratio, made odd, so it repeats only after all 2^64
-   values; each step of the mixer can be undone. So different counters give
-   different words, and of four words in a row at most one is zero: the one
-   forbidden state of xoshiro256**, four zeros, cannot occur. The seed
-   itself would be a poor state: the scrambler sees only the second word, so
-   every seed would begin with 0, and a state of mostly zeros stays so for
-   dozens of linear steps. */
+/* Increases a counter and returns a word that a mixer makes from it. The
+   increment is 2^64 over the golden ratio, made odd, so the counter repeats
+   only after all 2^64 values; each step of the mixer can be undone. So
+   different counters give different words, and of four words in a row at
+   most one is zero: the one forbidden state of xoshiro256**, four zeros,
+   cannot occur. The seed itself would be a poor state: the scrambler sees
+   only the second word, so every seed would begin with 0, and a state of
+   mostly zeros stays so for dozens of linear steps. */
 static uint64_t splitmix64(uint64_t *counter)
 {
     uint64_t z = *counter += 0x9e3779b97f4a7c15;
@@ -62,9 +62,9 @@ double random_between(struct random *r, double low, double high)
     return low + (high - low) * random_uniform(r);
 }
 
-/* Rejects the lowest draws. With 2^64 = q n + surplus, plain remainders
-   would favour the first `surplus` values; without the lowest `surplus`
-   values each remainder has exactly q draws. */
+/* Rejects the lowest values drawn. With 2^64 = q n + surplus, plain
+   remainders would favour the first `surplus` values; without the lowest
+   `surplus` values each remainder has exactly q of them. */
 uint64_t random_below(struct random *r, uint64_t n)
 {
     uint64_t bits;
@@ -108,12 +108,13 @@ double random_log_uniform(struct random *r, double low, double high)
    library's log differs in its last bits, which is enough to make two runs
    of a gas differ altogether.
 
-   x = 2^e m with m from sqrt(1/2) to sqrt(2), and with s = (m-1)/(m+1) log
-   m = 2 (s + s^3/3 + s^5/5 + ...), where s^2 <= 0.02944. After s^19/19 the
-   rest is less than s^20 / (21 (1 - s^2)) = 2.4e-17 of s, which is 0.11
-   epsilon. s stays outside the loop, so that the loop's roundings concern a
-   correction of at most 1 %. log 2 comes in two parts, the first of 42
-   bits, so that its product with the exponent (11 bits) is exact.
+   x is 2^e m, with m from sqrt(1/2) to sqrt(2). For s = (m-1)/(m+1) the
+   logarithm of m is 2 (s + s^3/3 + s^5/5 + ...), where s^2 <= 0.02944. The
+   terms after s^19/19 add less than s^20 / (21 (1 - s^2)) = 2.4e-17 times
+   s, which is 0.11 epsilon. s stays outside the loop, so that the rounding
+   errors of the loop affect a correction of at most 1 %. log 2 is a sum of
+   two parts, the first of 42 bits, so that its product with the exponent
+   (11 bits) is exact.
 
    Error: m - 1 is exact, m + 1 and the quotient are rounded once each, so s
    is right within epsilon; the loop adds 0.05, the series 0.11, and for

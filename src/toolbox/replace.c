@@ -1,4 +1,5 @@
-/* Makes temporary files and renames them; removes them at an early end. */
+/* Creates temporary files and renames them; removes them at an early
+   end. */
 /* If a program wrote straight to the final name, a run killed half way
    would leave a file that looks like a result, and the previous result
    would be lost. Renaming within a folder is a single act of the file
@@ -33,8 +34,8 @@ void replace_abandon(void)
             unlink(temporaries[i]);
 }
 
-/* Replaces an entry: adds `new` with an `old` of NULL, removes `old` with a
-   `new` of NULL. Returns false, with errno set, if the list is full. */
+/* Replaces an entry: adds `new` if `old` is NULL, removes `old` if `new` is
+   NULL. Returns false, with errno set, if the list is full. */
 static bool swap_temporary(const char *old, char *new)
 {
     for (int i = 0; i < MOST_FILES; ++i)
@@ -109,10 +110,10 @@ int replace_above(int file)
     return high;
 }
 
-/* Makes a short name: the final name with an ending could exceed the limit
-   of a file name, mostly 255 bytes. Sets the permissions, since only the
-   owner can read what mkstemp makes. The process's mask is set twice, since
-   it can be read in no other way. */
+/* Creates a file with a short name: the final name with an ending could
+   exceed the limit for file names, mostly 255 bytes. Sets the permissions,
+   since only the owner can read what mkstemp creates. The process's mask is
+   set twice, since it can be read in no other way. */
 int replace_begin(const char *path, mode_t mode, char **temporary)
 {
     const char *slash = strrchr(path, '/');

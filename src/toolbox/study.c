@@ -12,7 +12,7 @@ struct command {
     const char *output, *summary, *line;
 };
 
-enum { LINE = 64 }; /* most letters of one study in the help */
+enum { LINE = 64 }; /* largest length of a study's line in the help */
 
 /* Fills names and the help of --study from the list of studies, and returns
    their number. The usual study is in parentheses at the end, as every

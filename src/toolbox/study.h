@@ -1,4 +1,4 @@
-/* The common main() and options of the programs of studies. */
+/* The main() and the options that programs of studies have in common. */
 /* A program of studies makes the measurements for figures. It lists its
    studies, and its main is one call of study_main. */
 #ifndef TOOLBOX_STUDY_H
@@ -24,11 +24,11 @@ struct study {
 
 /* One study; a list of them ends with {0}. */
 struct study_entry {
-    const char *name; /* value of --study */
+    const char *name; /* the value of --study */
     void (*run)(struct study *s);
     /* A phrase for --help; with the name at most STUDY_WIDTH letters. */
     const char *about;
-    const struct table_key *keys; /* keys of its summary; NULL: none */
+    const struct table_key *keys; /* the keys of its summary, or NULL */
 };
 
 /* The keys of a study, as a list that ends with {0}. */
@@ -52,7 +52,7 @@ struct study_program {
     /* The study that runs without --study. NULL: one must be named, so that
        nobody starts a run of minutes by mistake. */
     const char *usual;
-    uint64_t seeds;      /* the highest --seed; 0: no such option */
+    uint64_t seeds;      /* largest value of --seed; 0: no such option */
     const char *drawing; /* heading of --seed; NULL: all draw numbers */
     /* The program's own options, or NULL; take stores the value of each in
        a static variable of the program's file, where the studies find it,
@@ -66,11 +66,11 @@ struct study_program {
 
 enum { STUDY_MOST = 32, STUDY_WIDTH = 48 };
 
-/* Reads the command line, opens table and summary, runs the study asked
-   for, and closes both. A table cut short by a signal is kept, its summary
-   is not. Returns the status to exit with: EXIT_FAILURE if a file could
-   not be written, a signal came or the study broke. A wrong command ends
-   the process. */
+/* Reads the command line, opens table and summary, runs the chosen study,
+   and closes both. If a signal ends the run, the table is kept, but not the
+   summary. Returns the status to exit with: EXIT_FAILURE if a file could
+   not be written, a signal came or the study set `broken`. A wrong command
+   ends the process. */
 int study_main(const struct study_program *p, int argc, char *argv[]);
 
 /* Defines main() from the fields of a struct study_program. */

@@ -1,4 +1,4 @@
-/* Opens and closes tables; a file gets its name when all is written. */
+/* Opens and closes tables; a file gets its name when it is complete. */
 #define _XOPEN_SOURCE 700 /* for realpath, which follows links */
 
 #include "toolbox/lines.h"

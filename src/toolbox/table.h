@@ -34,26 +34,26 @@ struct table_key {
 
 #define TABLE_NOTHING UINT64_C(14695981039346656037) /* sum of no bytes */
 
-/* Returns the checksum of the bytes that gave `sum`, followed by these n.
-   It tells whether somebody has changed a file that a run continues from.
+/* Returns the checksum of the bytes whose checksum is `sum`, followed by
+   these n. It shows whether a file that a run continues from was changed.
    Source: FNV-1a. */
 uint64_t table_sum(uint64_t sum, const char *bytes, size_t n);
 
-/* Sets *sum to the checksum of all that was written to t so far. Returns
-   false, with errno set, if t is no file that can be read. */
+/* Sets *sum to the checksum of everything written to t so far. Returns
+   false, with errno set, if t is not a file that can be read. */
 bool table_sum_so_far(struct table *t, uint64_t *sum);
 
 /* Opens path for writing; NULL or "-" is standard output. A file is written
-   to a temporary beside it, which takes its name, and the place and
-   permissions of an older file, in table_close. A link is followed. Three
-   kinds are opened as they are and appended to: an existing file that is
-   not regular (/dev/null, a pipe: opening one waits for its reader),
-   everything under /dev or /proc, and a file that this process was given to
-   write already (standard output sent to that file). On failure prints the
-   reason on standard error, after program, and returns NULL. program is
-   kept, not copied. At most 8 files are open at once; a second on the same
-   file is refused, whatever its name, unless it is a device. The first call
-   makes a closed pipe an error that table_close reports, no longer a
+   to a temporary in the same folder, which table_close gives the name and
+   the permissions of the file it replaces. A link is followed. Three kinds
+   are opened as they are and appended to: an existing file that is not
+   regular (/dev/null, a pipe: opening one waits for its reader), everything
+   under /dev or /proc, and a file that this process was given to write
+   already (standard output sent to that file). On failure prints the reason
+   on standard error, after program, and returns NULL. program is kept, not
+   copied. At most 8 files are open at once; a second table on the same file
+   is refused, whatever its name, unless it is a device. The first call
+   makes a closed pipe an error that table_close reports, instead of a
    signal, and makes signals that end the process remove the temporaries
    first. */
 struct table *table_open(const char *program, const char *path);
@@ -78,7 +78,7 @@ struct table_label {
     const char *symbol, *unit, *meaning;
 };
 
-/* Adds the columns of a list; the macro, those given after t. */
+/* Adds the columns of a list; the macro adds those given after t. */
 void table_columns(struct table *t, const struct table_label list[]);
 #define TABLE_COLUMNS(t, ...)                                              \
     table_columns(t, (const struct table_label[]){__VA_ARGS__, {0}})
@@ -106,7 +106,7 @@ struct table_result {
     double value;
 };
 
-/* Writes the lines of a list; the macro, those given after t. */
+/* Writes the lines of a list; the macro writes those given after t. */
 void table_results(struct table *t, const struct table_result list[]);
 #define TABLE_RESULTS(t, ...)                                              \
     table_results(t, (const struct table_result[]){__VA_ARGS__, {0}})
@@ -126,7 +126,7 @@ void table_keyed(struct table *t, double value, const char *key, ...);
 /* Writes the rest, gives the file its name and frees t. Returns whether
    every byte was written; if not, prints the reason on standard error,
    removes the temporary and keeps an older file of that name as it was,
-   unless it was written in place. For NULL returns true. A summary must
+   unless it was written in place. Returns true if t is NULL. A summary must
    have all its keys. */
 bool table_close(struct table *t);
 

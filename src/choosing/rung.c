@@ -1,5 +1,4 @@
-/* Rungs: a fixed list of numbers of steps, or tolerances; runs with
-   them. */
+/* Rungs, which are fixed numbers of steps or tolerances, and runs. */
 #include "choosing/task.h"
 
 #include <math.h>

@@ -1,5 +1,4 @@
-/* Sums the forces of springs one by one, or in bands if they form a
-   grid. */
+/* Sums the forces of springs one by one, or in bands on a grid. */
 #include "forces/springs.h"
 
 #include "toolbox/aligned.h"

@@ -1,5 +1,4 @@
-/* Simulates hard disks or spheres in a box, and measures their
-   properties. */
+/* Simulates hard disks or spheres in a box, and measures them. */
 #include "box/blocks.h"
 #include "box/cells.h"
 #include "box/disks.h"

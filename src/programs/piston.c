@@ -1,5 +1,4 @@
-/* Integrates the model of a piston, and measures pistons in tables of
-   runs. */
+/* Integrates the model of a piston; measures pistons in tables. */
 #include "line/piston.h"
 #include "toolbox/bench.h"
 #include "toolbox/study.h"

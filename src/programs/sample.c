@@ -1,5 +1,4 @@
-/* Samples configurations of hard disks by direct or Markov-chain
-   sampling. */
+/* Samples hard disks directly or by Markov chains. */
 #include "box/means.h"
 #include "box/sampling.h"
 #include "toolbox/options.h"

@@ -1,6 +1,6 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 2092282340 of the lines below */
-/* The cheaper of two models within a tolerance, judged by a reference. */
+/* checksum 832542250 of the lines below */
+/* Finds the cheaper of two models within a tolerance. */
 #include "forces/jacobi.h"
 
 #include <math.h>
@@ -15,7 +15,7 @@ static const struct bodies {
 static const double mass[N] = {1, 1 / 1047.0, 1 / 3498.0};
 static const double k2 = 39.478417604357434, every = 7.5, scale = 10.9003;
 
-/* All rows of a run, and what it costs, ns by the price list. */
+/* All rows of a run, and its cost in ns by the price list. */
 struct run {
     struct bodies row[ROWS];
     double cost;
@@ -48,7 +48,7 @@ static struct run leapfrog(int steps)
         accelerate(b.x, a);
         for (int c = 0; c < SIZE; ++c)
             b.v[c] += h / 2 * a[c];
-        r.row[s / steps] = b; /* the last one of a row stays */
+        r.row[s / steps] = b; /* keeps the last step of each row */
     }
     r.cost += (ROWS * steps + 1) * (18 + 3 * N + 6.5 * N * (N - 1) / 2);
     return r;

@@ -1,6 +1,6 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 186876512 of the lines below */
-/* Ten beads on a wire between two stops, from collision to collision. */
+/* checksum 3407825685 of the lines below */
+/* Simulates ten beads on a wire between two stops, event by event. */
 #include "line/collide.h"
 
 #include <math.h>
@@ -9,14 +9,14 @@
 
 enum { BEADS = 10, DIGITS = 10 };
 
-/* From left to right; the first and the last are the stops. kg, m, m/s */
+/* The bodies from left to right, with a stop at each end; kg, m, m/s. */
 static double mass[BEADS + 2] = {INFINITY, 9.3, 2.1, 5.2, 0.9, 3.4,
                                  1.2,      4.3, 0.8, 2.6, 1.4, INFINITY};
 static double x[BEADS + 2] = {0,   0.5, 4.6, 5.3,  6.2,  6.9,
                               7.8, 8.5, 9.4, 10.2, 11.1, 12};
 static double v[BEADS + 2] = {0, 2};
 
-/* Returns how long it takes until gap i closes, s (2.3, eq:gap-time). */
+/* Returns the time (s) until gap i closes (2.3, eq:gap-time). */
 static double wait_for(int i)
 {
     const double gap = x[i + 1] - x[i];
@@ -36,14 +36,14 @@ static int next_gap(void)
     return first;
 }
 
-/* Lets everybody fly for a while (2.1, eq:flight). */
+/* Moves all beads freely for the time `wait` (2.1, eq:flight). */
 static void move_all(double wait)
 {
     for (int i = 1; i <= BEADS; ++i)
         x[i] += v[i] * wait;
 }
 
-/* Prints one row: time, energy, place and velocity of every bead. */
+/* Prints one row: time, energy, position and velocity of every bead. */
 static void print_row(double now)
 {
     double energy = 0;
@@ -57,7 +57,7 @@ static void print_row(double now)
 
 int main(int argc, char *argv[])
 {
-    const double every = argc > 1 ? atof(argv[1]) : 1; /* s, between rows */
+    const double every = argc > 1 ? atof(argv[1]) : 1; /* between rows, s */
     const int rows = argc > 2 ? atoi(argv[2]) : 10;
     double now = 0;
     int collisions = 0;

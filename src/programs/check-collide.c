@@ -1,11 +1,11 @@
 /* From chapters/01-collide.nw: edit there, then run make tangle. */
-/* checksum 1327581161 of the lines below */
-/* A collision, and a check of it: a million pairs at random. */
+/* checksum 728810918 of the lines below */
+/* Checks a collision function with a million random pairs. */
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 
-/* Velocities in m/s, inverse masses in 1/kg (1.5, eq:difference). */
+/* Collides two bodies: m/s, inverse masses in 1/kg (1.5, eq:difference). */
 static void collide(double *v1, double *v2, double a, double b)
 {
     const double d = *v1 - *v2;
@@ -13,7 +13,7 @@ static void collide(double *v1, double *v2, double a, double b)
     *v2 += 2 * b / (a + b) * d;
 }
 
-/* Some number between 0 and 1. */
+/* Returns a pseudorandom number from 0 to 1. */
 static double any(void)
 {
     static uint32_t state = 1;
@@ -23,7 +23,7 @@ static double any(void)
 
 int main(void)
 {
-    double momentum = 0, energy = 0; /* the worst errors, kg m/s and J */
+    double momentum = 0, energy = 0; /* largest errors, kg m/s and J */
     for (int n = 0; n < 1000000; ++n) {
         const double m1 = 1 + any(), m2 = 1 + any(), u1 = any(), u2 = any();
         double v1 = u1, v2 = u2;

@@ -1,6 +1,6 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 633616250 of the lines below */
-/* Four hard disks in a box: rows of t, and of x and y of each, every TC. */
+/* checksum 3770984552 of the lines below */
+/* Simulates four hard disks in a box. Prints t and positions every TC. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -34,7 +34,7 @@ static const double r = 0.15, L = 1; /* m */
 static double x[N][3] = {{.25, .25}, {.75, .25}, {.25, .75}, {.75, .75}};
 static double v[N][3] = {{.6, .8}, {-.8, .6}, {.28, -.96}, {-.96, -.28}};
 
-/* Fills in the separation of disk j from disk i, m, and its rate, m/s. */
+/* Sets the position, m, and velocity, m/s, of disk j relative to disk i. */
 static void between(int i, int j, double separation[], double closing[])
 {
     for (int k = 0; k < 3; ++k) {
@@ -43,7 +43,7 @@ static void between(int i, int j, double separation[], double closing[])
     }
 }
 
-/* After the wait, s, disk i meets disk j, or the wall across axis j - N. */
+/* After `wait`, s, disk i hits disk j, or the wall across axis j - N. */
 struct event {
     double wait;
     int i, j;

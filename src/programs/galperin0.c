@@ -1,6 +1,6 @@
 /* From chapters/01-collide.nw: edit there, then run make tangle. */
-/* checksum 3805881769 of the lines below */
-/* A heavy ball, a light one and a wall: the collisions, counted. */
+/* checksum 875074838 of the lines below */
+/* Counts the collisions of a heavy ball, a light ball and a wall. */
 #include "line/collide.h"
 
 #include <math.h>

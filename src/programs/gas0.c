@@ -1,6 +1,6 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 1190074923 of the lines below */
-/* A gas of disks: rows of speed, its density and error, and two laws. */
+/* checksum 3807500180 of the lines below */
+/* Prints the density of speeds in a gas, its error, and two laws. */
 #include "box/disks.h"
 #include "box/speeds.h"
 #include "line/statistics.h"
@@ -12,8 +12,8 @@
 enum { BINS = 42 }; /* of u, from 0 to 4 */
 static const double width = 4.0 / BINS, Tc = 0.4 /* s */;
 
-/* Disks on a lattice, all at 1 m/s, run until each has collided a hundred
-   times. Returns false if they do not fit. */
+/* Places disks on a lattice, all at 1 m/s, and runs until each has collided
+   a hundred times. Returns false if they do not fit. */
 static bool begin(struct disks *d, size_t count, double a, double b)
 {
     struct random r;
@@ -35,7 +35,7 @@ static bool begin(struct disks *d, size_t count, double a, double b)
     return disks_plan(d);
 }
 
-/* Adds the speeds, in the unit sqrt(2kT/m), to bins n numbers apart. */
+/* Adds the speeds, in units of sqrt(2kT/m), to bins with the stride n. */
 static void count_speeds(const struct disks *d, double *bin, size_t n)
 {
     const double unit = sqrt(2 * disks_temperature(d));

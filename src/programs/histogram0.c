@@ -1,6 +1,6 @@
 /* From chapters/03-equilibrium.nw: edit there, then run make tangle. */
-/* checksum 3303191280 of the lines below */
-/* Histograms of columns of numbers, with errors from blocks. */
+/* checksum 316444286 of the lines below */
+/* Prints histograms of columns of numbers, with errors from blocking. */
 #include "line/statistics.h"
 
 #include <math.h>
@@ -51,7 +51,7 @@ static void print(size_t n, const double series[], size_t bins,
     free(h);
 }
 
-/* histogram0 BINS, then COLUMN LOW HIGH for each histogram. */
+/* Usage: histogram0 BINS, then COLUMN LOW HIGH for each histogram. */
 int main(int argc, char *argv[])
 {
     const int columns = (argc - 2) / 3;

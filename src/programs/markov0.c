@@ -1,6 +1,6 @@
 /* From chapters/06-room.nw: edit there, then run make tangle. */
-/* checksum 954709556 of the lines below */
-/* Two big disks among ideal small ones: their distance after each sweep. */
+/* checksum 1969446070 of the lines below */
+/* Prints the distance of two big disks among ideal small ones. */
 #include "toolbox/random.h"
 
 #include <math.h>
@@ -23,7 +23,7 @@ static double distance(const double a[], const double b[])
     return sqrt(square);
 }
 
-/* Tries to move i, a big one by a step; says whether it could. */
+/* Tries to move disk i, a big one by a step. Returns whether it moved. */
 static bool try_move(int i, struct random *dice)
 {
     double place[3] = {0};

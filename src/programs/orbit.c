@@ -1,6 +1,6 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 2289897491 of the lines below */
-/* The least that one has to write to see a planet go round. */
+/* checksum 2115311974 of the lines below */
+/* Prints the orbit of a planet: a minimal program that uses the library. */
 #include "forces/motion.h"
 #include "toolbox/options.h"
 

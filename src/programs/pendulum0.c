@@ -1,6 +1,6 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 3792192382 of the lines below */
-/* A pendulum in steps, by four methods. */
+/* checksum 3718066744 of the lines below */
+/* Steps a pendulum by one of four methods. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -31,7 +31,7 @@ static struct state leapfrog(struct state s, double dt)
     return s;
 }
 
-/* Goes from s along the slope at `at` for a time. */
+/* Returns s plus dt times the rate of change in the state `at`. */
 static struct state along(struct state s, struct state at, double dt)
 {
     return (struct state){s.x + at.v * dt, s.v - sin(at.x) * dt};

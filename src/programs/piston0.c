@@ -1,12 +1,12 @@
 /* From chapters/04-piston.nw: edit there, then run make tangle. */
-/* checksum 455970302 of the lines below */
-/* A piston between two gases that act as springs, in steps. */
+/* checksum 4155763706 of the lines below */
+/* Steps a piston between two gases that act as springs. */
 #include "line/piston.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { STEPS = 50 };                   /* from row to row */
+enum { STEPS = 50 };                   /* steps between rows */
 static const double every = 0.5;       /* s */
 static const double energy = 10.0 / 3; /* J, of each gas at the start */
 
@@ -25,7 +25,7 @@ int main(int argc, char *argv[])
                piston_energy(&p, &s));
         for (int i = 0; i < STEPS; ++i)
             if (!piston_step(&p, &s, every / STEPS))
-                return 1; /* into a wall: the step is too long */
+                return 1; /* a wall was hit: the step is too long */
     }
     return 0;
 }

@@ -1,6 +1,6 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 4231967388 of the lines below */
-/* The first shot at billiards, in steps that go back to each contact. */
+/* checksum 4150722808 of the lines below */
+/* Steps the first shot at billiards, going back to each contact. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -9,7 +9,7 @@ enum { BALLS = 16, STEPS = 50000 };
 static const double radius = 0.028575, gap = 1e-4, dt = 1e-5; /* m, m, s */
 static double x[BALLS][2], v[BALLS][2];
 
-/* The cue ball is the first; the others stand in a triangle. */
+/* Places the cue ball first, then the others in a triangle. */
 static void rack(void)
 {
     const double side = 2 * radius + gap;
@@ -28,8 +28,8 @@ static double dot(const double a[], const double b[])
     return a[0] * b[0] + a[1] * b[1];
 }
 
-/* Returns how long ago two touched that overlap now and approach, s, but 0
-   if it was before the step. (11.2, eq:back-time) */
+/* Returns how long ago, s, two balls touched that overlap and approach, or
+   0 if that was before the step (11.2, eq:back-time). */
 static double time_back(const double d[], const double u[])
 {
     const double b = dot(d, u), c = dot(d, d) - 4 * radius * radius;
@@ -37,8 +37,8 @@ static double time_back(const double d[], const double u[])
     return back <= dt ? back : 0;
 }
 
-/* Collides balls i and j if they overlap and approach: back to the contact,
-   an impulse there, (11.1, eq:contact-impulse), and on from there. */
+/* Collides balls i and j if they overlap and approach. The impulse acts at
+   the contact (11.1, eq:contact-impulse), and they move on from there. */
 static void collide(int i, int j)
 {
     double d[2], u[2], n[2];

@@ -1,6 +1,6 @@
 /* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 880046098 of the lines below */
-/* A membrane: a grid of masses and springs, stepped by leapfrog. */
+/* checksum 1069862544 of the lines below */
+/* Steps a membrane, a grid of masses and springs, by leapfrog. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,7 +11,7 @@ static const double stiffness = 50, gap = 2.0 / 7,
                     dt = 0.01; /* N/m, m, s */
 static double x[SIZE], v[SIZE], force[SIZE], moves[BODIES];
 
-/* Adds the force of a spring to both ends, (10.1, eq:spring-force). */
+/* Adds the force of a spring to its two ends (10.1, eq:spring-force). */
 static void pull(int i, int j, double rest)
 {
     const double *a = x + 3 * i, *b = x + 3 * j;
@@ -35,14 +35,14 @@ static void pull_all(double rest)
     }
 }
 
-/* Adds a rate for the time h, but for what is held. */
+/* Adds h times a rate to the coordinates of bodies that can move. */
 static void add(double y[], const double rate[], double h)
 {
     for (int c = 0; c < SIZE; ++c)
         y[c] += moves[c / 3] * rate[c] * h;
 }
 
-/* Lifts a flat grid into the first mode of a drum; its rim is held. */
+/* Displaces a flat grid by the first mode of a drum with a fixed rim. */
 static void lift(double height)
 {
     const double wave = acos(-1) / (SIDE - 1);

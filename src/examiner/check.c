@@ -1,5 +1,4 @@
-/* The runner's own code: runs one test in a process and reports line by
-   line. */
+/* The runner's own code: runs one test and reports it line by line. */
 #include "examiner/check.h"
 #include "examiner/exercise.h"
 #include "examiner/report.h"

@@ -1,5 +1,4 @@
-/* Creates temporary files and renames them; removes them at an early
-   end. */
+/* Creates temporary files, renames them, removes them at an early end. */
 /* If a program wrote straight to the final name, a run killed half way
    would leave a file that looks like a result, and the previous result
    would be lost. Renaming within a folder is a single act of the file

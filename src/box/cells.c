@@ -448,7 +448,8 @@ FETCHING void look_ahead(const struct cells *c, size_t today)
 }
 
 /* Plans the next event of disk i: a meeting with a wall or a neighbour, or
-   the end of its skin, an event whose partner is i itself. */
+   the moment when i leaves its skin, which is an event with i itself as its
+   partner. */
 static void plan(struct cells *c, uint32_t i)
 {
     struct disks *d = c->d;

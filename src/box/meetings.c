@@ -56,7 +56,8 @@ VECTOR_LOOP static void meet_all_images(const struct disks *d, size_t i,
     meet_all(d, i, time, true);
 }
 
-/* Under gravity it calls disks_meeting for each disk. */
+/* Under gravity there is no vector code, and disks_meeting is called for
+   each other disk. */
 void meetings_of(const struct disks *d, size_t i, double time[])
 {
     if (d->boundary == DISKS_WALLS && !(d->gravity > 0))

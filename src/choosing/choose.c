@@ -270,7 +270,8 @@ static void compare_surely(const struct task *t)
         return;
     c->candidates = candidates;
     c->points = points;
-    if (!f->coarser.value) { /* its rows became the answer, now freed */
+    if (!f->coarser.value) { /* its rows were the answer and have been
+                                freed: run it again */
         const struct record_setup o =
             task_setup(t, f->coarser.plan, INFINITY);
         task_run(t, &f->coarser, &o);

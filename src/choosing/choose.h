@@ -26,7 +26,8 @@ struct choose_request {
 /* A candidate: a model with its simplifications, and its results so far. */
 struct choose_candidate {
     struct models_plan plan;
-    double error, cost; /* fraction of the scale; s by the price list */
+    double error, cost; /* fraction of the scale; s, computed from the price
+                           list */
     double foreseen;    /* predicted cost, s, or INFINITY */
     bool holds;
     char text[CHOOSE_TEXT]; /* the result, or why it is excluded */

@@ -193,8 +193,8 @@ static bool is_endless(const struct models_run *r, struct box_run *d)
 }
 
 /* Runs to the next row. The engines stop before AT_A_TIME collisions only
-   if memory for longer lists runs out. Positions in a periodic box are not
-   folded back, as in the models with steps. */
+   if memory for longer lists runs out. As in the models with steps,
+   positions in a periodic box are not folded back. */
 static enum models_end row_disks(struct models_run *r)
 {
     struct box_run *d = r->engine;

@@ -229,7 +229,8 @@ static size_t reversed(size_t n, size_t c)
     return c / n * n + (n - 1 - c % n);
 }
 
-/* Reverses each row of n numbers, and multiplies the numbers. */
+/* Reverses each row of n numbers, and multiplies every number by a factor.
+ */
 static void reverse_rows(double a[], size_t rows, size_t n, double by)
 {
     for (size_t c = 0; a && c < rows * n; ++c) {

@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 3248562924 of the lines below */
+/* checksum 2460002573 of the lines below */
 /* Finds reference runs: two that agree, the second finer and a twin. */
 #include "choosing/task.h"
 
@@ -10,7 +10,8 @@ static struct models_plan finer(struct models_plan p)
     return rung_at(p, rung_fineness(&p) + log2(100));
 }
 
-/* Makes two runs row by row, the second one finer, until they differ. */
+/* Makes two runs row by row, the second with finer steps, until they differ
+   by more than the tolerance. */
 static void run_pair(const struct task *t, struct reference *f,
                      struct models_plan plan)
 {

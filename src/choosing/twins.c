@@ -1,6 +1,6 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 643172534 of the lines below */
-/* Rounding errors of a run, shown by twins of it in other units. */
+/* checksum 2310225773 of the lines below */
+/* Bounds the rounding errors of a run by its twins, in other units. */
 #include "choosing/task.h"
 
 #include <math.h>

@@ -29,7 +29,7 @@ struct exercise {
     int earned;  /* points earned */
     int gap;     /* line of the NOT_DONE_YET reached, or 0 */
     int wants;   /* number of the first test not passed, or 0 */
-    char *story; /* the report on it, or NULL */
+    char *story; /* the report on the exercise, or NULL */
 };
 
 struct course {

@@ -21,10 +21,11 @@ long syscall(long number, ...);
 
 static volatile sig_atomic_t caught;
 
-/* Stores the signal; a handler may do little else safely. A program in its
-   own group does not get the terminal's Ctrl-C: the loop that waits for it
-   does, and kills it. If the examiner ended instead, a student's endless
-   loop would run on unnoticed. */
+/* Stores the signal; a handler may do little else safely. A program in a
+   process group of its own does not get the terminal's Ctrl-C. The examiner
+   gets it, and its loop that waits for the program kills the program. If
+   the examiner ended instead, a student's endless loop would run on
+   unnoticed. */
 static void catch_signal(int signal)
 {
     caught = signal;

@@ -1,4 +1,4 @@
-/* Calls the student's function in another process, number by number. */
+/* Calls the student's function in another process, one number at a time. */
 #ifndef REMOTE_H
 #define REMOTE_H
 

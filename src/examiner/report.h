@@ -33,8 +33,8 @@ struct report_order {
 #define REPORT_UNDONE "undone"   /* TEXT: FILE:LINE of a NOT_DONE_YET */
 #define REPORT_VERDICT "verdict" /* TEXT: passed or failed; comes last */
 
-/* The signal that ends a program found to loop for ever, and then its judge
-   (examiner/endless.h). */
+/* The signal by which a program that was found to loop for ever is ended,
+   and after it the process that judged it (examiner/endless.h). */
 #define REPORT_ENDLESS SIGVTALRM
 
 #endif

@@ -19,8 +19,8 @@
 
 enum { TEXT_MOST = 1 << 20 };
 
-/* Receives a text of an order; limits its length, although the order is
-   ours. */
+/* Receives one string of an order. Its length is limited, although only the
+   judge sends orders. */
 static char *take_text(void)
 {
     size_t length;
@@ -237,9 +237,10 @@ struct counter {
 void run_law(int which, double constant, int n, const double m[],
              const double x[], double f[]) __attribute__((weak));
 
-/* Answers each request with the forces and counts it, until the other end
-   is closed or there are too many; then sends the number. This process is
-   not the program's, and alone knows the law's constant. */
+/* Answers each request with the forces, until the other end is closed or
+   there have been too many requests; then sends the number of requests. It
+   runs in a process apart from the student's program, which therefore
+   cannot read the constant of the law. */
 static _Noreturn void answer_questions(const struct order *order, int ear,
                                        int told)
 {

@@ -240,8 +240,8 @@ static void add_copies(struct words *w, const struct sandbox_order *order)
 }
 
 /* Adds bubblewrap's options for namespaces. A new session has no terminal
-   into which a program could type (TIOCSTI). The sandbox has no capability
-   of root's, and dies when we die. */
+   into which a program could type (TIOCSTI). The sandbox has none of root's
+   capabilities, and dies when we die. */
 static void add_namespaces(struct words *w, enum sandbox_kind kind)
 {
     ADD(w, "bwrap", "--unshare-ipc", "--unshare-pid", "--unshare-net",

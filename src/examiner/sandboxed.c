@@ -168,10 +168,11 @@ static void limit_addresses(void)
         fclose(map);
 }
 
-/* Waits for tests and runs each in a child. It reads without stdio, which
-   would also read bytes for the child. Any other byte is sent back, which
-   tells the judge that no child was there to read it. PR_SET_DUMPABLE keeps
-   children of the same user from writing to its memory through /proc. */
+/* Waits for tests and runs each in a child. It reads without stdio, whose
+   buffer would also take bytes meant for the child. A byte that does not
+   begin a test is sent back, which tells the judge that no child was there
+   to read it. PR_SET_DUMPABLE keeps children, which run as the same user,
+   from writing to the memory of this process through /proc. */
 int main(void)
 {
     char word = TRANSPORT_READY;

@@ -283,8 +283,8 @@ static const char round_and_round[] =
     "had come back to where it was before, with the same values in all its "
     "variables. Which loop was it in, and what was to end it?";
 
-/* Explains a time-out by a question; only a debugger could tell where the
-   program was. */
+/* Reports a time-out with a question that may help the student, since only
+   a debugger could tell where the program was. */
 static void tell_time_out(const struct trial *trial,
                           const struct process_end *end, FILE *story)
 {

@@ -101,7 +101,7 @@ static void divide_numbers(struct impact *p, size_t n)
     p->pull = p->high + n;
 }
 
-/* Replaces the forces of the stepping by accelerate above, and removes its
+/* Makes the stepping use accelerate (above) for its forces, and removes its
    sweep, which ignores walls. */
 bool impact_create(struct impact *p, struct spheres *spheres,
                    struct stepping *s)
@@ -182,8 +182,9 @@ static double rate_rounding(const struct impact *p,
     return ROUNDING * most;
 }
 
-/* Computes the control points of a cubic path of each coordinate in a part
-   of length h, s, (11.8, eq:gap-control). Returns the degree. */
+/* Computes the control points of the path of each coordinate, a polynomial
+   of degree 3 at most, over a part of the step that is h seconds long
+   (11.8, eq:gap-control). Returns the degree. */
 static size_t draw_cubics(struct impact *p, double h)
 {
     const struct stepping *s = p->stepping;

@@ -181,9 +181,9 @@ static bool is_finite(const struct stepping *s)
     return sum == 0;
 }
 
-/* Takes at most *left steps, up to the next check of the numbers, and
-   updates *left. Returns false if the equations of a step could not be
-   solved. */
+/* Takes at most *left steps, stops where the state is next checked for
+   infinite numbers, and updates *left. Returns false if the equations of a
+   step could not be solved. */
 static bool run_until_watch(struct stepping *s, uint64_t *left)
 {
     const uint64_t most = STEPPING_WATCH - s->steps % STEPPING_WATCH;

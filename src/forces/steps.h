@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 1215066028 of the lines below */
+/* checksum 3498501527 of the lines below */
 /* The steps of the methods: kicks and drifts, leapfrog, Runge-Kutta. */
 #ifndef STEPS_H
 #define STEPS_H
@@ -18,7 +18,8 @@ struct stepping_work {
     double *drift, *kick;        /* of a splitting, times dt, s */
     double *c, *a, *a2, *b, *b2; /* of a tableau, times dt or dt^2 */
     double *stage;               /* [stages * size] accelerations */
-    double *guess;               /* [stages * size] improved values */
+    double *guess;               /* [stages * size] the stages' values,
+                                    improved by iteration */
     double *x, *v;               /* [size] state at a stage */
     double *matrix, *slope;      /* of Newton's method */
     size_t *pivot;

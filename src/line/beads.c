@@ -1,4 +1,4 @@
-/* Runs on the line: memory, start, restart, state, energy, rest. */
+/* Begins, restarts and ends runs on the line; reads their state. */
 #include "line/engine.h"
 #include "line/gap.h"
 #include "line/slab.h"

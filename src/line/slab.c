@@ -3,9 +3,9 @@
 /* A slab is an interval of time. Its collisions form islands, groups of
    neighbouring gaps, and one pass along the line runs island by island.
    Chapter 2 (section Small islands of time) proves that the result equals
-   the scan's to the last bit as long as at least two gaps without
-   collisions lie between islands (2.6, eq:islands). Islands that come
-   closer are undone from a log and run again as one. */
+   that of the scan engine to the last bit as long as at least two gaps
+   without collisions lie between islands (2.6, eq:islands). Islands that
+   come closer are undone from a log and run again as one. */
 #include "line/slab.h"
 
 #include "line/engine.h"
@@ -418,8 +418,9 @@ static bool advance(struct bonkers *b, size_t slab, size_t block)
     return true;
 }
 
-/* Runs every island of all slabs. Returns false if they have failed. A slab
-   that runs alone may have islands of any length. */
+/* Runs every island of all slabs. Returns false if the slabs have failed
+   and must be undone. A slab that runs alone may have islands of any
+   length. */
 static bool run_islands(struct bonkers *b)
 {
     const size_t blocks = (b->gaps + BLOCK - 1) / BLOCK;

@@ -16,7 +16,8 @@ double weight_time_of_gap(const struct bonkers *b, size_t i);
 /* Collides the bodies of gap i when it is due, as collide_gap does. */
 bool weight_collide_gap(struct bonkers *b, size_t i);
 
-/* Runs the naive engine under gravity, as bonkers_run does. */
+/* Runs the naive engine under gravity; the arguments and the result are
+   those of bonkers_run. */
 enum bonkers_stop weight_run_naive(struct bonkers *b, double until,
                                    uint64_t limit);
 

@@ -1,5 +1,5 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 4150722808 of the lines below */
+/* checksum 1651716875 of the lines below */
 /* Steps the first shot at billiards, going back to each contact. */
 #include <math.h>
 #include <stdio.h>
@@ -51,7 +51,8 @@ static void collide(int i, int j)
     const double back = time_back(d, u);
     for (int k = 0; k <= 1; ++k)
         n[k] = d[k] - back * u[k];
-    const double change = -dot(u, n) / dot(n, n); /* of each, e = 1 */
+    const double change = -dot(u, n) / dot(n, n); /* for both spheres, over
+                                                     n, if e = 1 */
     for (int k = 0; k < 2; ++k) {
         v[i][k] -= change * n[k];
         v[j][k] += change * n[k];

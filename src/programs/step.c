@@ -168,12 +168,13 @@ static void open_device(struct run *r)
     g->device = r->device;
 }
 
-/* Begins the motion and applies the settings to its parts. GSL's method
-   uses the time and the forces of a motion that begins with leapfrog.
-   Waking a thread takes as long as the attraction of some hundred bodies or
-   some thousand springs, and much longer on a busy machine, so small
-   numbers of bodies are not divided among threads. The results do not
-   depend on the number of threads, which is written in the summary. */
+/* Begins the motion and applies the settings to its parts. For GSL's
+   method, too, the motion is begun with leapfrog; only its time and its
+   forces are used. Waking a thread takes as long as the attraction of some
+   hundred bodies or some thousand springs, and much longer on a busy
+   machine, so small numbers of bodies are not divided among threads. The
+   results do not depend on the number of threads, which is written in the
+   summary. */
 static void set_in_motion(struct run *r)
 {
     struct motion *m = &r->motion;
@@ -590,14 +591,14 @@ static enum ending ending_of(enum stepping_end end)
                                       : STUCK;
 }
 
-/* Takes at most *batch steps, stopping at the next row, at the next power
-   of two, or at the end. A batch takes about a thirtieth of a second, which
-   is short enough for Ctrl-C, progress and checkpoints, and too long for
-   them to cost anything. For all methods the results are independent of the
-   division into batches. The speed in the summary is that of the steps
-   alone. Reading the CPU clock takes as long as ten steps of two bodies, so
-   it is read only if the last batch took over 10 microseconds. If few
-   batches do, the time includes the rows. */
+/* Takes at most *batch steps, stopping at the next row, after a number of
+   steps that is a power of two, or at the end. A batch takes about a
+   thirtieth of a second, which is short enough for Ctrl-C, progress and
+   checkpoints, and too long for them to cost anything. For all methods the
+   results are independent of the division into batches. The speed in the
+   summary is that of the steps alone. Reading the CPU clock takes as long
+   as ten steps of two bodies, so it is read only if the last batch took
+   over 10 microseconds. If few batches do, the time includes the rows. */
 static enum ending run_batch(struct run *r, uint64_t *batch)
 {
     const bool timed = r->took > 1e-5;

@@ -47,7 +47,7 @@ struct scene {
     double k2;        /* strength of gravity between bodies; 0: none */
     double softening; /* softening length of gravity, m */
     double gravity[SCENE_AXES]; /* uniform acceleration, m/s^2 */
-    double damping;  /* each body feels the force -damping * v, kg/s */
+    double damping;  /* kg/s; each body feels the force -damping * v */
     double dt, time; /* time step (0: not given), time of the state, s */
     bool axial;      /* dashpots act along their spring only */
     bool contact;    /* bodies collide; if not, radii are for drawing */

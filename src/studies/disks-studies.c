@@ -97,7 +97,7 @@ static void study_clock(struct study *s)
         double overlap = 0;
         const double energy = sample_by(way, s, &l, bins[way], &overlap);
         const double impulse = l.d.impulse[0] + l.d.impulse[1];
-        const double nkt = disks_energy(&l.d); /* 2 E / D */
+        const double nkt = disks_energy(&l.d); /* 2 E / D, D = 2 */
         const double edge = (bins[way][15] + bins[way][84]) / 16 * BINS;
         TABLE_RESULTS_OF(
             s->summary, clocks[way], {"Z", impulse / (4 * nkt * l.t)},

@@ -310,7 +310,8 @@ enum method { DIRECT, MARKOV, DYNAMICS, METHODS };
 static const char *const method_names[METHODS] = {"direct", "markov",
                                                   "dynamics"};
 enum {
-    TIMES = 7, /* times of the errors; each is four times the last */
+    TIMES = 7, /* number of times at which errors are measured; each time is
+                  four times the one before */
     SEEDS = 8, /* runs whose squared errors are averaged */
     TRIES = 64 /* tries between two readings of the clock */
 };

@@ -262,7 +262,8 @@ static struct parabola fit(size_t n, const double t[], const double y[],
         sqrt(c[3] / det)};
 }
 
-/* Writes a row by events (dt = 0), one for each step, and the parabolas. */
+/* Writes the row of the event-driven run (dt = 0), one for each length of
+   step, and the parabolas fitted to them. */
 static void study_pressure(struct study *s)
 {
     static struct points points[WAYS];
@@ -851,7 +852,8 @@ static void make_break(struct scene *s, double jitter, uint64_t seed)
 
 static const double usual_break = 0.5; /* duration of a break, s */
 
-/* Sets x[] to the positions after a break by steps in the way BACK. */
+/* Sets x[] to the positions after the break of a rack of balls, computed in
+   steps that move overlapping balls back (BACK). */
 static void break_by_steps(enum spheres_order order, double dt, double x[])
 {
     struct run r;
@@ -863,9 +865,9 @@ static void break_by_steps(enum spheres_order order, double dt, double x[])
     end(&r);
 }
 
-/* Sets x[] to the positions after a break by events, in a box so large that
-   its walls have no effect. Positions in the box are measured from its
-   corner, those on the table from the middle. */
+/* Sets x[] to the positions after the break, computed from event to event,
+   in a box so large that its walls have no effect. Positions in the box are
+   measured from its corner, those on the table from the middle. */
 static void break_by_events(double jitter, uint64_t seed, double x[])
 {
     const double far = 50; /* m */
@@ -1349,9 +1351,10 @@ static const struct {
 
 enum { COSTS = 14 };
 
-/* Completes and writes a row whose results by events are given. The error
-   of located contacts does not depend on the step, so they are run only if
-   `all` is true. A row begins with a name by which the book quotes it. */
+/* Completes and writes a row whose event-driven results are given. The
+   error of located contacts does not depend on the step, so the runs that
+   locate them are made only if `all` is true. A row begins with the name by
+   which the book quotes it. */
 static void compare_step(struct study *s, double dt, bool all,
                          double row[COSTS])
 {

@@ -222,7 +222,8 @@ static void study_portrait(struct study *s)
         }
 }
 
-/* Writes the energies of four oscillators, each by another method. */
+/* Writes the energies of four oscillators, each stepped by a different
+   method. */
 static void study_laws(struct study *s)
 {
     struct run c[4];

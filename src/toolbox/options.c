@@ -537,8 +537,8 @@ double options_positive(struct options *o, double high)
     return options_real(o, OPTIONS_POSITIVE, high);
 }
 
-/* Fails with a message that shows the whole value beside the wrong item,
-   since "1,,2" is easily mistyped and hard to see. */
+/* Ends the program with a message that shows the wrong item and the whole
+   value, since an error such as "1,,2" is easily typed and hard to see. */
 size_t options_list(struct options *o, double values[], size_t max)
 {
     char item[64];

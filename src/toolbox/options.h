@@ -37,7 +37,7 @@ enum {
 
 /* Flags of an option, to be added to its letter. */
 enum {
-    OPTIONS_SILENT = 1 << 10, /* changes no result: omitted in the
+    OPTIONS_SILENT = 1 << 10, /* changes no result; left out of the recorded
                                  command */
     OPTIONS_WRITES = 1 << 11  /* the value names an output file */
 };

@@ -130,7 +130,8 @@ void table_keyed(struct table *t, double value, const char *key, ...);
    have all its keys. */
 bool table_close(struct table *t);
 
-/* Abandons the table: removes the temporary and frees t. Ignores NULL. */
+/* Abandons the table: removes the temporary file and frees t. Ignores NULL.
+ */
 void table_discard(struct table *t);
 
 #endif

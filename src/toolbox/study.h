@@ -31,15 +31,11 @@ struct study_entry {
     const struct table_key *keys; /* the keys of its summary, or NULL */
 };
 
-/* The keys of a study, as a list that ends with {0}. */
-#define STUDY_KEYS(...)                                                    \
-    (const struct table_key[])                                             \
-    {                                                                      \
-        __VA_ARGS__,                                                       \
-        {                                                                  \
-            0                                                              \
-        }                                                                  \
-    }
+/* The keys of a study, as a list that ends with {0}. (Versions 14 and 19 of
+   clang-format disagree about its braces.) */
+/* clang-format off */
+#define STUDY_KEYS(...) (const struct table_key[]){__VA_ARGS__, {0}}
+/* clang-format on */
 
 /* A program of fewer than STUDY_MOST studies. Its options are --study,
    --output, --summary, --seed if it draws numbers, and its own. --help

@@ -249,10 +249,11 @@ static bool check_wrong(const struct judged *j)
                    {j->mistake, seen ? j->said : 0.0, j->question}});
 }
 
-#define JUDGED(run, habits, lost, off_way, off_box, ...)                   \
-    {                                                                      \
-        run, habits, lost, off_way, off_box, __VA_ARGS__, 3, 2, 0, 0, 0    \
-    }
+/* Versions 14 and 19 of clang-format disagree about these braces. */
+/* clang-format off */
+#define JUDGED(run, habits, lost, off_way, off_box, ...) \
+    {run, habits, lost, off_way, off_box, __VA_ARGS__, 3, 2, 0, 0, 0}
+/* clang-format on */
 
 static const struct judged right[] = {
     JUDGED(by_mirrors, 0, 0, 0, 0,

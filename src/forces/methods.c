@@ -198,7 +198,7 @@ const struct stepping_method *stepping_find(const char *name)
 const struct stepping_method *stepping_next(const struct stepping_method *m)
 {
     m = m ? m + 1 : stepping_methods;
-    while (m->name && (m->orbits || m->adaptive))
+    while (m->orbits || m->adaptive) /* the last row has neither */
         ++m;
     return m->name ? m : NULL;
 }

@@ -132,8 +132,7 @@ TEST(test_comes_back, "a run comes back to the last bit")
     static const char *const methods[] = {"leapfrog", "radau15", "dopri5"};
     for (size_t k = 0; k < 3; ++k) {
         FREED(scene) s, t;
-        struct motion m;
-        ENDED(motion) n;
+        ENDED(motion) m, n;
         struct checkpoint c, d;
         struct checkpoint_numbers known = {0};
         clear();

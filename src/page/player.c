@@ -146,11 +146,10 @@ static void stop(void)
 /* Begins a motion as step does. */
 static bool begin_motion(struct motion *m, struct scene *s)
 {
-    const size_t method = (size_t)page_number[0];
-    if (!motion_begin(m, "page", s, stepping_methods[method].name, 0))
-        return false;
+    const char *method = stepping_methods[(size_t)page_number[0]].name;
+    const bool begun = motion_begin(m, "page", s, method, 0);
     m->stepping.tolerance = 1e-13;
-    return true;
+    return begun;
 }
 
 /* Begins a run of a copy of `start`, so that page_save can run the scene
@@ -219,7 +218,6 @@ static void set(struct scene *s, double *method, enum change what,
 bool page_change(double what, double value)
 {
     struct scene now;
-    line = 0;
     message[0] = '\0';
     if (!moving || !motion_note(&motion) || !scene_copy(&now, &scene))
         return false;
@@ -229,7 +227,7 @@ bool page_change(double what, double value)
     return begin_anew();
 }
 
-enum { HEAD = 26 };
+enum { HEAD = 29 };
 static double seen[HEAD + 4 * OBSERVABLES_MOST];
 static double *listed; /* for each spring its ends and its colour */
 
@@ -237,11 +235,13 @@ static double *listed; /* for each spring its ends and its colour */
    step ended (enum stepping_end, -1 without a scene); the number of
    collisions; the line with an error; dt, gravity, damping, restitution,
    k2, contact; walls and box, axis by axis; the number of observed values;
-   whether contacts are instantaneous. page_array returns the values of each
-   body, axis by axis. */
+   whether contacts are instantaneous; how many pairs a step moved through
+   each other, and the first such pair. page_array returns the values of
+   each body, axis by axis. */
 const double *page_look(void)
 {
     const struct scene *s = &scene;
+    const struct spheres *p = moving ? motion_contacts(&motion) : NULL;
     const double head[] = {moving ? motion_time(&motion) : 0,
                            moving ? (double)motion.stepping.steps : 0,
                            (double)s->bodies,
@@ -265,6 +265,9 @@ const double *page_look(void)
     }
     seen[24] = (double)observed.columns;
     seen[25] = s->contact && s->law == SCENE_SUDDEN;
+    seen[26] = p ? (double)p->passed : 0;
+    seen[27] = p ? p->through[0] : 0;
+    seen[28] = p ? p->through[1] : 0;
     return seen;
 }
 
@@ -333,7 +336,7 @@ const double *page_array(double which)
    `every` steps: the observables, or all states if none are chosen. The
    head contains the command of step that makes this table, given by the
    script. */
-static bool write_rows(struct table *t, struct motion *m, uint64_t every,
+static void write_rows(struct table *t, struct motion *m, uint64_t every,
                        size_t body[], double row[])
 {
     const size_t n = observed.count > 0 ? 0 : m->scene->bodies;
@@ -345,15 +348,13 @@ static bool write_rows(struct table *t, struct motion *m, uint64_t every,
     table_column(t, "t", "time", "time, in the units of the scene");
     observables_head(&observed, t);
     observables_head_states(t, n, body);
-    while (true) {
+    do {
         row[0] = motion_time(m);
         observables_values(&observed, m, row + 1);
         observables_states(m, n, body, row + 1 + observed.columns);
         table_row(t, columns, row);
-        if (m->stepping.steps + every > last ||
-            motion_run(m, every) != STEPPING_DONE)
-            return true;
-    }
+    } while (m->stepping.steps + every <= last &&
+             motion_run(m, every) == STEPPING_DONE);
 }
 
 static bool write_table(struct table *t, uint64_t every)
@@ -365,9 +366,9 @@ static bool write_table(struct table *t, uint64_t every)
         return false;
     double *row = malloc(room * sizeof *row);
     size_t *body = malloc((s.bodies + 1) * sizeof *body);
-    bool good = row && body && begin_motion(&m, &s);
+    const bool good = row && body && begin_motion(&m, &s);
     if (good) {
-        good = write_rows(t, &m, every, body, row);
+        write_rows(t, &m, every, body, row);
         motion_end(&m);
     }
     free(body);

@@ -77,6 +77,30 @@ TEST(test_no_scene, "what is no scene")
     UNIT_TRUE(!page_observe());
 }
 
+/* Two small bodies that a long step moves through each other, by either law
+   of contact, are counted and named; short steps see their collision. */
+TEST(test_passed, "bodies that pass through each other")
+{
+    static const char *const contacts[] = {"contact",
+                                           "contact\nlinear 1e3"};
+    static const char *const steps[] = {"0.3", "0.003"};
+    for (size_t k = 0; k < 4; ++k) {
+        const bool missed = k / 2 == 0;
+        char text[200];
+        snprintf(text, sizeof text,
+                 "pos 0 0 1 0 1 0 0.1\npos 1 -1 0 0 1 0 0.013\n"
+                 "pos 2 1 0 0 1 0 0.013\nvel 1 1 0 0\nvel 2 -1 0 0\n"
+                 "%s\ndt %s\n",
+                 contacts[k % 2], steps[k / 2]);
+        give(text);
+        UNIT_TRUE(page_begin() && page_look()[26] == 0);
+        page_run(3, 1e6);
+        UNIT_EQUAL(page_look()[26], missed ? 1 : 0);
+        UNIT_EQUAL(page_look()[27], missed ? 1 : 0);
+        UNIT_EQUAL(page_look()[28], missed ? 2 : 0);
+    }
+}
+
 int main(void)
 {
     const int status = unit_run("player");

@@ -16,4 +16,4 @@ holds 'chapters name the figures that are there' cmp "$work/named" "$work/script
 modules=build/browser/node_modules
 holds 'what drives the browser is there' test -d $modules/playwright-core
 NODE_PATH=$PWD/$modules node tests/site/browser/live.js build/site "$work"
-echo 1..69
+echo 1..70

@@ -45,11 +45,11 @@
     return new Float64Array(e.memory.buffer, at, n);
   };
   function look() {
-    const a = c.look(26);
+    const a = c.look(29);
     return { t: a[0], steps: a[1], n: a[2], springs: a[3], stopped: a[4], hits: a[5], line: a[6], dt: a[7],
       gravity: [a[8], a[9], a[10]], damping: a[11], restitution: a[12], k2: a[13], contact: a[14] === 1,
       wall: [a[15], a[16], a[17]], low: [a[18], a[19], a[20]], high: [a[21], a[22], a[23]], columns: a[24],
-      sudden: a[25] === 1 };
+      sudden: a[25] === 1, passed: a[26], through: `bodies ${a[27]} and ${a[28]}` };
   }
   const scenes = list('SCENES'), about = list('ABOUT'), methods = list('METHODS');
   function keysOf(name) {
@@ -497,7 +497,10 @@
     k2.label.hidden = now.n < 2;
     if (document.activeElement !== k2.input) k2.set(now.k2);
     const why = now.stopped === 1 ? ' A coordinate is no longer finite: try a smaller dt.'
-      : now.stopped === 2 ? ' The method found no solution: try a smaller dt.' : '';
+      : now.stopped === 2 ? ' The method found no solution: try a smaller dt.'
+      : now.passed > 0 ? ' Two bodies passed through each other within a step, ' + // as step says it
+        `${now.passed < 1000 ? '' : 'at least '}${now.passed} time${now.passed === 1 ? '' : 's'} (${now.through} for one): ` +
+        'the step took them further than the sum of their radii; try a smaller dt.' : '';
     told.textContent = now.stopped < 0 ? '' : `${now.n} bodies, ${now.springs} springs, ${now.steps} steps` +
       (now.contact ? `, ${now.hits} collisions` : '') + `, ${s.method}.${why}`;
     command.textContent = now.stopped < 0 ? '' : '$ ' + told_command();

@@ -1,4 +1,4 @@
-/* Compiles an exercise, and explains the compiler's messages. */
+/* Compiles exercises and projects, and explains errors and warnings. */
 #include "examiner/build.h"
 #include "examiner/message.h"
 #include "examiner/process.h"
@@ -10,10 +10,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* Returns the text of build/check/flags, which make has written: a line
-   with the compiler's command, then one with the libraries. They are never
-   taken from the environment, because objects cannot be linked if they come
-   from two compilers with different sanitizers. */
+/* Returns the text of build/check/flags, a file that make writes: the
+   compiler's command on the first line, the libraries on the second. The
+   flags never come from the environment, because objects from two compilers
+   with different sanitizers cannot be linked. */
 static char *flags_read(void)
 {
     char *flags = text_read("build/check/flags");
@@ -30,9 +30,8 @@ bool build_sanitized(void)
     return found;
 }
 
-/* Builds the suite of an exercise by make, unless it exists. For the
-   exercises that are named or begun, make check has built it; but during
-   make watch a student may begin another exercise. */
+/* make check has already compiled the tests of exercises that are named or
+   begun. During make watch, however, a student may begin another one. */
 void build_suite(const char *exercise)
 {
     static char script[] = "exec ${MAKE:-make} -s \"$@\" >&2";
@@ -54,23 +53,23 @@ void build_suite(const char *exercise)
                   suite);
 }
 
-/* The script that compiles and links the student's file. The header with
-   the types of the exercise's functions is included first, so that a
-   function with other types is an error in its own line; the linker would
-   not notice, and its results would look like wrong physics. Warnings are
-   errors only with `strict', for the kit's own tests: an unfinished file
-   may have an unused variable and still be worth running. */
+/* The shell script that compiles and links the student's file. It includes
+   a header with the types of the exercise's functions, because the linker
+   does not notice wrong types and the results would look like wrong
+   physics. Only the kit's own tests set `strict', which turns warnings into
+   errors: an unfinished file may have an unused variable and still be worth
+   running. */
 static char function[] =
     "types=build/check/$5.types.h && [ -f $types ] || types=\n"
     "exec $1 $2 ${types:+-include $types} -Isrc -Isrc/examiner "
     "-Wall -Wextra -fmax-errors=20 "
     "-o \"$3/runner\" \"$4\" build/check/$5.suite.o $6";
 static char runner[] = "exec $1 -o \"$3/runner\" build/check/$5.suite.o $6";
-/* The script that builds a project several times: each program has a
-   different function linked in place of the one in the header. Only the
-   first function is right, and only the first program is built with
-   sanitizers and warnings: the others take half the time, and would give
-   the same warnings. */
+/* The shell script that builds a project several times, each time with
+   another version of the function that the project's header declares.
+   Version 0 is right and the others are wrong. Only the first program is
+   built with sanitizers and warnings: the others would give the same
+   warnings, and without sanitizers they compile in half the time. */
 static char program[] =
     "given=build/check/$5.given.o law=1\n"
     "name=$(sed -n 's/^void \\([a-z]*\\)_0(.*/\\1/p' \\\n"
@@ -87,11 +86,12 @@ static char program[] =
     "    law=$((law + 1))\n"
     "done\n";
 
-/* Runs one of the scripts above; returns whether it succeeded. Everything
-   that varies is passed in arguments, as a name inside the script could end
-   a quotation and become a command. Messages are requested in English and
-   without colours, because they are parsed here. A compiler that takes half
-   a minute for an exercise is itself in an endless loop. */
+/* Runs one of the scripts above and returns whether it succeeded. Names are
+   passed to the script as arguments, because a quotation mark in a name
+   could start a command if the name were part of the script. The compiler
+   writes its messages in English and without colours, because this file
+   parses them. A compiler that needs more than 30 s for an exercise is in
+   an endless loop. */
 static bool compile(const char *folder, const char *exercise, char *source,
                     bool strict, char *script)
 {
@@ -141,8 +141,8 @@ static const char *find_line(const char *text, const char *start,
     return NULL;
 }
 
-/* Returns how often a word occurs in a text. " error: ", with its blanks,
-   is not part of any name, note or warning. */
+/* Returns how often word occurs in text. The blanks in " error: " exclude
+   names, notes and warnings. */
 static int count(const char *text, const char *word)
 {
     int found = 0;
@@ -151,11 +151,10 @@ static int count(const char *text, const char *word)
     return found;
 }
 
-/* Returns the line of the first error in the student's file: later errors
-   often follow from it, and a beginner who starts with the last one changes
-   what was right. A missing return is chosen only if there is no other
-   error, since it may follow from the others: the compiler has not read the
-   function to its end. */
+/* Returns the line of the first error in the student's file, because later
+   errors often follow from the first. A missing return is reported only if
+   there is no other error, because the compiler may have stopped before it
+   read the function to its end. */
 static const char *find_error(const char *text, const char *source)
 {
     const char *first = find_line(text, source, "error:");
@@ -165,9 +164,9 @@ static const char *find_error(const char *text, const char *source)
     return line ? line : first;
 }
 
-/* Shows the #include in the student's file after which the compiler found
-   an error in a header. As the system's headers have no errors, the cause
-   is the end of the line above the #include. */
+/* Explains an error that the compiler reports in a header by showing the
+   #include in the student's file. System headers have no errors, so the
+   cause is the end of the line above the #include. */
 static void tell_header(const char *text, const char *source, FILE *story)
 {
     char place[4200];
@@ -184,8 +183,8 @@ static void tell_header(const char *text, const char *source, FILE *story)
     text_field(story, "means", place);
 }
 
-/* Copies to name the text between the first two quotation marks after
-   start. */
+/* Copies the first name in quotation marks after start, on the same line,
+   to name. Sets name to "" if there is none. */
 static void quoted_name(const char *start, char name[64])
 {
     *name = '\0';
@@ -193,10 +192,10 @@ static void quoted_name(const char *start, char name[64])
         *name = '\0';
 }
 
-/* If the error in this line is about the types of a function, copies the
-   function's name and returns true. If the definition is in the old style,
-   with the types behind the parenthesis, only the message above the error
-   contains the name. */
+/* Returns whether the error in this line is about the types of a function,
+   and copies the function's name to name. If the definition is in the old
+   style, with the types after the parenthesis, only the message above the
+   error contains the name. */
 static bool name_function(const char *text, const char *line, char name[64])
 {
     static const char *const words[] = {
@@ -216,8 +215,9 @@ static bool name_function(const char *text, const char *line, char name[64])
     return *name;
 }
 
-/* Returns the declaration of a function as given in the exercise, or NULL.
-   It is in a comment of the header made by tests/types.awk. */
+/* Returns the declaration of the function `name' that the exercise gives,
+   or NULL. tests/types.awk writes the declarations as comments in the
+   header. */
 static char *given_function(char *header, const char *name)
 {
     char call[66];
@@ -235,7 +235,7 @@ static char *given_function(char *header, const char *name)
 }
 
 /* Returns an explanation of an error about the types of a function that the
-   exercise gives, or NULL for any other error. */
+   exercise declares, or NULL for any other error. */
 static const char *name_types(const char *text, const char *line,
                               const char *types)
 {
@@ -269,9 +269,10 @@ void build_tell(const char *text, const char *source, const char *types,
     const char *line = own ? own : find_line(text, "", "error:");
     if (!own && line)
         tell_header(text, source, story);
-    /* The linker has two kinds of errors, each with one cause here. It
-       names each file before its errors, the student's first: so an error
-       before the suite's name is about a call in the student's file. */
+    /* The linker reports two kinds of errors, and each has one cause here.
+       The linker names each file before the errors of that file, and the
+       student's file first. An error before the suite's name is therefore
+       about a call in the student's file. */
     const char *lost = strstr(text, "undefined reference");
     const char *twice = strstr(text, "multiple definition");
     const char *tests = strstr(text, ".suite.o");
@@ -332,10 +333,9 @@ static const char *find_warning(const char *text, const char *source)
     return line ? line : first;
 }
 
-/* Shows one warning about the student's file. This is called only after a
-   test has failed, because a warning often names the cause. The first
-   warning that we can explain is preferred: others, such as one about an
-   unused variable, seldom help a beginner. */
+/* Called only after a test has failed, because a warning often names the
+   cause. Prefers a warning that has an explanation: others, such as a
+   warning about an unused variable, seldom help a beginner. */
 void build_warning(const char *folder, const char *source, FILE *story)
 {
     char *text = read_messages(folder);

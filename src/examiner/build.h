@@ -1,35 +1,37 @@
-/* Builds a runner from a student's file, or explains why it cannot. */
+/* Compiles a student's file and explains the compiler's messages. */
 #ifndef BUILD_H
 #define BUILD_H
 
 #include <stdbool.h>
 #include <stdio.h>
 
-/* Builds the suite of an exercise ("01a") by make, unless it exists. Exits
-   with status 2 if that fails. */
+/* Runs make to compile the tests of `exercise', such as "01a", unless they
+   are compiled already. Exits with status 2 on failure. */
 void build_suite(const char *exercise);
 
-/* Compiles source and links it with the suite of an exercise ("01a") to
-   folder/runner. With strict, warnings are errors. Returns whether it
-   succeeded; if not, writes an explanation for the student to story. Exits
-   with status 2 when the kit itself is not ready. */
+/* Compiles source and links it with the tests of `exercise', such as "01a",
+   to the program folder/runner. If strict is true, warnings are errors.
+   Returns whether that succeeded; on failure, writes an explanation for the
+   student to story. Exits with status 2 if build/check/flags or the
+   compiler's messages cannot be read. */
 bool build_runner(const char *folder, const char *exercise,
                   const char *source, bool strict, FILE *story);
 
-/* Explains to the student, in story, the compiler's messages in text, where
-   `source` is the name of the student's file. The file `types` contains the
-   functions of the exercise with their types; it need not exist. */
+/* Writes an explanation of the compiler's messages in text to story.
+   `source` is the name of the student's file. The header file `types`
+   declares the functions of the exercise and may be absent. */
 void build_tell(const char *text, const char *source, const char *types,
                 FILE *story);
 
-/* Writes to story one warning about source from the last build in `folder`:
-   the first that we can explain or, if there is none, the first. */
+/* Writes one warning about source from the last build in `folder` to story:
+   the first warning that has an explanation or, if none has, the first. */
 void build_warning(const char *folder, const char *source, FILE *story);
 
 /* Returns whether the last build in `folder` found an error in source. */
 bool build_blames(const char *folder, const char *source);
 
-/* Returns whether build/check/flags turns the address sanitizer on. */
+/* Returns whether the compiler's command in build/check/flags turns on the
+   address sanitizer. */
 bool build_sanitized(void);
 
 #endif

@@ -9,9 +9,9 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Returns whether an #include names a header of the system or one that the
-   kit gives to students. Like the compiler, it looks among the kit's own
-   headers first if the name is in angle brackets. */
+/* Returns whether an #include names a system header or a header that the
+   kit gives to students. Like the compiler, looks for a name in angle
+   brackets among the kit's own headers first. */
 static bool harmless(const char *what)
 {
     char name[64], path[128];
@@ -28,8 +28,8 @@ static bool harmless(const char *what)
     return access(path, F_OK) != 0;
 }
 
-/* Returns whether a file includes no other file of the student. Otherwise
-   the verdict would depend on that file as well, which is not read here. */
+/* Returns whether a file includes no other file of the student. If it did,
+   the verdict would depend on a file that is not read here. */
 static bool stands_alone(const char *path)
 {
     char *text = text_read(path);
@@ -48,9 +48,9 @@ static bool stands_alone(const char *path)
 
 /* Returns a checksum of everything that all verdicts depend on: the
    examiner, the library, the compiler's command, the table of equations,
-   and headers of the student's, which the compiler would find before ours.
-   The compiler's version and the system's headers are not included: after
-   an upgrade use make clean. */
+   and headers in exercises/, which the compiler would find before the
+   kit's. The checksum does not cover the compiler's version and the system
+   headers: run make clean after an upgrade. */
 static uint64_t sum_common(void)
 {
     static const char *const files[] = {
@@ -66,10 +66,10 @@ static uint64_t sum_common(void)
     return sum;
 }
 
-/* Returns the key of a verdict, never 0 if it can be stored. The times of
-   files would not be reliable: a file restored from an archive is older
-   than the verdict on its predecessor. For the whole course some megabytes
-   are read, in some milliseconds. */
+/* Never returns 0 for a verdict that can be stored. File times are not part
+   of the key: a file restored from an archive is older than the verdict on
+   the file it replaces. A whole course has a few megabytes, which takes a
+   few milliseconds to read. */
 uint64_t cache_key(const struct exercise *e, bool strict, int seconds)
 {
     char path[64];
@@ -89,7 +89,8 @@ uint64_t cache_key(const struct exercise *e, bool strict, int seconds)
 
 enum { CACHE_SIZE = 1 << 16 };
 
-/* Reads a stored verdict unchanged; text_read would escape some bytes. */
+/* Reads a stored verdict byte for byte; text_read would escape some
+   bytes. */
 static bool load(const char *name, char text[CACHE_SIZE])
 {
     char path[64];
@@ -102,8 +103,7 @@ static bool load(const char *name, char text[CACHE_SIZE])
     return true;
 }
 
-/* Reads the stored verdict with this key. A damaged or incomplete file is
-   ignored, since its checksum is wrong. */
+/* Ignores a damaged or incomplete file, because its checksum is wrong. */
 bool cache_load(struct exercise *e, uint64_t key)
 {
     static char text[CACHE_SIZE];
@@ -124,9 +124,8 @@ bool cache_load(struct exercise *e, uint64_t key)
     return e->story != NULL;
 }
 
-/* Writes the verdict on an exercise. Its checksum includes the key, so that
-   a verdict copied to another key is recognized. A story of more than 64
-   KiB is not stored. */
+/* The stored checksum includes the key, to detect a verdict that was copied
+   to another key. A verdict of more than 64 KiB is not stored. */
 void cache_save(const struct exercise *e, uint64_t key)
 {
     static char text[CACHE_SIZE], body[CACHE_SIZE - 64];

@@ -1,4 +1,4 @@
-/* Stores verdicts, which are valid until an input of theirs changes. */
+/* Stores the verdict on each exercise until one of its inputs changes. */
 #ifndef CACHE_H
 #define CACHE_H
 
@@ -6,16 +6,17 @@
 
 #include <stdint.h>
 
-/* Returns a checksum of everything that a verdict on the student's file
-   depends on. Returns 0 if the file includes other files of the student,
-   which are not read: then the verdict cannot be stored. */
+/* Returns a checksum of everything that the verdict on e->file depends on.
+   Returns 0 if e->file includes other files of the student: the checksum
+   does not cover them, so the verdict cannot be stored. */
 uint64_t cache_key(const struct exercise *e, bool strict, int seconds);
 
-/* Fills in the state of an exercise from its stored verdict. Returns
-   false, with nothing changed, if there is none with this key. */
+/* Fills in the state of e from its stored verdict. Returns false and leaves
+   e unchanged if no verdict with this key is stored. */
 bool cache_load(struct exercise *e, uint64_t key);
 
-/* Stores the state of an exercise. If that fails, only time is lost. */
+/* Stores the state of e under this key. Ignores failures, which only cost
+   time. */
 void cache_save(const struct exercise *e, uint64_t key);
 
 #endif

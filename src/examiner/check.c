@@ -1,4 +1,4 @@
-/* The runner's own code: runs one test and reports it line by line. */
+/* The main program of a runner: runs one test and reports the result. */
 #include "examiner/check.h"
 #include "examiner/exercise.h"
 #include "examiner/report.h"
@@ -20,9 +20,9 @@
 #include <sys/syscall.h>
 #endif
 
-/* Returns a text in one of 32 buffers, which are used in turn: the header
-   promises 20, and the others are for this file. Suites call this function
-   in initializers, where allocated memory could not be freed. */
+/* Uses 32 buffers in turn: the header promises 20, and the others are for
+   this file. Suites call this function in initializers, where allocated
+   memory could not be freed. */
 const char *check_text(const char *format, ...)
 {
     static char texts[32][512];
@@ -38,12 +38,12 @@ const char *check_text(const char *format, ...)
 static pid_t report_owner;
 static char report_nonce[REPORT_NONCE + 1];
 
-/* Writes one line of the report in a single write, so that the line is
-   whole or absent when the process dies. It begins with a line end in case
-   the program has left half a line. Only the process that opened the report
-   writes: a copy that the student made with fork must not report. If the
-   descriptor was closed the process ends with a status that is not 0, which
-   the examiner sees. The buffer has room for every text of check_text. */
+/* Writes one line of the report. A single write makes the line whole or
+   absent when the process dies. The line begins with a newline, in case the
+   program has left half a line. Only the process that opened the report
+   writes: a copy that the student's code made with fork must not report. If
+   the descriptor is closed, the process ends with a nonzero status, which
+   the examiner sees. A line has room for every text of check_text. */
 static void report(const char *word, const char *text)
 {
     char line[REPORT_LINE];
@@ -55,9 +55,9 @@ static void report(const char *word, const char *text)
         _exit(EXIT_FAILURE);
 }
 
-/* Reads the nonce, the random word that signs the lines, from the report
-   and empties the file; returns whether that worked. The descriptor closes
-   on exec, so that no program that the student starts inherits it. */
+/* Reads the nonce, a random word that marks genuine lines, from the report
+   and empties the file. Returns whether that worked. FD_CLOEXEC hides the
+   descriptor from programs that the student's code starts. */
 static bool report_open(void)
 {
     report_owner = getpid();
@@ -67,17 +67,16 @@ static bool report_open(void)
            fcntl(REPORT_FILE, F_SETFD, FD_CLOEXEC) == 0;
 }
 
-/* Reports that a gap in the student's code was reached, and ends the
-   process. So NOT_DONE_YET never returns a value, and a loop that waits for
-   one ends. */
+/* Reports that the student's code reached a gap, and ends the process. If
+   NOT_DONE_YET returned its value instead, a loop might wait for another
+   value for ever. */
 void exercise_not_done(const char *file, int line)
 {
     report(REPORT_UNDONE, check_text("%s:%d", file, line));
     _exit(EXIT_SUCCESS);
 }
 
-/* Reports one line about a failure, a label and a text, unless the text is
-   empty. */
+/* Reports a label and a text on one line, unless the text is empty. */
 static void say(const char *label, const char *text)
 {
     if (text && *text)
@@ -89,8 +88,8 @@ void check_tell(const char *label, const char *text)
     say(label, text);
 }
 
-/* Writes a number with this many digits. A NaN is written without its sign,
-   which means nothing and differs between compilers. */
+/* Writes x with this many significant digits. A NaN is written without its
+   sign, which means nothing and differs between compilers. */
 static void number_text(char *text, size_t room, int digits, double x)
 {
     if (isnan(x))
@@ -99,9 +98,9 @@ static void number_text(char *text, size_t room, int digits, double x)
         snprintf(text, room, "%.*g", digits, x);
 }
 
-/* Writes two numbers with ten digits. If they would look equal, it writes
-   17 digits, which distinguish any two doubles: "expected 1, got 1" would
-   be no explanation. */
+/* Writes x and y with ten digits. If they look equal, writes them with 17,
+   which distinguish any two doubles: "expected 1, got 1" would explain
+   nothing. */
 static void number_pair(char *one, char *other, size_t room, double x,
                         double y)
 {
@@ -113,16 +112,17 @@ static void number_pair(char *one, char *other, size_t room, double x,
     }
 }
 
-/* Returns whether two numbers agree. A NaN agrees with nothing, since
-   comparing it gives false; !(fabs(got - expected) > tolerance) would
-   accept it. Equal infinities need the first comparison, because their
+/* Returns whether two numbers agree. A NaN agrees with nothing, because
+   every comparison with a NaN is false; !(fabs(got - expected) > tolerance)
+   would accept a NaN. The first comparison is for equal infinities, whose
    difference is a NaN. */
 static bool near(double got, double expected, double tolerance)
 {
     return got == expected || fabs(got - expected) <= tolerance;
 }
 
-/* Returns whether x is the NaN `mark`, in all bits but the sign. */
+/* Returns whether x and the NaN `mark' have the same bits, apart from the
+   sign. */
 static bool is_mark(double x, double mark)
 {
     x = copysign(x, 1.0);
@@ -134,12 +134,13 @@ static bool is_empty(double got)
     return is_mark(got, CHECK_EMPTY);
 }
 
-/* Returns whether an answer has the value of this mistake, within the
-   tolerance plus 1e-9 of the value, since suite and student compute it in
-   two ways. A mistake whose value is the expected one (a radius of 1 equals
-   its square) does no harm and explains nothing. Nor does a value that is a
-   NaN other than CHECK_NAN or CHECK_EMPTY, or every NaN would be taken for
-   this mistake. */
+/* Returns whether got has the value of this mistake. The comparison adds
+   1e-9 of the value to the tolerance, because the suite and the student
+   compute the value in different ways. A mistake with the expected value
+   does no harm and explains nothing: a radius of 1, for example, equals its
+   square. A NaN is explained only by the value CHECK_EMPTY or CHECK_NAN.
+   Otherwise every mistake with a NaN as its value would explain every
+   NaN. */
 static bool explains(const struct check_mistake *mistake, double got,
                      const struct check *c)
 {
@@ -151,10 +152,10 @@ static bool explains(const struct check_mistake *mistake, double got,
     return near(got, value, slack) && !near(value, c->expected, slack);
 }
 
-/* Returns the mistake that explains an answer, or NULL. If two mistakes
-   have the same value for an input, neither is returned, because the hint
-   of the likelier one would mislead everybody who made the other. Suites
-   should choose inputs for which mistakes have different values. */
+/* Returns the mistake that explains got, or NULL. If two mistakes have the
+   same value, returns neither, because the hint for the likelier mistake
+   would mislead everybody who made the other. Suites should choose inputs
+   that give all mistakes different values. */
 static const struct check_mistake *mistake_behind(double got,
                                                   const struct check *c)
 {
@@ -170,8 +171,9 @@ static const struct check_mistake *mistake_behind(double got,
     return found;
 }
 
-/* Returns the question for an answer that is a NaN, instead of one about
-   physics: a NaN has many causes, and the input does not tell which. */
+/* Returns the question for an answer that is a NaN. It replaces the suite's
+   question about physics, because a NaN has many causes and the input does
+   not tell them apart. */
 static const char *ask_of_nan(double got)
 {
     return is_empty(got)
@@ -184,10 +186,8 @@ static const char *ask_of_nan(double got)
                  "value yet?";
 }
 
-/* Reports a failed check: the quantity, the input, the expected value, the
-   answer, the tolerance, and last a hint, if the answer is a known mistake,
-   or else a question. The question is left out beside a hint, since it
-   would lead away from the mistake. */
+/* Reports a failed check. If the answer is a known mistake, prints the hint
+   instead of the question, which would lead away from the mistake. */
 static void say_failure(double got, const struct check *c)
 {
     char wanted[64], found[64];
@@ -210,10 +210,10 @@ static void say_failure(double got, const struct check *c)
                                                           : c->question);
 }
 
-/* Compares, tells CUnit, and reports only the first failure of a test: a
-   loop over a thousand inputs that fails at each would otherwise report the
-   same failure a thousand times. CUnit counts passed comparisons as well,
-   so that a test without any does not pass. */
+/* Reports only the first failure of a test: a loop over a thousand inputs
+   could otherwise report the same failure a thousand times. CUnit also
+   counts passed comparisons, because a test without comparisons must not
+   pass. */
 bool check_near(const char *file, int line, double got, struct check c)
 {
     const bool passed = near(got, c.expected, c.tolerance);
@@ -224,9 +224,9 @@ bool check_near(const char *file, int line, double got, struct check c)
     return passed;
 }
 
-/* Reports that a function wrote outside of an output. The name comes from
-   the program in the sandbox and may contain any bytes, so it is cut at the
-   first character that cannot be part of a name. */
+/* Reports that a function wrote outside an output. The name of the output
+   comes from the program in the sandbox and may contain any bytes. It is
+   cut at the first character that cannot be part of a name. */
 static void say_overrun(const struct check_overrun *o)
 {
     static const char low[] = "Does your function use an index below 0?";
@@ -273,15 +273,15 @@ void check_demand(const char *what, double asked, double most)
 
 static struct random inputs;
 
-/* Seeds the inputs of a test with the test's number, so that they do not
-   depend on which tests ran before. The odd factor with many bits prevents
+/* Makes the inputs of a test depend on the seed and the test's number, but
+   not on which tests ran before. The odd factor with many bits keeps
    neighbouring seeds and tests from sharing a sequence. */
 static void seed_inputs(uint64_t seed, int number)
 {
     random_seed(&inputs, seed + (uint64_t)number * 0x9e3779b97f4a7c15u);
 }
 
-/* Shuffles with a seed from the report's nonce, which is new in each
+/* Computes its own seed from the report's nonce, which is new in each
    run. */
 void check_shuffle(int order[], int count)
 {
@@ -299,9 +299,8 @@ void check_shuffle(int order[], int count)
     }
 }
 
-/* Draws a number with four significant digits: printf rounds it to them,
-   and strtod returns the nearest double, as the compiler does for a number
-   in a source file. */
+/* printf rounds the number to four digits. strtod then returns the nearest
+   double, as the compiler does for a number in a source file. */
 double check_draw(double low, double high)
 {
     char text[32];
@@ -324,10 +323,10 @@ static bool is_idle(const struct check_test *t)
     return false;
 }
 
-/* Prints the suite's file, title and minutes, then a line for each test:
-   its points, its points under another seed, 1 if it is idle, its name.
-   make reads this from a runner linked with the stub, since a student's
-   code could change it. */
+/* Prints the suite's file, title and minutes. Then prints a line for each
+   test: its points, its points with another seed, whether it is idle (0 or
+   1), and its name. Only programs without a student's code are run for this
+   list, because that code could change it. */
 static int list_suite(void)
 {
     printf("file %s\ntitle %s\nminutes %d\n", check_suite.file,
@@ -345,9 +344,9 @@ int __lsan_do_recoverable_leak_check(void) __attribute__((weak));
 #endif
 static bool leaks_wanted = true;
 
-/* Lets the sanitizer print which memory was leaked. This happens in a child
-   process, since a sanitizer that may not trace ends the program, and after
-   the verdict, since a leak costs no point. */
+/* Lets the sanitizer print which memory was leaked. A child process does
+   this, because a sanitizer that may not trace ends its process. A leak
+   costs no points, so this happens after the verdict. */
 static void look_for_leaks(void)
 {
 #ifdef __linux__
@@ -362,9 +361,9 @@ static void look_for_leaks(void)
 #endif
 }
 
-/* Returns whether the test has passed. A test without a check fails: its
-   suite has a mistake, such as a loop over an empty range, and everybody
-   would pass. */
+/* Returns whether the test has passed. A test without a check fails:
+   everybody would pass it because of a mistake in the suite, such as a loop
+   over an empty range. */
 static bool has_passed(void)
 {
     const bool checked = CU_get_number_of_asserts() > 0;
@@ -374,11 +373,11 @@ static bool has_passed(void)
     return checked && CU_get_number_of_failures() == 0;
 }
 
-/* Runs one test with CUnit, which counts checks, and reports the verdict in
-   the last line. CUnit neither survives a crash nor notices that a student
-   called exit(0), so each process runs one test. Buffered output is written
-   before the verdict: if it exceeds the limit on files and kills the
-   program, there is no verdict. */
+/* Runs one test with CUnit, which counts the checks, and reports the
+   verdict in the last line. Each process runs only one test, because CUnit
+   does not survive a crash and does not notice that a student called
+   exit(0). Buffered output is written before the verdict. If that output
+   exceeds the file size limit, the program is killed and has no verdict. */
 static int run_test(const struct check_test *t)
 {
     CU_pSuite suite = NULL;
@@ -400,12 +399,13 @@ static int run_test(const struct check_test *t)
 
 #ifdef __linux__
 /* Gives up the rights that a judge does not need, and changes to this user.
-   The pointer is NULL in a runner at home: only the grader links the
-   function. */
+   Only the grader links this function; in other programs the pointer is
+   NULL. */
 void judge_confine(long user) __attribute__((weak));
 #endif
 
-/* Returns a test by its number, from 1; hidden tests come last. */
+/* Returns the test with this number, or NULL. Numbers start at 1; the
+   hidden tests follow the tests of the suite. */
 static const struct check_test *find_test(int number)
 {
     const struct check_test *lists[] = {check_suite.tests, check_hidden};
@@ -420,12 +420,12 @@ static const struct check_test *find_test(int number)
 long syscall(long number, ...);
 #endif
 
-/* Waits for orders. For each order it copies this process, and in the copy
-   returns to run one test. A runner with sanitizers takes as long to start
-   as ten tests to run, so it starts only once; when it is copied it has not
-   run any of the student's code. CLONE_PARENT makes the copy a child of the
-   examiner, which can then wait for it and get its status from the kernel;
-   the C library has no function for that. */
+/* Waits for orders and forks for each one. Returns the order in the child,
+   which then runs one test. A runner with sanitizers takes as long to start
+   as ten tests take to run, so it starts only once. It forks before it has
+   run any of the student's code. CLONE_PARENT makes the examiner the parent
+   of the child, so the examiner can wait for the child and get its status
+   from the kernel. The C library has no function for that. */
 static struct report_order next_order(void)
 {
 #ifdef __linux__
@@ -447,10 +447,11 @@ static struct report_order next_order(void)
 
 /* Lists the suite or runs one test. Output is flushed at each line end,
    because the last lines before a crash matter most to a student. The
-   process ends with _exit, since a handler that the student's code has
-   registered and that calls exit(1) could turn a passed test into a crash.
-   To start a runner by hand, in a debugger, use: `printf %032d 0 >report;
-   build/check/01a.stub 1 3<>report; cat report`. */
+   process ends with _exit, which skips handlers: a handler that the
+   student's code registered could call exit(1) and turn a passed test into
+   a crash. To start a runner by hand, for example in a debugger, use:
+   `printf %032d 0 >report; build/check/01a.stub 1 3<>report; cat
+   report`. */
 int main(int argc, char **argv)
 {
     if (argc == 2 && strcmp(argv[1], "--list") == 0)

@@ -4,7 +4,7 @@
 exercises := $(patsubst tests/exercises/%/suite.c,%,\
 	$(wildcard tests/exercises/[0-9][0-9][a-z]/suite.c \
 	tests/exercises/P[0-9]/suite.c))
-# Projects are exercises that are whole programs. YEAR=2027 changes the numbers in them.
+# Projects are exercises that are whole programs. YEAR=2027 changes the numbers in projects.
 projects := $(filter P%,$(exercises))
 year = $(if $(filter P%,$*),$(YEAR:%=-DPROJECT_YEAR=%))
 build/made/check/year: FORCE
@@ -12,9 +12,9 @@ build/made/check/year: FORCE
 	@echo '$(YEAR)' | cmp -s - $@ || echo '$(YEAR)' >$@
 
 # The commands that compile exercises. examine reads build/check/flags: the compiler with
-# its flags on the first line, the libraries on the second. _XOPEN_SOURCE gives students
-# M_PI, which the kit itself does without. Some warnings are made errors, so that a
-# function without its return, say, does not compile, whatever the compiler.
+# its flags on the first line, the libraries on the second. _XOPEN_SOURCE defines M_PI for
+# students; the kit itself does not use M_PI. The warnings in `errors' are errors with every
+# compiler: a function without its return, for example, does not compile.
 check_base = $(CC) -std=c11 -D_XOPEN_SOURCE=700 -ffp-contract=off -g -O1 \
 	$(errors:%=-Werror=%) $(CPPFLAGS)
 errors = return-type implicit-function-declaration int-conversion
@@ -26,10 +26,10 @@ lists := $(exercises:%=build/check/%.list)
 CHECK_BUILT = $(runner) $(exercises:%=build/check/%.suite.o) $(lists) \
 	$(projects:%=build/check/%.given.o)
 
-# The exercises to be checked are those in EX (01a,02b or '01a 02b'), or else those that
-# have been begun, that is, whose file differs from the stub. Only their suites are
-# built. If a student begins another exercise while make watch is running, examine calls
-# make to build its suite.
+# make check checks the exercises in EX (01a,02b or '01a 02b'). Without EX it checks all
+# exercises whose file differs from the stub. Only their suites are built. If a student
+# begins another exercise while make watch is running, examine calls make to build the
+# suite of that exercise.
 comma = ,
 named := $(subst $(comma), ,$(EX))
 asked_for = $(filter $(named:=%),$(exercises))
@@ -55,7 +55,7 @@ check: build/check/examine $(lists)
 watch hint progress reset solution: build/check/examine $(lists)
 	@$(split) build/check/examine --$@ $$EX
 
-# Finds out whether the compiler has sanitizers, and stops where CUnit is missing.
+# Finds out whether the compiler has sanitizers, and stops if CUnit is missing.
 build/made/check/flags: build/made/check/compiler build/compiler/key
 	$(begin)
 	@echo '#include <CUnit/CUnit.h>' >build/check/probe.c
@@ -101,14 +101,13 @@ kept += build/check/flags build/check/libcheck.a build/check/examine \
 	src/toolbox/*.c)) $(exercises:%=build/check/%.suite.o) \
 	$(projects:%=build/check/%.given.o)
 
-# The suite of an exercise and both sides of its remote calls, in one object. remote.c,
-# which tests/remote.awk makes if the exercise has a call.h, is compiled twice: for the
-# suite and, with -DREMOTE_SERVER, for the student's function (src/examiner/remote.h).
-# Both define functions of the same names, so those of the suite are renamed suite_NAME.
-# The students' copy has calls.c instead, which is remote.c without comments. Nothing
-# here is optimized: the compiler then takes a third of the time, and checks take 5 %
-# longer. (The grader's judge is optimized, for the warnings that only an optimizer can
-# give.)
+# The suite of an exercise and both sides of its remote calls, in one object. If the
+# exercise has a call.h, tests/remote.awk makes remote.c. remote.c is compiled twice: for
+# the suite and, with -DREMOTE_SERVER, for the student's function (src/examiner/remote.h).
+# Both objects define functions with the same names, so the suite's functions are renamed
+# suite_NAME. The students' copy of the kit has calls.c instead, which is remote.c without
+# comments. Nothing here is optimized: compiling then takes a third of the time, and checks
+# take 5 % longer. The grader's judge is optimized, because some warnings need an optimizer.
 remote_file = $(or $(wildcard $(addprefix tests/exercises/$(1)/,remote.c calls.c)),\
 	$(patsubst tests/exercises/%/call.h,build/check/remote/%/remote.c,\
 	$(wildcard tests/exercises/$(1)/call.h)))
@@ -133,8 +132,8 @@ build/made/check/%.suite.o: tests/exercises/%/suite.c build/check/flags
 	$(take_compiled)
 $(foreach e,$(exercises),$(eval build/made/check/$(e).suite.o: $(call remote_file,$(e))))
 # Right and wrong versions of the function that the header of a project declares. The
-# student's program is linked with one of them at a time. They have no sanitizers, so
-# that they can be linked with a program that has them and with one that does not.
+# student's program is linked with one version at a time. The versions are built without
+# sanitizers and can be linked with programs that are built with or without sanitizers.
 build/made/check/%.given.o: $(addprefix tests/exercises/%/,suite.c) \
 		build/check/flags
 	$(begin)
@@ -145,9 +144,9 @@ $(projects:%=build/made/check/%.suite.o): build/made/check/year
 $(foreach e,$(projects),$(eval build/made/check/$(e).given.o: \
 	$(wildcard $(addprefix tests/exercises/$(e)/,remote.c calls.c))))
 
-# Two files for each exercise, made for all of them by two runs of awk: the title, points
-# and tests of its suite (NAME.list), and the types of the functions that its stub
-# declares (NAME.types.h, see tests/types.awk).
+# Two runs of awk make two files for each exercise: NAME.list has the title, points and
+# tests of the suite. NAME.types.h has the types of the functions that the stub declares
+# (see tests/types.awk).
 stubs := $(patsubst %,tests/exercises/%/stub.c,$(filter-out P%,$(exercises)))
 types := $(patsubst %,build/check/%.types.h,$(filter-out P%,$(exercises)))
 build/made/check/lists: tests/lists.awk tests/types.awk $(stubs) \

@@ -1,13 +1,13 @@
-/* The elastic collision of two beads, for programs of students. */
+/* The elastic collision of two beads, for students' programs. */
 #ifndef EXAMINER_COLLIDE_H
 #define EXAMINER_COLLIDE_H
 
 #ifdef EXAMINER_GIVES
 void collide(double m1, double m2, double *v1, double *v2);
 #else
-/* Changes the velocities [m/s] of two bodies with the masses m1 and m2 [kg]
-   as an elastic collision does: reversed in the frame of the centre of mass
-   (1.4, eq:reverse). */
+/* Changes the velocities *v1 and *v2 [m/s] of two bodies with the masses m1
+   and m2 [kg] as an elastic collision does: in the frame of the centre of
+   mass both velocities are reversed (1.4, eq:reverse). */
 static inline void collide(double m1, double m2, double *v1, double *v2)
 {
     const double before = *v1 - *v2;

@@ -8,9 +8,10 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Finds the plain file whose name fits a pattern. If two fit (one may be a
-   copy), asks the student to move one. Refuses other kinds of files:
-   opening a named pipe would wait for its writer. */
+/* Sets path to the file that matches the pattern `where' with `name' for
+   %s, or to "". If two files match (one may be a copy), asks the student to
+   move one. Refuses files that are not plain: opening a named pipe would
+   wait for its writer. */
 static void find_one(const char *where, const char *name,
                      char path[COURSE_PATH])
 {
@@ -30,8 +31,8 @@ static void find_one(const char *where, const char *name,
     globfree(&found);
 }
 
-/* Finds the student's file. If it is missing, looks for a similar name,
-   because 01a_collide.c is a likely slip. */
+/* If the file is missing, looks for a similar name: 01a_collide.c is a
+   likely slip. */
 void course_find_file(struct exercise *e)
 {
     find_one("exercises/%s-*.c", e->name, e->file);
@@ -50,8 +51,8 @@ static void learn_test(struct exercise *e, const char *text)
     e->tests[e->count++] = name + strspn(name, " ");
 }
 
-/* Finds the stub of an exercise, which shows whether it is begun, and the
-   solution, which may be absent. */
+/* Finds the files of an exercise. The stub must exist, because comparing
+   the student's file with the stub shows whether the exercise is begun. */
 static void find_files(struct exercise *e)
 {
     find_one("tests/exercises/%s/stub.c", e->name, e->stub);
@@ -62,12 +63,13 @@ static void find_files(struct exercise *e)
     course_find_file(e);
 }
 
-/* Reads title, tests and minutes of an exercise from build/check/NAME.list;
-   the strings point into its text. The file's usual name is read there as
-   well, because the student may have deleted the file. tests/lists.awk
-   makes the lists from the source of the suites, and a test compares them
-   with what runners print: to build forty runners only for their lists took
-   half a minute. */
+/* Reads the title, tests and minutes of an exercise from
+   build/check/NAME.list. The strings point into the text of that file. The
+   list also has the usual name of the student's file, because the student
+   may have deleted the file. tests/lists.awk makes the lists from the
+   source of the suites, because building forty runners only for their lists
+   took half a minute. A test compares the lists with the output of the
+   runners. */
 static bool read_about(struct exercise *e, const char *name)
 {
     char path[64];
@@ -95,8 +97,8 @@ static bool read_about(struct exercise *e, const char *name)
     return true;
 }
 
-/* Finds all exercises: the folders of tests/exercises for which there is a
-   list in build/check. */
+/* Exercises are the folders of tests/exercises for which there is a list in
+   build/check. */
 struct course course_learn(void)
 {
     struct course course = {NULL, 0};
@@ -115,8 +117,6 @@ struct course course_learn(void)
     return course;
 }
 
-/* Marks an exercise, or all of a chapter, as chosen. For an unknown name,
-   most often a slip of one letter, it prints a list of all names. */
 struct exercise *course_choose(struct course *course, const char *name)
 {
     struct exercise *first = NULL;
@@ -135,9 +135,9 @@ struct exercise *course_choose(struct course *course, const char *name)
     exit(2);
 }
 
-/* Compares the file with its stub. Times of files would not do: git clone
-   gives all files the same time. Nor would a gap, since a stub may be a
-   whole program with a mistake in it. */
+/* Compares the file with its stub. File times cannot replace this: git
+   clone gives all files the same time. Nor can a search for NOT_DONE_YET: a
+   stub may be a whole program with a mistake in it. */
 bool course_touched(const struct exercise *e)
 {
     return *e->file && sum_file(0, e->file) != sum_file(0, e->stub);

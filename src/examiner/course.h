@@ -1,4 +1,4 @@
-/* The exercises of a course, and the student's files for them. */
+/* The exercises of a course and the student's files for them. */
 #ifndef COURSE_H
 #define COURSE_H
 
@@ -10,7 +10,7 @@
 
 enum { COURSE_PATH = 1024 };
 
-/* An exercise and its state. */
+/* An exercise, its files and its verdict. */
 struct exercise {
     char name[4];      /* "01a" */
     const char *usual; /* usual name of its file, "01a-collide.c" */
@@ -19,11 +19,11 @@ struct exercise {
     int worth[CHECK_TESTS]; /* points of each test */
     bool idle[CHECK_TESTS]; /* whether an empty function passes it */
     int count, minutes, points;
-    char file[COURSE_PATH];     /* the student's file; "": missing */
-    char stub[COURSE_PATH];     /* the file as the book gives it */
-    char stray[COURSE_PATH];    /* perhaps the student's, misnamed */
+    char file[COURSE_PATH];     /* the student's file; "": none */
+    char stub[COURSE_PATH];     /* the original file of the kit */
+    char stray[COURSE_PATH];    /* a file with a similar name; "": none */
     char solution[COURSE_PATH]; /* worked solution; "": none */
-    bool chosen;                /* to be judged: named, or none is named */
+    bool chosen;                /* to be judged */
     bool judged;                /* the fields below are set */
     enum state state;
     int earned;  /* points earned */
@@ -37,15 +37,17 @@ struct course {
     size_t count;
 };
 
-/* Finds the exercises; exits with 2 when the kit is not built or a file is
-   where it must not be. */
+/* Finds the exercises. Exits with status 2 if the kit is not built, or if
+   the file of an exercise is missing, ambiguous or not a plain file. */
 struct course course_learn(void);
 
-/* Chooses the exercises of a name: "01a", or "01" for a chapter. Returns
-   the first. For another name prints the known ones and exits with 2. */
+/* Marks the exercises with this name as chosen: one exercise ("01a") or all
+   of a chapter ("01"). Returns the first. If no exercise has this name,
+   prints the known names and exits with status 2. */
 struct exercise *course_choose(struct course *course, const char *name);
 
-/* Sets e->file to the student's file, if there is one now. */
+/* Sets e->file to the path of the student's file or, if there is none, sets
+   e->file to "" and e->stray to a file with a similar name. */
 void course_find_file(struct exercise *e);
 
 /* Returns whether the student's file exists and differs from its stub. */

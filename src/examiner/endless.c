@@ -3,11 +3,11 @@
 #include "examiner/endless.h"
 #include "examiner/report.h"
 
-static volatile unsigned long left;
+static volatile unsigned long inputs_read;
 
 void endless_forget(void)
 {
-    ++left;
+    ++inputs_read;
 }
 
 #if defined __linux__ && defined __x86_64__
@@ -31,8 +31,8 @@ enum {
     MEMORY_MOST = 1 << 23 /* bytes; larger states are not checked */
 };
 
-/* The memory that the checks themselves write to, in one piece, so that it
-   can be left out of the state. */
+/* All memory that the checks themselves write to. It is one struct, which
+   the checksum leaves out. */
 static struct {
     unsigned char stack[1 << 16];
     char maps[1 << 14];
@@ -75,10 +75,10 @@ static void add_range(uintptr_t start, uintptr_t end)
         add((const void *)start, end - start);
 }
 
-/* Adds the memory of one line of /proc/self/maps to the checksum, except
-   this module's own data, which may be part of it. Returns false for memory
-   that is shared with other processes and can change by itself: then this
-   process is not checked any more. */
+/* Adds the writable memory in one line of /proc/self/maps to the checksum,
+   except `scratch'. Returns false if the memory cannot be read, exceeds
+   MEMORY_MOST, or is shared with other processes and can change by itself.
+   The process is then never checked again. */
 static bool add_piece(const char *line)
 {
     const uintptr_t from = (uintptr_t)&scratch, to = from + sizeof scratch;
@@ -116,10 +116,10 @@ static bool add_memory(void)
     return whole;
 }
 
-/* Adds the registers to the checksum. The kernel has put 23 words on the
-   stack and the address of the floating-point registers: 464 bytes and, on
-   processors with longer registers, a list of the kinds in use, then the
-   rest. */
+/* Adds the registers to the checksum. context->uc_mcontext has 23 words and
+   the address of the floating-point registers, which take 464 bytes. On
+   processors with longer registers, a list of the kinds in use follows at
+   LIST, and the rest of the registers at NEW. */
 static void add_registers(const ucontext_t *context)
 {
     enum { WORDS = 23, OLD = 464, LIST = 512, NEW = 576 };
@@ -150,10 +150,10 @@ static long milliseconds_of(struct timeval t)
     return 1000 * (long)t.tv_sec + (long)t.tv_usec / 1000;
 }
 
-/* Returns whether the state of the process alone decides what it does next:
-   it has no threads to wait for, and less than a fifth of its time is spent
-   in the kernel (more would mean a loop that asks the system until the
-   answer changes). */
+/* Returns whether the state of the process alone decides what it does next.
+   It must have no other threads to wait for, and must have spent less than
+   a fifth of its time in the kernel: a larger share suggests a loop that
+   asks the system until the answer changes. */
 static bool is_alone(void)
 {
     enum { ONE_THREAD = 3 }; /* links of a folder with one folder in it */
@@ -167,8 +167,9 @@ static bool is_alone(void)
 }
 
 /* Replaces the library's time(), which makes no system call and returns the
-   same number for a whole second, so that a loop that waits for the next
-   second would look endless. Here each call counts as new input. */
+   same number for a whole second. With the library's time(), a loop that
+   waits for the next second would look endless. This function counts each
+   call as new input. */
 time_t time(time_t *when)
 {
     struct timespec now = {0, 0};
@@ -180,9 +181,9 @@ time_t time(time_t *when)
 }
 
 /* Handles the timer's signal: stores the checksum of the state, and ends
-   the process if an earlier state had this checksum. The number of inputs,
-   such as answers of the judge, is part of the state, since new input
-   changes what follows. */
+   the process if an earlier state had the same checksum. The memory
+   includes inputs_read, so new input, such as an answer of the judge,
+   changes the state. */
 static void check_state(int number, siginfo_t *about, void *context)
 {
     const int error = errno;

@@ -1,4 +1,4 @@
-/* The program behind make check: reads and does what its options ask. */
+/* The program behind make check: reads its options and runs the task. */
 #include "examiner/hint.h"
 #include "examiner/process.h"
 #include "examiner/reset.h"
@@ -15,7 +15,7 @@
 
 struct settings {
     struct verdict_rules rules;
-    int task; /* the letter of the task's option; 0: check */
+    int task; /* letter of the option that names it; 0: check */
     const char *as, *file, **names;
 };
 
@@ -38,7 +38,7 @@ static const char purpose[] =
     "Check the exercises named (01a, or 01 for a chapter), or all.\n"
     "Exit status: 0 all that is begun passes, 1 it does not, 2 trouble.";
 
-/* Adds the names in an argument; "01a,02b" and "01a 02b" have two. */
+/* Adds the names in an argument, separated by commas or spaces. */
 static void add_names(struct settings *s, const char *argument)
 {
     size_t count = 0;
@@ -88,8 +88,9 @@ static struct settings read_settings(int argc, char **argv)
     return s;
 }
 
-/* Checks another file in place of the student's (--as and --file), for
-   tests and lecturers. The verdict is not stored. */
+/* Uses the file that --file names as the student's file for the exercise
+   that --as names. This is for tests and lecturers. The verdict is not
+   stored. */
 static void take_file(struct course *course, const struct settings *s)
 {
     struct exercise *e = course_choose(course, s->as);
@@ -147,9 +148,9 @@ static void give_hint(struct course *course,
                names[0] ? names[0] : "Everything here");
 }
 
-/* Does what the command line asks; returns whether all exercises begun
-   pass. Tasks without a verdict return true, or make would print "Error 1"
-   below their text. */
+/* Does what the command line asks. Returns whether all exercises that are
+   begun pass. Tasks without a verdict return true, because make would
+   otherwise print "Error 1" below their output. */
 static bool do_task(struct course *course, const struct settings *s)
 {
     const struct verdict_rules *rules = &s->rules;
@@ -172,8 +173,8 @@ static bool do_task(struct course *course, const struct settings *s)
     return true;
 }
 
-/* Returns 0 when all exercises begun pass, as in a fresh copy, 1 when one
-   does not; exits with 2 when nothing could be checked. */
+/* Returns 0 if all exercises that are begun pass, as in a fresh copy, and 1
+   if one does not. Exits with status 2 if nothing could be checked. */
 int main(int argc, char **argv)
 {
     const struct settings s = read_settings(argc, argv);

@@ -2,15 +2,16 @@
 #ifndef EXERCISE_H
 #define EXERCISE_H
 
-/* Marks a gap: `return NOT_DONE_YET(0.0);` compiles like `return 0.0;`, but
-   ends the test that reaches it, and the examiner says "not begun" instead
-   of "failed". A stub has to compile and link, since a beginner's first
-   message should not be the linker's; without the mark it would run, and
-   its 0 would be a wrong answer. The comma operator gives the gap the type
-   of its value. abort() would end the test as well, but as a crash. */
+/* Marks a gap in a stub. `return NOT_DONE_YET(0.0);` compiles like `return
+   0.0;`, but ends the test that reaches it, and the examiner reports "not
+   begun" instead of "failed". Without the mark the stub would return 0, a
+   wrong answer. A stub must compile and link, because a linker error would
+   be a bad first message for a beginner. The comma operator gives the gap
+   the type of its value. abort() would also end the test, but as a
+   crash. */
 #define NOT_DONE_YET(value) (exercise_not_done(__FILE__, __LINE__), (value))
 
-/* Ends the running test as not begun; NOT_DONE_YET calls it. */
+/* Ends the running test as not begun. NOT_DONE_YET calls this function. */
 void exercise_not_done(const char *file, int line);
 
 #endif

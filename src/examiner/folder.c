@@ -1,4 +1,4 @@
-/* Removes a folder, however deep the tree in it is. */
+/* Removes folders that contain trees of any depth. */
 #include "examiner/folder.h"
 
 #include <dirent.h>
@@ -11,8 +11,8 @@
 
 enum { LOOK_IN = O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC };
 
-/* Opens a folder to remove its content. First it restores permissions that
-   a program may have taken away from the owner. */
+/* Opens a folder to remove its content. First restores the owner's
+   permissions, which a program may have taken away. */
 static int open_folder(int above, const char *name)
 {
     struct stat about;
@@ -27,9 +27,10 @@ static bool is_own_name(const char *name)
     return strcmp(name, ".") == 0 || strcmp(name, "..") == 0;
 }
 
-/* Removes an entry of a folder; a folder that is not empty is moved to the
-   top under a number, to be removed later. So a tree of any depth needs
-   only two open folders, and no path becomes too long. */
+/* Removes an entry of a folder. If the entry is a folder that is not empty,
+   moves it to the folder `top' under a number, to be removed later. A tree
+   of any depth therefore needs only two open folders, and no path becomes
+   too long. */
 static bool remove_entry(int folder, const char *name, int top,
                          unsigned long *number)
 {
@@ -74,7 +75,7 @@ bool folder_remove(const char *path)
     DIR *list = top >= 0 ? fdopendir(top) : NULL;
     if (!list)
         return false;
-    /* Entries moved to the top may be seen only in the next pass. */
+    /* Entries moved to `top' may not appear until the next pass. */
     do {
         removed = kept = 0;
         rewinddir(list);

@@ -1,12 +1,12 @@
-/* Removes a folder with all that is in it. */
+/* Removes a folder and everything in it. */
 #ifndef FOLDER_H
 #define FOLDER_H
 
 #include <stdbool.h>
 
-/* Removes a folder with everything below it and follows no links. Returns
-   whether nothing is left; if something is, errno says why. No shell reads
-   the path, since an apostrophe in it would begin a quotation there. */
+/* Removes a folder and everything below it, without following links.
+   Returns whether nothing is left; if not, errno gives the reason. No shell
+   reads the path, where an apostrophe would begin a quotation. */
 bool folder_remove(const char *path);
 
 #endif

@@ -1,4 +1,4 @@
-/* Forces between bodies, for programs of students. */
+/* Forces between bodies, for students' programs. */
 #ifndef EXAMINER_FORCE_H
 #define EXAMINER_FORCE_H
 
@@ -8,9 +8,9 @@ void force(int n, const double m[], const double x[], double f[]);
 #include <math.h>
 
 /* Sets f to the forces [N] on n bodies with the masses m [kg] at the
-   positions x [m]: those of body i are x[2 i] and x[2 i + 1], its force is
-   f[2 i] and f[2 i + 1]. Bodies attract each other with m m/d^2, as if G
-   were 1. */
+   positions x [m]. Body i is at (x[2 i], x[2 i + 1]) and feels the force
+   (f[2 i], f[2 i + 1]). Two bodies at the distance d attract each other
+   with the force m1 m2/d^2, as if G were 1. */
 static inline void force(int n, const double m[], const double x[],
                          double f[])
 {

@@ -1,4 +1,4 @@
-/* The program behind make grade: a folder of submissions, in parallel. */
+/* The program behind make grade: grades many submissions in parallel. */
 #define _XOPEN_SOURCE 700 /* realpath */
 #include "examiner/folder.h"
 #include "examiner/grading.h"
@@ -29,7 +29,7 @@
 
 struct settings {
     const char *folder, *reports, *output, *exercises;
-    const char *job; /* "anna/01a/KEY": the only one to grade */
+    const char *job; /* the only job to grade: "anna/01a/KEY" */
     long jobs;
     int seconds;
     uint64_t seed;
@@ -49,12 +49,12 @@ struct batch {
     struct settings settings;
     struct kit *kits;
     struct submissions handed;
-    struct submission *submissions; /* the list of `handed', or one of it */
-    size_t kit_count, count;        /* numbers of exercises, students */
+    struct submission *submissions; /* handed.list or one entry of it */
+    size_t kit_count, count;        /* numbers of exercises and students */
     struct grading grading;
     char root[4096], work[4200];
     uint64_t compiler;   /* checksum of the compiler's version */
-    struct alike *alike; /* the different files for one exercise */
+    struct alike *alike; /* the distinct files for an exercise */
     size_t alikes;
     size_t begun, done, failed;
 };
@@ -117,7 +117,8 @@ static bool next_word(const char **list, char word[64])
     return length > 0;
 }
 
-/* Refuses unknown reports now, not after hours of grading. */
+/* Refuses unknown report formats at the start instead of after hours of
+   grading. */
 static void check_reports(const char *list)
 {
     char word[64];
@@ -136,9 +137,9 @@ static void check_name(const struct batch *b, const char *word)
     text_fail("--exercises: there is no exercise '%s'", word);
 }
 
-/* Keeps the exercises that were asked for, in the order of the book; 01
-   means all of a chapter. A word that begins no name is refused, since its
-   table would be empty. */
+/* Keeps only the exercises that --exercises names, in the order of the
+   book. "01" means all exercises of the chapter. A word that matches no
+   exercise is refused, because its table would be empty. */
 static void choose_kits(struct batch *b)
 {
     const char *list = b->settings.exercises;
@@ -203,10 +204,10 @@ static void make_folder(const char *path)
         text_fail("cannot make '%s': %s", path, strerror(errno));
 }
 
-/* Returns the beginning of a work folder's name, which is common to all
-   processes that see each other: it is made from this boot of the kernel
-   and this namespace of processes. On a folder that machines share, the
-   number of a process alone would be ambiguous. */
+/* Returns the prefix that all processes on this system give to the names of
+   their work folders. The prefix identifies the boot of the kernel and the
+   process namespace. If several machines share the folder, a process number
+   alone would be ambiguous. */
 static const char *name_machine(void)
 {
     static char name[32];
@@ -219,8 +220,8 @@ static const char *name_machine(void)
     return name;
 }
 
-/* Removes the work folders of graders that were killed; the name of such a
-   folder ends with the number of its process. */
+/* Removes the work folders of graders that were killed. A work folder's
+   name contains the process number of its grader. */
 static void remove_abandoned(void)
 {
     glob_t found = {0};
@@ -237,8 +238,9 @@ static void remove_abandoned(void)
     globfree(&found);
 }
 
-/* Returns whether a folder is, or would be, inside another one. Its path
-   need not exist: the part that exists is resolved, links included. */
+/* Returns whether the folder `inner' is, or would be, inside `outer'.
+   `inner' need not exist: the part of its path that exists is resolved,
+   including links. */
 static bool is_within(const char *inner, const char *outer)
 {
     char path[4200], *real, *around = realpath(outer, NULL);
@@ -258,8 +260,9 @@ static bool is_within(const char *inner, const char *outer)
     return within;
 }
 
-/* Refuses an output folder within the submissions: the next time results
-   would be taken for a student, and a student's files for results. */
+/* Refuses an output folder inside the folder of submissions. The next run
+   would mistake the results for a student's files, and files of a student
+   could be mistaken for results. */
 static void refuse_results_within(const struct batch *b)
 {
     if (is_within(b->settings.output, b->settings.folder))
@@ -298,10 +301,10 @@ static uint64_t draw_seed(void)
     return seed;
 }
 
-/* Writes the seed to a file that only the lecturer may read, in one piece,
-   so that no other grader reads half of it. Returns whether this seed was
-   written; without `anew' a seed in the file is kept, and then it returns
-   false. */
+/* Writes the seed to path. The file is readable only by the lecturer and
+   appears as a whole, because another grader may read it at any time. If
+   anew is false and the file exists, keeps the old seed. Returns whether
+   the new seed was written. */
 static bool write_seed(const char *path, uint64_t seed, bool anew)
 {
     char text[32];
@@ -312,8 +315,9 @@ static bool write_seed(const char *path, uint64_t seed, bool anew)
     return ours;
 }
 
-/* Sets the seed of the hidden tests. It is drawn once and stored with the
-   results, so that all students are asked the same. */
+/* Sets the seed of the hidden tests. Without --hidden, the seed is drawn
+   once and stored with the results, because all students must get the same
+   inputs. */
 static void choose_seed(struct batch *b)
 {
     char path[4300];
@@ -331,7 +335,7 @@ static void choose_seed(struct batch *b)
             b->grading.seed = seed;
             return;
         }
-        file = fopen(path, "r"); /* another grader has written one */
+        file = fopen(path, "r"); /* another grader has written it */
     }
     if (!file)
         text_fail("cannot read '%s': %s", path, strerror(errno));
@@ -379,9 +383,9 @@ static void choose_box(struct batch *b)
     }
 }
 
-/* Returns the name of a student's result files, different for each student.
-   A name too long for a file system is cut and ends in a checksum of the
-   whole name. */
+/* Returns a file name for the results of student s, different for each
+   student. If the name is too long for a file system, it is cut and ends
+   with a checksum of the whole name. */
 static const char *encode(const struct batch *b, size_t s)
 {
     static char name[1100];
@@ -408,7 +412,7 @@ static void result_path(const struct batch *b, size_t s, size_t e,
     snprintf(path + strlen(path), 32, "/%s.json", b->kits[e].exercise);
 }
 
-/* Chooses the student whom --job names. */
+/* Keeps only the student whom --job names. */
 static void choose_student(struct batch *b)
 {
     const char *job = b->settings.job;
@@ -439,12 +443,13 @@ static uint64_t sum_kit(const struct batch *b, const char *exercise)
     return sum_number(sum, (uint64_t)b->grading.kind);
 }
 
-/* Computes the key of a result, a checksum of all that it depends on: the
-   student's file and his figure's script, the judge, what is linked with
-   the file, the compiler and its flags, the seed, the limit of time, the
-   kind of sandbox. (A job may run on a machine with another compiler, whose
-   code rounds differently.) A student whose new file has the checksum of
-   the old one would keep the old mark. */
+/* Computes the key of a result, a checksum of everything that the result
+   depends on. `kit' covers the judge, the objects linked with the student's
+   file, the compiler and its flags, the seed, the time limit, the kind of
+   sandbox and the script of the student's figure. The compiler is included
+   because jobs may run on machines with different compilers, whose code
+   rounds differently. If a new file had the same checksum as the old file,
+   the student would keep the old marks. */
 static void result_key(uint64_t kit, const char *bytes, size_t length,
                        const char *remark, const char *note, char key[24])
 {
@@ -460,7 +465,7 @@ struct job {
     size_t length;
     char key[24], path[4400];
     int tries;
-    const struct marks *before; /* the marks of the first try; NULL: none */
+    const struct marks *before; /* marks of the first try, or NULL */
     struct grading_page page;   /* the figure of a project */
 };
 
@@ -527,10 +532,10 @@ static void take_pages(const struct batch *b, struct job *job)
     job->page.place = place;
 }
 
-/* Grades in a process of its own and ends by _exit, which runs none of the
-   parent's clean-up. If the parent is killed, so is this process
-   (PR_SET_PDEATHSIG), and with it its sandbox. If it is interrupted it
-   writes nothing, since half a grading is no result. */
+/* Grades a job in this child process. Ends with _exit, which skips the
+   parent's clean-up. If the parent is killed, PR_SET_PDEATHSIG ends this
+   process and with it the sandbox. After an interruption it writes nothing,
+   because half a grading is no result. */
 static _Noreturn void work(const struct batch *b, const struct job *job)
 {
     struct marks marks = blank_marks(b, job);
@@ -576,11 +581,11 @@ static void show_progress(const struct batch *b)
                 b->count * b->kit_count);
 }
 
-/* Waits until a worker has ended. It polls, because a signal could come
-   between the check for a signal and an unlimited wait. After a signal it
-   stops the workers, and kills them after five seconds. A worker that
-   failed has written no result and is counted; the same command tries it
-   again. */
+/* Waits until a worker has ended. Polls, because a signal could come
+   between the check for a signal and an unlimited wait. After a signal,
+   stops the workers, and kills them if they still run after five seconds. A
+   worker that failed has written no result and is counted in b->failed.
+   Repeating the command tries it again. */
 static void wait_for_one(struct batch *b)
 {
     int status, i = 0;
@@ -608,8 +613,8 @@ static void wait_for_one(struct batch *b)
     show_progress(b);
 }
 
-/* Prints a word in quotes for a shell. A line break, which would split the
-   command, is refused; students' names are encoded and have none. */
+/* Prints a word in quotes for a shell. Refuses a line break, which would
+   split the command. Students' names are encoded and have none. */
 static void put_word(const char *word)
 {
     if (strchr(word, '\n'))
@@ -623,9 +628,8 @@ static void put_word(const char *word)
     putchar('\'');
 }
 
-/* Prints the command that grades one exercise of one student, for an engine
-   that distributes commands to machines; it names student, exercise and
-   key. */
+/* Prints the command that grades one exercise of one student. A batch
+   system can distribute these commands to machines. */
 static void list_job(const struct batch *b, const struct job *job)
 {
     printf("build/grade/grade --job %s/%s/%s --seconds %d%s --output ",
@@ -638,8 +642,8 @@ static void list_job(const struct batch *b, const struct job *job)
     putchar('\n');
 }
 
-/* Refuses a job whose key is not the listed one: file, kit or machine have
-   changed since. */
+/* Refuses a job whose key differs from the key in the list, because the
+   file, the kit or the machine has changed since. */
 static void check_job(const struct batch *b, const struct job *job)
 {
     const char *asked = b->settings.job;
@@ -652,10 +656,11 @@ static void check_job(const struct batch *b, const struct job *job)
         asked, sandbox_name(b->grading.kind));
 }
 
-/* Starts a job when fewer than --jobs are running. The default is one more
-   than the number of processors: a job waits for disks, for programs that
-   sleep, and when judge and sandbox take turns; with one job for each
-   processor a quarter of the time was idle. */
+/* Starts a job as soon as fewer than --jobs jobs are running. With --list,
+   only prints the command of the job. The default of --jobs is one more
+   than the number of processors. With one job for each processor, a quarter
+   of the time was idle: a job waits for disks, for programs that sleep, and
+   while judge and sandbox take turns. */
 static void start_job(struct batch *b, const struct job *job)
 {
     if (b->settings.list && job->bytes) {
@@ -679,8 +684,8 @@ static void start_job(struct batch *b, const struct job *job)
     ends[running++] = (struct pollfd){process_watch(pid), POLLIN, 0};
 }
 
-/* Returns the first student who has handed in these bytes. Bytes are
-   compared if the checksums are equal. */
+/* Returns the index of the first student who handed in the same bytes.
+   Compares the bytes of files with equal checksums. */
 static size_t first_alike(struct batch *b, uint64_t sum,
                           const struct job *job)
 {
@@ -698,9 +703,10 @@ static size_t first_alike(struct batch *b, uint64_t sum,
     return b->alike[i].student;
 }
 
-/* Copies the marks of the first student with the same file, which is graded
-   once; returns false if there are none. Projects are graded for each
-   student, because of their figures. */
+/* Copies the marks of the student `first', who handed in the same file,
+   because equal files are graded only once. Returns false if that student
+   has no marks. Projects are graded for each student, because of their
+   figures. */
 static bool copy_marks(struct batch *b, const struct job *job, size_t first)
 {
     char path[4400];
@@ -773,10 +779,11 @@ static void grade_round(struct batch *b, enum round round)
         wait_for_one(b);
 }
 
-/* Grades in three rounds: everything; then, one at a time, what was stopped
-   by the limit on wall-clock time, since on a busy machine a program may be
-   late without being slow; then copies of equal files. A test that is late
-   again earns nothing. */
+/* Grades in three rounds. The first round grades all files. The second
+   round repeats, one at a time, the jobs that reached the wall-clock limit:
+   on a busy machine a program may be late without being slow. A test that
+   is late again earns nothing. The third round copies the marks of equal
+   files. */
 static void grade_all(struct batch *b)
 {
     b->alike = text_must(calloc(b->count + 1, sizeof *b->alike));
@@ -789,8 +796,8 @@ static void grade_all(struct batch *b)
     free(b->alike);
 }
 
-/* Reads all results. An exercise that could not be graded has no result and
-   is reported as "not graded", never as zero points. */
+/* Reads all results. If an exercise could not be graded, it has no result
+   and is reported as "not graded", never as zero points. */
 static struct marks *read_results(const struct batch *b)
 {
     char path[4400];
@@ -809,8 +816,8 @@ static struct marks *read_results(const struct batch *b)
     return marks;
 }
 
-/* Writes the reports and prints their folder, the seed and the kind of
-   sandbox, which are needed to grade the course in the same way again. */
+/* Writes the reports. Prints their folder, the seed and the kind of
+   sandbox, which are needed to repeat the grading of the course. */
 static void publish_all(struct batch *b)
 {
     const char *list = b->settings.reports;
@@ -854,10 +861,10 @@ static void publish_all(struct batch *b)
                 b->failed);
 }
 
-/* Finds all submissions, before exercises are chosen: an answer to an
-   exercise that was not chosen is no stray file. With --job it reads only
-   names that begin as the student's does, since he may be one of ten
-   thousand. */
+/* Finds all submissions. This happens before exercises are chosen, because
+   an answer to any exercise of the course is not a stray file. With --job,
+   reads only names that begin like the student's, because there may be ten
+   thousand students. */
 static void find_submissions(struct batch *b)
 {
     const char **usual = text_must(calloc(b->kit_count + 1, sizeof *usual));

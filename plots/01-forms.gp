@@ -3,7 +3,6 @@
 # lecture: build/bin/collide-forms --study rounding --mass-ratio 3.1622776601683795,1e6 --tests 3000000 -o build/data/01-rounding.dat
 # data: plots/data/01-cost.dat
 # alt: Root mean square energy error of one collision against its cost in nanoseconds for five forms, in two panels. For mass ratios up to 3 all errors lie between 0.6 and 1.2 machine epsilons. For mass ratios up to a million the complement form stands out with an error ten times larger; the form called smaller has the smallest error in both.
-width = 14
 height = 7.2
 load 'plots/style.gp'
 rounding = 'build/data/01-rounding.dat'

@@ -1,6 +1,5 @@
 # data: plots/data/01-cost.dat
 # alt: Five moments of one collision, time upwards, twice. From the ground a light ball comes from the left, hits a heavy one at rest and goes back, slower, while the heavy one moves off. Seen from the centre of mass both come in, and both go back as fast as they came.
-width = 14
 height = 6.4
 load 'plots/style.gp'
 # 1 kg at 1 m/s meets 4 kg at rest.

@@ -2,7 +2,6 @@
 # command: build/bin/collide --velocities 1,0,0,0 --inverse-masses 0.1,1 --normal 0.7,0.7 -o /dev/null --summary build/data/01-geometry.dat
 # alt: A large disk touches a small one, up and to the right of it. A dashed arrow is the large disk's velocity before, to the right. A dotted line joins the centres. After the collision the small disk leaves along this line; the large one moves a little slower and slightly downwards.
 width = 13
-height = 7
 load 'plots/style.gp'
 stats 'build/data/01-geometry.dat' using (strcol(1) eq 'v1_x' ? (v1x = $2) : 0) nooutput
 stats 'build/data/01-geometry.dat' using (strcol(1) eq 'v1_y' ? (v1y = $2) : 0) nooutput
@@ -14,9 +13,7 @@ r1 = 1.0
 r2 = 0.5
 x2 = (r1 + r2)/sqrt(2)
 scale = 1.7  # length of an arrow of 1 m/s
-unset border
-unset tics
-set size ratio -1
+eval drawing
 set xrange [-1.3:5.2]
 set yrange [-1.1:2.75]
 set margins 0,0,0,0

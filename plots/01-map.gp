@@ -1,8 +1,6 @@
 # data: build/data/01-map.dat
 # command: build/bin/collide-forms --study map --tests 8 --seed 8 -o build/data/01-map.dat
 # alt: Two panels. Left: the plane of velocities u1 and u2 with the ellipse of constant energy; eight pairs of points, before and after a collision, each joined by a straight line of constant momentum; two arrows mark the fixed direction (1,1) and the reversed direction. Right: the same in scaled velocities, where the ellipse is a circle and each pair is a mirror image in the fixed line.
-width = 14
-height = 7
 load 'plots/style.gp'
 file = 'build/data/01-map.dat'
 a = 1.0

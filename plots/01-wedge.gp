@@ -1,7 +1,6 @@
 # data: build/data/01-wedge.dat
 # command: build/bin/galperin0 9 > build/data/01-wedge.dat
 # alt: Left: a wedge between a horizontal wall and a slanted line; a path comes in from the right, parallel to the wall, is reflected to and fro between both sides towards the corner and out again, nine reflections in all. Right: the wedge unfolded into a fan of ten copies, and the same path as one straight line that crosses nine of their edges.
-width = 14
 height = 5
 load 'plots/style.gp'
 m1 = 1.0; m2 = 9.0
@@ -9,9 +8,7 @@ theta = atan(sqrt(m1/m2))
 h = 0.42          # the light ball's scaled place
 r(p) = h/sin(p)
 set multiplot layout 1,2 margins 0.01,0.99,0.05,0.89 spacing 0.03,0
-unset border
-unset tics
-set size ratio -1
+eval drawing
 set parametric
 set samples 4001
 set title 'what happens' offset 0,-0.5

@@ -4,10 +4,7 @@ height = 6.2
 load 'plots/style.gp'
 set border 3
 unset tics
-set lmargin at screen 0.06
-set rmargin at screen 0.985
-set bmargin at screen 0.1
-set tmargin at screen 0.975
+eval edges(0.06, 0.985, 0.1, 0.975)
 set size ratio -1
 set xrange [0:10]
 set yrange [0:4.75]

@@ -11,10 +11,7 @@ set xrange [-0.1:8.1]
 set yrange [0:8]
 set xtics 2
 set ytics 2
-set lmargin at screen 0.105
-set bmargin at screen 0.19
-set tmargin at screen 0.97
-set rmargin at screen 0.98
+eval edges(0.105, 0.98, 0.19, 0.97)
 set arrow 1 from 0,graph 0 to 0,graph 1 nohead ls 9 lw 4*thick
 set arrow 2 from 8,graph 0 to 8,graph 1 nohead ls 9 lw 4*thick
 plot for [i=1:6] file using (column(3+2*i)):1 with lines lc rgb '#333333' lw 1.0*thick, \

@@ -1,5 +1,4 @@
 # alt: A tree of ten numbered circles in four levels, each with a time that is not earlier than that of the circle above it; below it the same ten times in a row of boxes numbered 0 to 9. The circles 9, 4 and 1 are marked: an entry that has become 1.4 climbs from 9 past 4 to 1.
-width = 14
 height = 6.4
 load 'plots/style.gp'
 unset border

@@ -1,7 +1,6 @@
 # data: build/data/02-islands.dat
 # command: build/bin/bonkers-studies --study islands --until 0.8 -o build/data/02-islands.dat
 # alt: Sixty upright lines, one for each body, time upwards. Each collision is a short level bar that joins two neighbours. The bars stand in nine groups of one to five, and each group has a shaded strip of its own; between two strips there is always at least one line that no bar touches.
-width = 14
 height = 6.4
 load 'plots/style.gp'
 file = 'build/data/02-islands.dat'
@@ -18,9 +17,6 @@ set yrange [0:0.8]
 set border 3
 set xtics nomirror
 set ytics nomirror
-set lmargin at screen 0.085
-set bmargin at screen 0.185
-set tmargin at screen 0.97
-set rmargin at screen 0.985
+eval edges(0.085, 0.985, 0.185, 0.97)
 do for [k=0:61] { set arrow 100+k from k,0 to k,0.8 nohead lc rgb grey lw (k%61 ? 0.8 : 4)*thick back }
 plot file index 1 using 4:2:(1):(0) with vectors nohead lw 2.6*thick lc rgb dark

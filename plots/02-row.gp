@@ -12,10 +12,7 @@ set ylabel 'collisions' offset 0.5
 set xrange [8:200]
 set yrange [10:4e6]
 set xtics (10, 20, 40, 80, 160)
-set lmargin at screen 0.125
-set bmargin at screen 0.2
-set tmargin at screen 0.965
-set rmargin at screen 0.975
+eval edges(0.125, 0.975, 0.2, 0.965)
 set key at graph 0.03,0.97 left top reverse Left samplen 1.5 spacing 1.15
 set label 1 '{/:Italic N}^{ 2}/2' at 110,2.3e3 left tc rgb '#555555'
 plot x**2/2 ls 9, \

@@ -8,17 +8,12 @@ file = 'plots/data/02-steps.dat'
 # The steps that keep the collisions in order.
 stats file using ($1 > 0 && $1 < 1e-4 ? log($2*$3) : NaN) nooutput
 steps = exp(STATS_mean)
-set logscale xy
-set format x '10^{%T}'
-set format y '10^{%T}'
+eval powers
 set xlabel 'processor time of the run (s)'
 set ylabel 'error of the positions (m)' offset 0.5
 set xrange [1e-6:1]
 set yrange [1e-15:100]
-set lmargin at screen 0.14
-set bmargin at screen 0.155
-set tmargin at screen 0.97
-set rmargin at screen 0.97
+eval edges(0.14, 0.97, 0.155, 0.97)
 set label 1 'time steps' at 1e-3,3 tc rgb red
 set label 2 'events' at 2e-5,3e-13 center tc rgb blue
 upright = 'plots/data/05-weight.dat'

@@ -1,7 +1,6 @@
 # data: build/data/02-worldlines.dat
 # command: build/bin/bonkers --masses 9.3,2.1,5.2,0.9,3.4,1.2,4.3,0.8,2.6,1.4 --positions 0.5,4.6,5.3,6.2,6.9,7.8,8.5,9.4,10.2,11.1 --velocities 2,0,0,0,0,0,0,0,0,0 --walls 0,12 --every 0.005 --until 7.5 -o build/data/02-worldlines.dat
 # alt: Six pictures of one wire between two stops, one below the other, 1.5 seconds apart. At first a large bead is alone on the left and nine others rest on the right. In the second picture it has nearly reached them, in the third the first three have moved, and in the last three all ten stand in ever other places.
-width = 14
 height = 5.7
 load 'plots/style.gp'
 file = 'build/data/02-worldlines.dat'

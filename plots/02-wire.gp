@@ -1,5 +1,4 @@
 # alt: Above, four beads of different sizes on a wire between two stops; the distance between the surfaces of the second and the third is marked as gap i, and arrows show their velocities. Below, the same gaps joined end to end: each bead has become a point, and the wire is shorter by the sum of their diameters.
-width = 14
 height = 4.4
 load 'plots/style.gp'
 unset border

@@ -1,7 +1,6 @@
 # data: build/data/02-worldlines.dat
 # command: build/bin/bonkers --masses 9.3,2.1,5.2,0.9,3.4,1.2,4.3,0.8,2.6,1.4 --positions 0.5,4.6,5.3,6.2,6.9,7.8,8.5,9.4,10.2,11.1 --velocities 2,0,0,0,0,0,0,0,0,0 --walls 0,12 --every 0.005 --until 7.5 -o build/data/02-worldlines.dat
 # alt: World lines of ten beads between two stops, position across and time upwards. Nine lines rise straight up until, at two seconds, a thick line that came from the left runs into the first of them; from there a wave goes through to the right stop and back. Every collision is a dot; at each of them two lines bend, and no line crosses another.
-width = 14
 height = 7.6
 load 'plots/style.gp'
 file = 'build/data/02-worldlines.dat'
@@ -9,10 +8,7 @@ set xlabel 'position {/:Italic x} (m)'
 set ylabel 'time {/:Italic t} (s)' offset 0.8
 set xrange [-0.15:12.15]
 set yrange [0:6]
-set lmargin at screen 0.085
-set bmargin at screen 0.145
-set tmargin at screen 0.97
-set rmargin at screen 0.98
+eval edges(0.085, 0.98, 0.145, 0.97)
 set arrow 1 from 0,graph 0 to 0,graph 1 nohead ls 9 lw 4*thick
 set arrow 2 from 12,graph 0 to 12,graph 1 nohead ls 9 lw 4*thick
 array M[10]

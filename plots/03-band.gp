@@ -1,14 +1,11 @@
 # data: plots/data/03-cost.dat
 # alt: Left: a sphere of radius 1 with a narrow band around it between two planes at u and u plus du. The radius of the band is the root of one minus u squared; its width along the surface is larger than du, for the surface is slanted. Right: densities of u for 2, 3, 4, 5 and 10 dimensions: highest at the ends for 2, level for 3, a half circle for 4, a parabola for 5, a bell for 10.
-width = 14
 height = 6.2
 load 'plots/style.gp'
 set multiplot layout 1,2 margins 0.01,0.985,0.19,0.97 spacing 0.1,0
 u = 0.5; du = 0.13; flat = 0.22
 r(u) = sqrt(1 - u*u)
-unset border
-unset tics
-set size ratio -1
+eval drawing
 set parametric
 set samples 181
 set xrange [-1.2:1.55]

@@ -1,7 +1,6 @@
 # data: build/data/03-blocks.dat
 # command: build/bin/bonkers --preset thermal --every 1 --samples 1000000 -o - | build/bin/histogram --skip 1 --block --column v9,v4 --table blocks -o build/data/03-blocks.dat -
 # alt: Error of a mean, in units of the naive error, against block length on logarithmic axes. For the kinetic energies it rises from one to about two, faster at first than later, and levels off at blocks of some hundred seconds, with error bars that grow to the right; for the velocity of the heaviest ball it falls below one half. A line for exponential correlations levels off earlier.
-width = 14
 height = 7.5
 load 'plots/style.gp'
 file = 'build/data/03-blocks.dat'
@@ -26,10 +25,7 @@ set format x '10^{%T}'
 set xlabel 'block length  (s)'
 set ylabel 'error / naive error' offset 1
 set key at graph 0.02,0.97 left top reverse Left samplen 1.2 spacing 1.1
-set lmargin at screen 0.085
-set bmargin at screen 0.165
-set tmargin at screen 0.97
-set rmargin at screen 0.985
+eval edges(0.085, 0.985, 0.165, 0.97)
 plot seen(x,plateau) ls 9 lw 1.4*thick title sprintf('exponential, {/:Italic g} = %.1f', plateau), \
      file index 0 using 1:($5/naive9):($2 > 15 ? $6/naive9 : NaN) with yerrorbars ls 1 title 'kinetic energy of 9', \
      file index 1 using 1:($5/naive4):($2 > 15 ? $6/naive4 : NaN) with yerrorbars ls 2 title 'kinetic energy of 4', \

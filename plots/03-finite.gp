@@ -7,8 +7,6 @@
 # data: build/data/03-states.dat
 # command: build/bin/bonkers --preset thermal --every 10 --samples 2000 -o build/data/03-states.dat
 # alt: Left: densities of a velocity in units of its standard deviation: flat for three balls, a half circle for four, a bell for ten, each with points on its line. Right: the law for ten balls on a logarithmic scale, with points on it, ends at 3.16 standard deviations; the Gaussian goes on.
-width = 14
-height = 7
 load 'plots/style.gp'
 three = 'build/data/03-three.dat'
 four = 'build/data/03-four.dat'

@@ -1,7 +1,6 @@
 # data: build/data/03-states.dat
 # command: build/bin/bonkers --preset thermal --every 10 --samples 2000 -o build/data/03-states.dat
 # alt: Two scatter plots of pairs of positions. Left, the two leftmost balls: points in the triangle above the diagonal, thinning out upwards; right, the two rightmost balls, the mirror image. Lines enclose half and nine tenths of the law.
-width = 14
 height = 7.2
 load 'plots/style.gp'
 file = 'build/data/03-states.dat'

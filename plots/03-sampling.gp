@@ -4,7 +4,6 @@
 # command: build/bin/bonkers --preset thermal --every 1 --samples 1000000 -o - | build/bin/histogram --skip 1 --block --column v9,v4 --table blocks -o build/data/03-blocks.dat -
 # data: plots/data/03-cost.dat
 # alt: Left: relative error of a mean kinetic energy against the number of samples from one run of fixed length, on logarithmic axes: the honest error falls until some twenty thousand samples and then stays level; the naive one goes on falling. Right: three estimates of an error over the true one against their cost: naive at a quarter, blocks near one, the sum of correlations below one and the most expensive.
-width = 14
 height = 6.3
 load 'plots/style.gp'
 file = 'build/data/03-sampling.dat'

@@ -1,7 +1,6 @@
 # data: build/data/03-states.dat
 # command: build/bin/bonkers --preset thermal --every 10 --samples 2000 -o build/data/03-states.dat
 # alt: Two scatter plots of pairs of velocities on one scale, two light balls on the left and two heavy balls on the right. Both clouds are round; the second is half as wide. Ellipses hold half and nine tenths of the law, and all of it.
-width = 14
 height = 7.2
 load 'plots/style.gp'
 file = 'build/data/03-states.dat'

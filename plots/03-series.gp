@@ -1,6 +1,5 @@
 # data: plots/data/03-cost.dat
 # alt: A series of 128 samples that wander about slowly. Short steps are the means of blocks of four, which follow the series and each other; long thick steps are the means of blocks of thirty-two, of which neighbours do not resemble each other.
-width = 14
 height = 5.4
 load 'plots/style.gp'
 # Each sample remembers nine tenths of the last one.

@@ -4,7 +4,6 @@
 # command: build/bin/bonkers --preset thermal --every 10 --samples 2000 -o build/data/03-states.dat
 # alt: Standard deviation of the velocity against mass on logarithmic axes: five points near one kilogram and one metre a second, five near four kilograms and half a metre a second, all on a straight line of slope minus one half.
 width = 10
-height = 7
 load 'plots/style.gp'
 file = 'build/data/03-spread.dat'
 # the masses of the ten, from a table that tells them
@@ -18,9 +17,6 @@ set ytics (0.5, 0.7, 1)
 set xlabel 'mass  (kg)'
 set ylabel 'standard deviation of {/:Italic v}  (m/s)' offset 0.5
 set key at graph 0.97,0.95 right top samplen 1.5
-set lmargin at screen 0.14
-set bmargin at screen 0.18
-set tmargin at screen 0.97
-set rmargin at screen 0.98
+eval edges(0.14, 0.98, 0.18, 0.97)
 plot 1/sqrt(x) ls 9 lw 1.5*thick title '√(2{/:Italic E}/{/:Italic nm})', \
      file using (m[int($0)+1]):5:6 with yerrorbars ls 1 title 'ten balls'

@@ -3,7 +3,6 @@
 # data: build/data/03-two-states.dat
 # command: build/bin/bonkers --preset two --every 0.7 --samples 4000 -o build/data/03-two-states.dat
 # alt: Three panels for two balls. The histogram of the light ball's velocity is a comb of a few spikes and not the arcsine law. The scatter plot of the two velocities shows some twenty spots on an ellipse. The histograms of the two positions come close to straight lines, one falling and one rising.
-width = 14
 height = 5.5
 load 'plots/style.gp'
 file = 'build/data/03-two.dat'

@@ -5,8 +5,6 @@
 # data: build/data/03-states.dat
 # command: build/bin/bonkers --preset thermal --every 10 --samples 2000 -o build/data/03-states.dat
 # alt: Two histograms of velocities, of the lightest and of the heaviest of ten balls. Four hundred samples scatter far from the law, with a hole in the middle for the light ball and a narrow peak for the heavy one; a million samples lie on the bell-shaped law.
-width = 14
-height = 7
 load 'plots/style.gp'
 few = 'build/data/03-few.dat'
 many = 'build/data/03-velocities.dat'

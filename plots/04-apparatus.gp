@@ -1,6 +1,5 @@
 # data: plots/data/04-cost.dat
 # alt: A long narrow box between two thick walls. In its middle stands a broad piston of 40 kg; five small particles are strewn on either side. All have arrows of the same length to the right. The box is 12 metres long, the piston is at x.
-width = 14
 height = 3.5
 load 'plots/style.gp'
 unset border

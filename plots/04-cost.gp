@@ -1,6 +1,5 @@
 # data: plots/data/04-cost.dat
 # alt: Two panels with logarithmic axes, relative error of the period against processor time. Left, error of the arithmetic: the leapfrog falls with slope minus two from one part in a thousand, Runge and Kutta with slope minus four, the quadrature, farthest to the left, is exact to twelve digits. Right, error against the particles: the isothermal guess at 66 per cent, bare formulas at 4 to 6 per cent, sound and the added mass at 0.8, the large swing with added mass at 0.4, all in about a microsecond, and no finer step improves it; particle runs from 0.5 to 0.05 per cent take a tenth of a second to some seconds.
-width = 14
 height = 8
 load 'plots/style.gp'
 load 'plots/methods.gp'
@@ -9,9 +8,7 @@ stats cost using (strcol(1) eq 'quadrature' && $2 == 1 && $3 == 64 ? $4 : NaN) n
 exact = STATS_min
 truth = real(system("sed -n 's/^# 6 .* against \\([0-9.]*\\) s$/\\1/p' '".cost."'"))
 set multiplot layout 1,2 margins 0.11,0.985,0.155,1-0.085 spacing 0.13,0
-set logscale xy
-set format x '10^{%T}'
-set format y '10^{%T}'
+eval powers
 set xlabel 'processor time  (s)'
 set ylabel 'relative error of the period' offset 1
 set title 'of the arithmetic' offset 0,-0.5

@@ -4,7 +4,6 @@
 # command: build/bin/piston --gas-masses 0,0 -o build/data/04-swing.dat
 # slides: 3
 # alt: Three panels in which the energies of left gas, piston and right gas are stacked up to 26.7 joules, against time. First 40 seconds: the piston has 20 joules, gives nearly all to the right gas at 6 seconds, and gets about half of it back; dotted lines of the model, where it gets all of it back. 200 seconds: the left and the right gas swell in turn, the piston in between has less and less. 2000 seconds, means over a swing: the band of the piston narrows towards two dashed lines, one eleventh of all.
-width = 14
 height = 11
 load 'plots/style.gp'
 file = 'build/data/04-energy.dat'

@@ -1,7 +1,6 @@
 # data: build/data/04-forget.dat
 # command: awk -f plots/forget.awk > build/data/04-forget.dat
 # alt: Left, two swings of a piston, time upwards, with one fast particle that zigzags many times between the wall and the piston in each swing and one slow particle that meets the piston three or four times in all. Right, speed against the number of swings, for 60 swings: particles that start fast run through the same narrow bands of speed for ever; particles that start slow jump about without any rule, but never above a dashed line, the border.
-width = 14
 height = 7.6
 load 'plots/style.gp'
 # Lengths in h, times in swings: the piston is at 1 + a sin(2 pi t).

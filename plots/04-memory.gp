@@ -4,13 +4,8 @@
 # data: build/data/04-added.dat
 # command: build/bin/piston0 0.1 6.6666666666666667 200 > build/data/04-added.dat
 # alt: Mean velocity of the piston against time, 0 to 40 seconds. For five seconds the points lie on an exponential decay with time constant 11.3 seconds; then they leave it, pass through zero at 10 seconds and follow a cosine with its minimum at 20 seconds and a maximum at 40.
-width = 14
-height = 7
 load 'plots/style.gp'
-set lmargin at screen 0.105
-set rmargin at screen 0.98
-set bmargin at screen 0.165
-set tmargin at screen 0.97
+eval edges(0.105, 0.98, 0.165, 0.97)
 set xlabel 'time {/:Italic t}  (s)'
 set ylabel 'velocity {/:Italic V}  (m/s)' offset 1
 set xrange [0:42]

@@ -10,7 +10,6 @@
 # data: build/data/04-swings.dat
 # command: for p in 40,300,95,.5 160,1200,190,1 640,4800,330,2 2560,19200,480,2 10240,76800,580,3; do IFS=,; set -- $p; printf '%s ' $1; build/bin/bonkers --preset adiabatic --particles 101 --mass-ratio $2 --until $3 --every $4 --ensemble 16 | build/bin/piston --study measure --body 51 --window $4 --table - -o /dev/null --summary - | tr '\n' ' '; echo; done > build/data/04-swings.dat
 # alt: Left: position of the piston against time for a small swing among 400 particles. The measured points follow the curve with the added mass and run ever further behind the bare curve, by 5 seconds after 100. Right: period divided by that of small swings, against amplitude divided by half the box. The theory falls from 1 to 0.37 at an amplitude of 0.76; five measured points lie on it, and the isothermal guess of 1.73 is far above.
-width = 14
 height = 7.2
 load 'plots/style.gp'
 set multiplot layout 1,2 margins 0.095,0.985,0.165,0.97 spacing 0.105,0

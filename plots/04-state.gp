@@ -4,7 +4,6 @@
 # command: build/bin/bonkers --preset adiabatic --particles 11 --mass-ratio 3000 --until 404 --every 4 | build/bin/piston --study gases --table - -o build/data/04-heavy.dat
 # slides: 2
 # alt: To part the two gases, the right one is drawn five times lower. Four logarithmic panels: temperature and pressure of both gases against their length, above for the piston of 40 kg, below for one of 4000 kg. The heavy piston's points lie on two straight lines, slope minus 2 for temperature and minus 3 for pressure. The light piston's points begin there and soon scatter, those of the left gas far above, those of the right one below.
-width = 14
 height = 11
 load 'plots/style.gp'
 light = 'build/data/04-energy.dat'

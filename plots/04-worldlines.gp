@@ -1,7 +1,6 @@
 # data: build/data/04-eleven.dat
 # command: build/bin/bonkers --preset piston --until 200 --every 0.05 -o build/data/04-eleven.dat
 # alt: Two diagrams of position across against time up. Left, 40 seconds: ten thin zigzag lines, five on either side of a thick line that swings from wall to wall about twice and is bent by every particle that it meets. Right, 200 seconds: ten swings of the thick line, the first ones wide, the later ones narrower and irregular.
-width = 14
 height = 10
 load 'plots/style.gp'
 file = 'build/data/04-eleven.dat'

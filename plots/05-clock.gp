@@ -3,8 +3,6 @@
 # lecture: build/bin/disks-studies --study clock --samples 10000000 -o build/data/05-clock.dat
 # data: plots/data/disks4_r0.15_unitbox.dat
 # alt: Deviation of three histograms from the reference in per cent, for coordinates from 0.15 to 0.5 metres. Ours stays within one per cent of zero. The mended one begins at plus 11, is one or two below zero up to 0.3 and one or two above it in the middle. The article's begins at minus 43, runs at plus 8 between 0.18 and 0.25 and falls to minus 10 in the middle.
-width = 14
-height = 7
 load 'plots/style.gp'
 file = 'build/data/05-clock.dat'
 array R[100]
@@ -21,10 +19,7 @@ set xrange [0.15:0.5]
 set yrange [-46:16]
 set xlabel 'distance from the wall  (m)'
 set ylabel 'deviation from the reference  (%)' offset 0.5
-set lmargin at screen 0.09
-set rmargin at screen 0.98
-set bmargin at screen 0.17
-set tmargin at screen 0.97
+eval edges(0.09, 0.98, 0.17, 0.97)
 set xzeroaxis ls 9
 set key at graph 0.97,0.05 right bottom samplen 1.5
 plot sample [k=16:50:1] '+' using ((k-0.5)/100):(off(B[k], B[101-k], k)) with linespoints ls 2 title 'the article''s', \

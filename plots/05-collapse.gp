@@ -2,15 +2,11 @@
 # command: build/bin/disks-studies --study collapse -o build/data/05-collapse.dat
 # lecture: build/bin/disks-studies --study collapse --starts 40 -o build/data/05-collapse.dat
 # alt: Left, share of starts that collapse against the restitution: for 100 disks all of them up to 0.5, none from 0.7 on; for 30 disks nearly all up to 0.45, none from 0.55; for 10 disks less than half even at 0.05. Right, 100 disks in a square; the filled ones stand in two touching rows that begin at walls and meet.
-width = 14
 height = 7.5
 load 'plots/style.gp'
 file = 'build/data/05-collapse.dat'
 set multiplot
-set lmargin at screen 0.085
-set rmargin at screen 0.5
-set bmargin at screen 0.16
-set tmargin at screen 0.97
+eval edges(0.085, 0.5, 0.16, 0.97)
 set xrange [0:1]
 set yrange [-0.03:1.08]
 set xlabel 'restitution {/:Italic e}'
@@ -20,16 +16,11 @@ plot file index 0 using 1:4 with linespoints ls 1 title '100', \
      file index 0 using 1:3 with linespoints ls 2 title '30', \
      file index 0 using 1:2 with linespoints ls 3 title '10'
 side = sqrt(100*2.8)
-set lmargin at screen 0.53
-set rmargin at screen 0.995
-set bmargin at screen 0.02
-set tmargin at screen 0.98
+eval edges(0.53, 0.995, 0.02, 0.98)
 unset key
 unset xlabel
 unset ylabel
-unset tics
-unset border
-set size ratio -1
+eval drawing
 set xrange [-0.5:side+0.5]
 set yrange [-0.5:side+0.5]
 set object 1 rectangle from 0,0 to side,side fs empty border lc rgb '#333333' lw 1.5*thick

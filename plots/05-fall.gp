@@ -1,10 +1,7 @@
 # alt: Two sketches. Left, two disks thrown at each other from left and right, both drawn at six equal times along two arcs of parabolas, until they touch near the top. Right, disk 1 rests, and disk 2 stands at six equal distances on a straight line that ends where the two touch.
-width = 14
 height = 4.8
 load 'plots/style.gp'
-unset border
-unset tics
-set size ratio -1
+eval drawing
 set margins 0,0,0,0
 set xrange [-1:22.1]
 set yrange [-1.1:6.4]

@@ -1,13 +1,10 @@
 # data: build/data/05-filmstrip.dat
 # command: build/bin/disks --disks 4 --radius 0.15 --box 1,1 --warmup 0 --every 0.15 --samples 7 --measure states -o build/data/05-filmstrip.dat
 # alt: Eight square frames in two rows, 0 to 1.05 seconds. In each stand four numbered disks with arrows for their velocities; from frame to frame they fly straight on, but for those that have met a wall or each other in between.
-width = 14
 height = 7.5
 load 'plots/style.gp'
 file = 'build/data/05-filmstrip.dat'
-unset border
-unset tics
-set size ratio -1
+eval drawing
 set xrange [-0.02:1.02]
 set yrange [-0.13:1.02]
 set object 1 rectangle from 0,0 to 1,1 fs empty border lc rgb '#333333' lw 1.5*thick

@@ -1,10 +1,7 @@
 # alt: Two sketches. Left, a disk of radius r flies towards a wall; a dashed line one radius before the wall is as far as its centre may go, and there a pale outline of the disk touches the wall. Right, disk 1 at rest with a dotted circle of radius sigma around its centre; the centre of disk 2 flies along a straight line that passes the first centre at the distance b and enters the circle where the two disks touch.
-width = 14
 height = 5.6
 load 'plots/style.gp'
-unset border
-unset tics
-set size ratio -1
+eval drawing
 set margins 0,0,0,0
 set xrange [0:15]
 set yrange [-3:3]

@@ -2,8 +2,6 @@
 # command: build/bin/disks-studies --study contact -o build/data/05-grazing.dat
 # lecture: build/bin/disks-studies --study contact --starts 20000 -o build/data/05-grazing.dat
 # alt: Two panels, both axes logarithmic. Left, the relative error of the time of contact grows as one over the gap up to 0.2 at a gap of ten to the minus 15, for the textbook's root and, with places of random digits, for both. With exact places ours stays below ten to the minus 15 down to a gap of ten to the minus 8, jumps there to ten to the minus 8 and falls again. Right, the error of the time of a grazing contact grows as one over the root of what lacks to sigma, up to four hundred-millionths; the error of the distance stays at ten to the minus 15.
-width = 14
-height = 7
 load 'plots/style.gp'
 file = 'build/data/05-grazing.dat'
 set multiplot layout 1,2 margins 0.1,0.985,0.17,0.97 spacing 0.115,0

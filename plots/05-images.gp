@@ -2,9 +2,7 @@
 width = 8
 height = 8
 load 'plots/style.gp'
-unset border
-unset tics
-set size ratio -1
+eval drawing
 set margins 0,0,0,0
 set xrange [-0.75:1.75]
 set yrange [-0.75:1.75]

@@ -3,7 +3,6 @@
 # lecture: build/bin/disks --disks 4 --radius 0.15 --box 1,1 --every 0.01 --samples 10000000 --measure positions -o build/data/05-positions.dat
 # data: plots/data/disks4_r0.15_unitbox.dat
 # alt: Two panels, the density of x and of y from 0 to 1 metre. Zero up to 0.15, then 2.6, falling to 1.0 at 0.42, with a small hump of 1.1 in the middle, and the mirror image to 0.85. The points lie on the reference line.
-width = 14
 height = 6.5
 load 'plots/style.gp'
 file = 'build/data/05-positions.dat'

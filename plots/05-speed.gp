@@ -1,7 +1,6 @@
 # data: plots/data/05-speed.dat
 # data: plots/data/05-pressure.dat
 # alt: Two panels with logarithmic axes. Left, collisions per second against the number of disks, 4 to 1024: with every pair looked at they fall as one over N squared, by a factor of more than ten thousand; with a plan by less than a hundred, in the end as one over N. Right, error of the pressure against processor time, two lines of slope minus one half, from 0.13 to 0.002 over three and a half decades of time; the plan lies left of the pairs, at half their time.
-width = 14
 height = 7.5
 load 'plots/style.gp'
 set multiplot layout 1,2 margins 0.1,0.985,0.16,0.97 spacing 0.115,0
@@ -14,9 +13,7 @@ stats speed using ($1 > 100 ? log($1**2*$2) : NaN) nooutput
 pairs = exp(STATS_mean)
 stats pressure using (log(sqrt($2)*$4)) nooutput
 slow = exp(STATS_mean)
-set logscale xy
-set format x '10^{%T}'
-set format y '10^{%T}'
+eval powers
 set xlabel 'disks {/:Italic N}'
 set ylabel 'collisions per second' offset 1
 set xrange [3:1500]

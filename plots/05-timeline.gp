@@ -1,7 +1,6 @@
 # data: build/data/05-timeline.dat
 # command: build/bin/disks-studies --study timeline --every 0.05 --seed 21 -o build/data/05-timeline.dat
 # alt: Height of one disk against time, 0 to 1.5 seconds. A zigzag line is its path, with ticks above at every event of the four disks. Filled circles at every twentieth of a second lie on it. Crosses lie on it until the first event; there they fall back, and from then on follow a path of their own.
-width = 14
 height = 6.5
 load 'plots/style.gp'
 file = 'build/data/05-timeline.dat'
@@ -11,10 +10,7 @@ set ytics 0.15,0.1,0.86
 set xtics 0.1
 set xlabel 'time {/:Italic t}  (s)'
 set ylabel 'height {/:Italic y} of disk 1  (m)' offset 1
-set lmargin at screen 0.095
-set rmargin at screen 0.98
-set bmargin at screen 0.18
-set tmargin at screen 0.97
+eval edges(0.095, 0.98, 0.18, 0.97)
 set grid xtics lc rgb '#dddddd' lt 1
 set label 1 "events" at 0.01,0.955 front tc rgb '#333333'
 set arrow 1 from 0,0.15 to 1.5,0.15 nohead ls 9 dt 2

@@ -11,13 +11,9 @@
 # command: build/bin/sample-studies --study acceptance --disks 16 --radii 0.01,0.02,0.03,0.035,0.04,0.045,0.05,0.055,0.06,0.065,0.0675 --samples 400 -o build/data/06-accept-16.dat
 # lecture: build/bin/sample-studies --study acceptance --disks 16 --radii 0.01,0.02,0.03,0.035,0.04,0.045,0.05,0.055,0.06,0.065,0.07 --samples 10000 -o build/data/06-accept-16.dat
 # alt: Acceptance, logarithmic, against packing for 2, 4, 8 and 16 disks. All begin at one and fall, the faster the more disks: at packing 0.2 it is 0.4 for two disks and 0.0002 for sixteen. Dashed lines of independent pairs lie above the points and the farther the more crowded the box is.
-width = 14
 height = 7.5
 load 'plots/style.gp'
-set lmargin at screen 0.105
-set rmargin at screen 0.985
-set tmargin at screen 0.97
-set bmargin at screen 0.15
+eval edges(0.105, 0.985, 0.15, 0.97)
 set logscale y
 set format y '10^{%T}'
 set xrange [0:0.55]

@@ -1,7 +1,5 @@
 # data: plots/data/06-chains.dat
 # alt: Two panels, error of the pressure Z against processor time, both logarithmic, for packing 0.3 and 0.65. In each, event chains and dynamics fall together, and the random walk lies ten times higher.
-width = 14
-height = 7
 load 'plots/style.gp'
 file = 'plots/data/06-chains.dat'
 list = 'markov dynamics chains'

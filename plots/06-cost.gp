@@ -1,7 +1,5 @@
 # data: plots/data/06-cost.dat
 # alt: Three panels, error of a density against processor time, both logarithmic, each with three parallel falling lines. At radius 0.05 direct sampling has the least error; at 0.15 the three are within a factor of two; at 0.2 direct sampling lies ten times above the chain and the dynamics.
-width = 14
-height = 7
 load 'plots/style.gp'
 file = 'plots/data/06-cost.dat'
 list = 'direct markov dynamics'

@@ -8,7 +8,6 @@
 # command: build/bin/sample --method markov --disks 1 --radius 1 --box 5,5 --small 0.2,60 --bins 100 --step 0.5 --samples 200000 -o build/data/06-wall2.dat
 # lecture: build/bin/sample --method markov --disks 1 --radius 1 --box 5,5 --small 0.2,60 --bins 100 --step 0.5 --samples 2000000 -o build/data/06-wall2.dat
 # alt: Three panels. Density of the distance of two big disks in the plane, 5 at contact falling to 1 at 2.4; of two balls in space, 2.8 at contact falling to 1 at 2.4; of a disk from a wall, 6 at contact falling to 1 at 1.4. Points of chains lie on the curves of Asakura and Oosawa.
-width = 14
 height = 6.5
 load 'plots/style.gp'
 Z = 1.2

@@ -3,14 +3,10 @@
 # lecture: build/bin/sample-studies --study mistakes --samples 5000000 -o build/data/06-mistakes.dat
 # data: plots/data/06-reference.dat
 # alt: Ratio of a density to the right one against position. Keeping the disks that fitted gives 0.88 at the walls and 1.12 near the middle; counting only moves gives 0.96 at the walls, 1.07 a quarter of the way in and 0.88 in the middle; the right chain stays at one.
-width = 14
 height = 6.8
 load 'plots/style.gp'
 file = 'build/data/06-mistakes.dat'
-set lmargin at screen 0.095
-set rmargin at screen 0.985
-set tmargin at screen 0.97
-set bmargin at screen 0.17
+eval edges(0.095, 0.985, 0.17, 0.97)
 set xrange [0.15:0.85]
 set yrange [0.84:1.16]
 set xlabel 'position {/:Italic x}  (m)'

@@ -1,11 +1,8 @@
 # data: plots/data/06-reference.dat
 # alt: Three disks in a loose row, drawn dashed where they stood and solid where they end. The first moves right until it touches the second, the second goes on until it touches the third, which moves until the length of the chain is used up. Grey disks stand still.
-width = 14
 height = 5.1
 load 'plots/style.gp'
-unset border
-unset tics
-set size ratio -1
+eval drawing
 set xrange [-0.4:9.0]
 set yrange [-1.1:2.3]
 set margins 0,0,0,0

@@ -1,13 +1,10 @@
 # data: plots/data/06-reference.dat
 # alt: Three copies of a square box with a smaller dashed square inside it, the room of the centres. In each there is one disk, with a shaded disk of twice its radius around it: in the middle it lies inside the dashed square, at a wall and in a corner a half and three quarters of it lie outside.
-width = 14
 height = 5.2
 load 'plots/style.gp'
 r = 0.15
 set multiplot layout 1,3 margins 0.01,0.99,0.02,0.9 spacing 0.03,0
-unset border
-unset tics
-set size ratio -1
+eval drawing
 set xrange [-0.16:1.02]
 set yrange [-0.16:1.02]
 array X[3]; array Y[3]; array T[3]

@@ -2,14 +2,9 @@
 # command: build/bin/sample-studies --study memory --step 0.025,0.035,0.05,0.07,0.1,0.14,0.2,0.28,0.4,0.57,0.8 --samples 1000000 -o build/data/06-steps.dat
 # lecture: build/bin/sample-studies --study memory --step 0.025,0.035,0.05,0.07,0.1,0.14,0.2,0.28,0.4,0.57,0.8 --samples 10000000 -o build/data/06-steps.dat
 # alt: Inefficiency in sweeps against the longest step, both logarithmic. That of the place of one disk falls from 5000 at a step of 0.025 to 120 at 0.57. That of the share at the walls has its least value, 8, at 0.14 and rises to 60 at either end. The acceptance, written above, falls from 87 to 4 per cent.
-width = 14
-height = 7
 load 'plots/style.gp'
 file = 'build/data/06-steps.dat'
-set lmargin at screen 0.105
-set rmargin at screen 0.985
-set tmargin at screen 0.85
-set bmargin at screen 0.16
+eval edges(0.105, 0.985, 0.16, 0.85)
 set label 1 'share of tries that succeed:' at graph 0,1.16 left
 do for [k=0:5] {
     stats file every ::2*k::2*k using (X = $2):(A = sprintf('%.0f %%', 100*$3), 0) nooutput

@@ -2,7 +2,6 @@
 # command: build/bin/sample-studies --study memory --radii 0.1,0.12,0.14,0.15,0.16,0.17,0.18,0.185,0.19,0.195,0.2,0.205,0.21,0.22,0.23,0.24 --step 0.15 --samples 1000000 -o build/data/06-radii.dat
 # lecture: build/bin/sample-studies --study memory --radii 0.1,0.12,0.14,0.15,0.16,0.17,0.18,0.185,0.19,0.195,0.2,0.205,0.21,0.22,0.23,0.24 --step 0.15 --samples 10000000 -o build/data/06-radii.dat
 # alt: Left, inefficiency against radius: of the place of one disk it rises from 100 sweeps at 0.1 beyond 10000 at 0.18 and suddenly falls to 20 at 0.2, where the run is shorter than the memory; that of the share at the walls rises slowly from 7 to 260. Right, mean place of disk 1: close to 0.5 up to a radius of 0.18, and 0.3 from 0.2 on.
-width = 14
 height = 6.5
 load 'plots/style.gp'
 file = 'build/data/06-radii.dat'

@@ -9,7 +9,6 @@
 # lecture: build/bin/disks0 0.01 10000000 | awk -v columns=2,4,6,8 -v bins=100 -v high=1 -v block=100000 -f plots/density.awk > build/data/06-flying.dat
 # data: plots/data/06-reference.dat
 # alt: Above, density of a coordinate of four disks in a box: highest at both walls, 2.7, falling to 0.97 with a small hump of 1.1 in the middle. Points of three methods lie on one curve. Below, their deviations from the reference in units of their errors scatter between minus 3 and 3.
-width = 14
 height = 9.5
 load 'plots/style.gp'
 reference = 'plots/data/06-reference.dat'

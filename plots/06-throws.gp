@@ -1,15 +1,12 @@
 # data: plots/data/06-reference.dat
 # alt: Twenty-seven small square boxes, each with four disks thrown into it. In twenty-six some disks overlap and are drawn in red; in one, framed with a thick line, all four stand apart.
-width = 14
 height = 4.9
 load 'plots/style.gp'
 r = 0.15
 # Numbers of this figure's own, so that it looks alike with every gnuplot.
 seed = 28.0
 draw(dummy) = (seed = seed*16807.0 - floor(seed*16807.0/2147483647.0)*2147483647.0, seed/2147483647.0)
-unset border
-unset tics
-set size ratio -1
+eval drawing
 set xrange [-0.06:10.32]
 set yrange [-0.06:3.4]
 set margins 0,0,0,0

@@ -5,7 +5,6 @@
 # command: build/bin/sample-studies --study acceptance --disks 2 --radii 0.02,0.04,0.06,0.08,0.1,0.12,0.14,0.16,0.18,0.2,0.22,0.24 --samples 20000 -o build/data/06-accept2.dat
 # lecture: build/bin/sample-studies --study acceptance --disks 2 --radii 0.02,0.04,0.06,0.08,0.1,0.12,0.14,0.16,0.18,0.2,0.22,0.24 --samples 200000 -o build/data/06-accept2.dat
 # alt: Left, density of a coordinate of two disks: 1.77 at the walls, 1.22 in the middle; points lie on the curve. Right, acceptance against radius falls from 1 at radius 0 to 0.02 at 0.25; points lie on the curve.
-width = 14
 height = 6.5
 load 'plots/style.gp'
 s = 0.3; a = 0.7

@@ -1,12 +1,9 @@
 # data: plots/data/06-reference.dat
 # alt: Left: two big disks, each with a shaded zone around it; the zones overlap in a dark lens between the disks. Small disks lie outside. Right: a big disk near a wall; its zone overlaps the zone along the wall in a dark segment.
-width = 14
 height = 5
 load 'plots/style.gp'
 R = 1.0; d = 0.3; Z = R + d; s = 2.25; x = 1.15
-unset border
-unset tics
-set size ratio -1
+eval drawing
 set xrange [-1.5:8.2]
 set yrange [-1.55:1.55]
 set margins 0,0,0,0

@@ -4,7 +4,6 @@
 # data: build/runs/gas-heavy.summary
 # command: build/bin/disks --disks 400 --radius 0.5 --heavy 40,2 --start random --temperature 1 --box 39.79149,39.79149 --boundary periodic --warmup 20 --measure brownian --every 0.1 --until 6000 -o /dev/null --summary build/runs/gas-heavy.summary
 # alt: Left, the correlation of the velocity on a logarithmic scale falls from 0.023 along the dashed initial slope and then lies above the exponential. Right, the mean square displacement on logarithmic scales: free flight with slope 2 up to a second, then bending to slope 1; the points end a little above the line.
-width = 14
 height = 7.2
 load 'plots/style.gp'
 file = 'build/data/07-brownian.dat'
@@ -23,8 +22,7 @@ plot C0*exp(-g*x) ls 9 lw 1.5*thick, \
      file using 1:2:3 with yerrorbars ls 1 ps 0.4*big
 set logscale x
 set ytics autofreq
-set format x '10^{%T}'
-set format y '10^{%T}'
+set format '10^{%T}'
 set ylabel 'mean square displacement (m^2)' offset 0.5
 set xrange [0.08:200]
 set yrange [1e-4:300]

@@ -1,6 +1,5 @@
 # data: plots/data/07-eos.dat
 # alt: Left, the compressibility factor against packing, for disks from 1.2 to 6.5 and for spheres from 1.5 to 12; points on lines. Right, deviations in per cent: the points scatter about zero within two tenths of a per cent; uncorrected crosses lie below; the grey lines of Henderson and of Carnahan and Starling leave them.
-width = 14
 height = 7.2
 load 'plots/style.gp'
 file = 'plots/data/07-eos.dat'

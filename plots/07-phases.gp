@@ -7,7 +7,6 @@
 # data: plots/data/07-phases.dat
 # slides: 2
 # alt: Above, three boxes of 120 disks. Five disks are coloured and have trails of coloured dots, their earlier places; the others have small grey dots. In the first box the trails run right through it; in the second each winds about in one place, some have gone a way; in the third each disk has one small heap of dots and all heaps form a lattice of triangles. Below, the compressibility factor against packing: a curve rises from 1 to 10, falls between 0.69 and 0.72, and rises again along another curve.
-width = 14
 height = 12.5
 load 'plots/style.gp'
 gas = 'build/data/07-gas.dat'
@@ -26,10 +25,7 @@ do for [k=1:row(1) ? 3 : 0] {
   name = word('gas fluid solid', k)
   file = 'build/data/07-'.name.'.dat'
   eta = real(option(file, 'packing'))
-  set lmargin at screen 0.01+(k-1)*0.335
-  set rmargin at screen 0.32+(k-1)*0.335
-  set tmargin at screen slide ? 0.78 : 0.955
-  set bmargin at screen slide ? 0.16 : 0.545
+  eval edges(0.01+(k-1)*0.335, 0.32+(k-1)*0.335, slide ? 0.16 : 0.545, slide ? 0.78 : 0.955)
   set label 1 sprintf('{/Symbol h} = %.2f', eta) at graph 0.5,1.05 center
   plot file index 60 using (one($2) ? NaN : $5):6:4 with circles fs solid 0.35 noborder lc rgb '#a9cfe6', \
        file using (one($2) ? NaN : $5):6 with points pt 7 ps 0.05*big lc rgb '#6f8797', \
@@ -38,10 +34,7 @@ do for [k=1:row(1) ? 3 : 0] {
 }
 unset label 1
 set size noratio
-set lmargin at screen 0.08
-set rmargin at screen 0.98
-set tmargin at screen slide ? 0.96 : 0.5
-set bmargin at screen slide ? 0.15 : 0.095
+eval edges(0.08, 0.98, slide ? 0.15 : 0.095, slide ? 0.96 : 0.5)
 set xtics 0.1
 set ytics 2
 set xlabel 'packing {/Symbol h}'

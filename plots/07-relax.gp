@@ -4,7 +4,6 @@
 # command: build/bin/disks --disks 100000 --radius 0.1 --box 150,100 --measure relaxation --every 0.05 --until 4 -o build/data/07-relax-100000.dat
 # lecture: build/bin/disks --disks 1000000 --radius 0.1 --box 474.3416490252569,316.2277660168379 --measure relaxation --every 0.05 --until 4 -o build/data/07-relax-100000.dat
 # alt: Left, the mean fourth power of the speed against collisions of a disk: from 1 it rises along a straight dashed line at first and then bends towards 2, which it has reached after some twelve collisions; the points of 250 disks scatter about those of 100000. Right, Boltzmann's H falls from one half to minus 2.14 in about four collisions and stays there; that of 250 disks fluctuates a little above.
-width = 14
 height = 6.8
 load 'plots/style.gp'
 few = 'build/data/07-relax-250.dat'

@@ -1,6 +1,5 @@
 # data: plots/data/07-speed.dat
 # alt: Processor time of a collision against the number of disks, both axes logarithmic, from a hundred to a million. With pairs it rises in proportion to N, from one microsecond to nearly a tenth of a millisecond at ten thousand disks. With cells it stays under one microsecond up to ten thousand, for disks and spheres at two packings each, and grows to some microseconds at a million, where the memory is the brake.
-width = 14
 height = 8.4
 load 'plots/style.gp'
 file = 'plots/data/07-speed.dat'
@@ -13,10 +12,7 @@ set xlabel '{/:Italic N}'
 set ylabel 'time of a collision  (µs)' offset 1
 set xrange [60:1.6e6]
 set yrange [0.2:1500]
-set lmargin at screen 0.11
-set bmargin at screen 0.145
-set tmargin at screen 0.97
-set rmargin at screen 0.98
+eval edges(0.11, 0.98, 0.145, 0.97)
 set key at graph 0.98,0.96 right top reverse Left samplen 2 spacing 1.1
 set label 1 'pairs' at 4e3,75 right tc rgb '#555555'
 set label 2 '∝ {/:Italic N}' at 6e4,300 left tc rgb '#555555'

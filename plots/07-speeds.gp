@@ -4,7 +4,6 @@
 # data: build/data/07-speeds-10.dat
 # command: build/bin/gas0 10 50001 1.5 1 > build/data/07-speeds-10.dat
 # alt: Left, the density of the speed rises from zero to a top at 0.7 and falls to nothing at 3; points on a line. Right, the deviation from Maxwell's law in per cent: for ten disks from minus 10 at rest to plus 12 in the middle and far below at high speeds, for 250 within half a per cent up to speed 2 and then falling; points on lines.
-width = 14
 height = 6.8
 load 'plots/style.gp'
 few = 'build/data/07-speeds-10.dat'

@@ -2,9 +2,7 @@
 width = 12
 height = 4.2
 load 'plots/style.gp'
-unset border
-unset tics
-set size ratio -1
+eval drawing
 set margins 0,0,0,0
 set xrange [0:12]
 set yrange [-2.1:2.1]

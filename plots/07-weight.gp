@@ -4,7 +4,6 @@
 # command: build/bin/disks --disks 40 --radius 0.002 --box 1,0.5 --start random --warmup 0 --until 0 -o build/data/07-low-40.dat && build/bin/disks --start build/data/07-low-40.dat --box 1,2.5 --gravity 2 --every 0.5 --until 6000 --measure positions -o build/data/07-weight-40.dat
 # lecture: build/bin/disks --disks 40 --radius 0.002 --box 1,0.5 --start random --warmup 0 --until 0 -o build/data/07-low-40.dat && build/bin/disks --start build/data/07-low-40.dat --box 1,2.5 --gravity 2 --every 0.5 --until 24000 --measure positions -o build/data/07-weight-40.dat
 # alt: Left, the density of the heights of four disks on a logarithmic scale: points with error bars on a curve that begins below the straight dashed line of the exponential, rises above it between one and three mean heights and falls off steeply behind five. Right, the deviation from the exponential in per cent: for four disks from minus 12 on the floor to plus 14 at two mean heights and down to minus 35 at four, for forty disks within four per cent; points on lines.
-width = 14
 height = 7.5
 load 'plots/style.gp'
 H = 2.5 # the box, m

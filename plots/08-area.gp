@@ -1,7 +1,6 @@
 # data: build/data/08-area.dat
 # command: build/bin/step-studies --study area -o build/data/08-area.dat
 # alt: Three panels with the phase plane of a pendulum. In each a disk of states at the middle right is shown after 0, 3, 6 and 9 steps, going round clockwise and being drawn out. Under Euler it grows and leaves, under leapfrog and RK4 it becomes a long curved drop of the same area.
-width = 14
 height = 6
 load 'plots/style.gp'
 file = 'build/data/08-area.dat'

@@ -1,7 +1,6 @@
 # data: build/data/08-fails.dat
 # command: build/bin/step-studies --study fails -o build/data/08-fails.dat
 # alt: Three panels, size against the number of steps, logarithmic. Left: leapfrog wavers about one, Yoshida 4 rises on a straight line to ten to the thirty-fourth. Middle: RK4 falls on a straight line to ten to the minus eighteen. Right: under friction RK4 falls slowly, leapfrog rises slowly, Yoshida 4 a little faster.
-width = 14
 height = 6.5
 load 'plots/style.gp'
 load 'plots/methods.gp'

@@ -1,6 +1,5 @@
 # data: plots/data/08-fuzz.dat
 # alt: Against the number of texts on a logarithmic axis, 1 to ten million: branches that the reader has taken rise from 200 to 300 within ten thousand texts and to 346 at the end; texts that were kept rise from 3 to 330, most of them after the first thousand.
-width = 14
 height = 6.5
 load 'plots/style.gp'
 set lmargin at screen 0.1

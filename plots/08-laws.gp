@@ -1,7 +1,6 @@
 # data: build/data/08-laws.dat
 # command: build/bin/step-studies --study laws -o build/data/08-laws.dat
 # alt: Energy of an oscillator against the number of steps, logarithmic upwards. Euler's points rise on a straight line to ten to the sixth in 60 steps. RK4's fall slowly along their line. Leapfrog's waver just below one, symplectic Euler's swing about one.
-width = 14
 height = 6.5
 load 'plots/style.gp'
 load 'plots/methods.gp'

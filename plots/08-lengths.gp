@@ -1,16 +1,12 @@
 # data: build/data/08-lengths.dat
 # command: build/bin/step-studies --study lengths -o build/data/08-lengths.dat
 # alt: Three panels. Left: the tracks of three bodies from rest at the corners of a right triangle, tangled, for sixteen seconds. Middle: two of them about their common centre, in thousandths of a metre: two hairpins that turn back at two tenths from the centre. Right: the length of the steps against time, logarithmic; it falls from a tenth of a second to less than a millionth in a narrow notch at 15.83 seconds, and to between a ten-thousandth and a hundredth in several others; steps of dopri5 are shorter than those of radau15 by a factor of five.
-width = 14
 height = 5.2
 load 'plots/style.gp'
 load 'plots/methods.gp'
 file = 'build/data/08-lengths.dat'
 set multiplot
-set bmargin at screen 0.21
-set tmargin at screen 0.96
-set lmargin at screen 0.07
-set rmargin at screen 0.36
+eval edges(0.07, 0.36, 0.21, 0.96)
 set size ratio -1
 set xrange [-3.2:3.6]
 set yrange [-2.2:3.7]

@@ -1,7 +1,6 @@
 # data: build/data/08-orbit.dat
 # command: for m in euler symplectic-euler leapfrog; do build/bin/orbit0 $m 0.02 5; echo; echo; done > build/data/08-orbit.dat
 # alt: Left: five years of a planet seen from the sun. Euler's method winds outwards in a spiral; the points of leapfrog lie on the circle of radius one. Right: the energy against time. Euler's rises at once and levels off at a third of its value; that of the other two methods stays within the width of the line.
-width = 14
 height = 6.8
 load 'plots/style.gp'
 load 'plots/methods.gp'

@@ -1,7 +1,6 @@
 # data: build/data/08-portrait.dat
 # command: for m in euler symplectic-euler leapfrog rk4; do t=200; [ $m != euler ] || t=7; for x in 0.6 1.2 1.8 2.4; do build/bin/pendulum0 $m 0.5 $t $x; echo; echo; done; done > build/data/08-portrait.dat
 # alt: Four panels, angular velocity against angle of a pendulum, each with the points of four swings of different size. Euler's points leave their curves outwards at once. Symplectic Euler's lie on closed curves that lean to one side, leapfrog's on closed upright ones, RK4's on spirals that wind inwards a little.
-width = 14
 height = 8.5
 load 'plots/style.gp'
 file = 'build/data/08-portrait.dat'

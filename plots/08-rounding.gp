@@ -2,24 +2,18 @@
 # command: build/bin/step-studies --study rounding -o build/data/08-rounding.dat
 # lecture: build/bin/step-studies --study rounding --orbits 16384 -o build/data/08-rounding.dat
 # alt: Error of the energy against the number of orbits for Kahan and Li's method, logarithmic. At 100 steps an orbit it is flat at 3e-11, with compensation or without. At 400 steps it grows without compensation as the root of the number of orbits, from ten to the minus 14 to 2e-13; with it, it starts below ten to the minus 15 and in the end is a hundred times smaller.
-width = 14
-height = 7
 load 'plots/style.gp'
 file = 'build/data/08-rounding.dat'
 # From the first point of 400 plain steps on.
 stats file index 2 using ($2/sqrt($1)) every ::0::0 nooutput
 first = STATS_min
-set logscale xy
-set format '10^{%T}'
+eval powers
 set xrange [0.8:lecture ? 20000 : 700]
 set yrange [1e-16:1e-7]
 set ytics 100
 set xlabel 'orbits'
 set ylabel 'error of the energy' offset 0.5
-set lmargin at screen 0.11
-set rmargin at screen 0.985
-set bmargin at screen 0.17
-set tmargin at screen 0.97
+eval edges(0.11, 0.985, 0.17, 0.97)
 set key at graph 0.02,0.97 left top reverse Left samplen 2
 plot first*sqrt(x) ls 9, \
      file index 0 using 1:2 with linespoints ls 5 title '100 steps an orbit, plain', \

@@ -1,7 +1,6 @@
 # data: build/data/08-stability.dat
 # command: build/bin/step-studies --study stability -o build/data/08-stability.dat
 # alt: A panel for each method: the part of the complex plane of lambda dt in which the damped oscillator does not grow. Euler, the unit disk around minus one; RK4, the known bean up to 2.83 on the imaginary axis and 2.79 on the negative real one; symplectic Euler, a strip of width one, up to 2 on the imaginary axis; leapfrog, a narrow triangle up to 2 and half as wide; Yoshida 4, a block of width 1.1 up to 1.6; PEFRL, a strip of width 1 up to 3 and beyond; Yoshida 6, a strip of width 1.5 up to 2.4 with a ragged edge, and an island above it; Kahan-Li 8, a strip of width 2.4 up to the upper edge; implicit midpoint and Gauss 4, the whole left half-plane.
-width = 14
 height = 8.5
 load 'plots/style.gp'
 load 'plots/methods.gp'

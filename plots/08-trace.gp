@@ -1,7 +1,6 @@
 # data: build/data/08-trace.dat
 # command: build/bin/step-studies --study trace -o build/data/08-trace.dat
 # alt: Half the trace of a step against omega dt. All methods follow the cosine at first. Leapfrog crosses minus one at 2. Yoshida's fourth order turns away upwards and crosses plus one at 1.57, his sixth order crosses minus one at 2.27; PEFRL reaches minus one at 2.99, Kahan and Li's eighth order follows the cosine to 3.1. A second panel has the lower edge near pi: the cosine touches it, Kahan and Li's curve is below it from 3.096 to pi, by less than a thousandth.
-width = 14
 height = 7.5
 load 'plots/style.gp'
 load 'plots/methods.gp'

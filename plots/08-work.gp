@@ -1,21 +1,16 @@
 # data: build/data/08-work.dat
 # command: build/bin/step-studies --study work -o build/data/08-work.dat
 # alt: Two panels, error against evaluations of the forces, both logarithmic; left an orbit of eccentricity one half after ten turns, right a chain of 32 masses. Each method falls with the slope of its order, but symplectic Euler on the orbit, whose slope is two as that of leapfrog and midpoint. Euler does not arrive on the orbit and needs most work on the chain. Of the explicit methods of order four PEFRL is best and Yoshida's worst. From an error of ten to the minus 8 on the adaptive rk8pd and Kahan and Li's order eight are the cheapest on both sides, down to ten to the minus 12 on the orbit and to less than ten to the minus 13 on the chain.
-width = 14
 height = 11
 load 'plots/style.gp'
 size = 0.7
 load 'plots/methods.gp'
 file = 'build/data/08-work.dat'
 set multiplot
-set logscale xy
-set format '10^{%T}'
+eval powers
 set yrange [1e-14:10]
 set ytics 100
-set lmargin at screen 0.105
-set rmargin at screen lecture ? 0.425 : 0.535
-set bmargin at screen lecture ? 0.15 : 0.27
-set tmargin at screen 0.98
+eval edges(0.105, lecture ? 0.425 : 0.535, lecture ? 0.15 : 0.27, 0.98)
 names = methods(file, known)
 do for [k=0:1] {
   set xlabel 'evaluations of the forces'

@@ -1,15 +1,11 @@
 # data: build/data/09-anomaly.dat
 # command: build/bin/gravity-studies --study anomaly -o build/data/09-anomaly.dat
 # alt: Left: eccentric against mean anomaly from 0 to pi for four eccentricities: a nearly straight line for 0.1, and for 0.99 a curve that leaves the origin almost vertically. Right: an ellipse of eccentricity 0.7 with the Sun in a focus and 24 places at equal times, far apart near the Sun and close together far from it.
-width = 14
 height = 6.6
 load 'plots/style.gp'
 file = 'build/data/09-anomaly.dat'
 set multiplot
-set lmargin at screen 0.1
-set rmargin at screen 0.47
-set bmargin at screen 0.17
-set tmargin at screen 0.97
+eval edges(0.1, 0.47, 0.17, 0.97)
 set xrange [0:pi]
 set yrange [0:pi]
 set xtics ('0' 0, '{/Symbol p}/2' pi/2, '{/Symbol p}' pi)

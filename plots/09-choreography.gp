@@ -1,7 +1,6 @@
 # data: build/data/09-choreography.dat
 # command: build/bin/gravity-studies --study choreography -o build/data/09-choreography.dat
 # alt: Left, logarithmic: how far the bodies of a choreography are off their circle against the number of orbits, for 3, 4, 6, 8 and 9 bodies. All start at rounding, ten to the minus sixteen, and rise in straight lines, the more bodies the steeper, to one tenth after eight to three orbits. Right: rate of growth against the number of bodies from 3 to 10, points of the runs on the line of the linear theory, from 0.7 to 2.4.
-width = 14
 height = 7.4
 load 'plots/style.gp'
 file = 'build/data/09-choreography.dat'

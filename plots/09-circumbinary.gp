@@ -1,7 +1,6 @@
 # data: build/data/09-circumbinary.dat
 # command: build/bin/gravity-studies --study circumbinary -o build/data/09-circumbinary.dat
 # alt: Paths of two stars and a planet. Left, planet at 0.7048 astronomical units: two small circles of the stars inside one large, nearly round orbit. Right, planet begun at 0.445: irregular loops between 0.4 and 0.8, then a wider one, and it leaves.
-width = 14
 height = 7.2
 load 'plots/style.gp'
 file = 'build/data/09-circumbinary.dat'

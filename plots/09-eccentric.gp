@@ -1,16 +1,11 @@
 # data: build/data/09-eccentric.dat
 # command: build/bin/gravity-studies --study eccentric -o build/data/09-eccentric.dat
 # alt: Left, logarithmic: error of place after one orbit with ten thousand evaluations against eccentricity, for three methods. For round orbits leapfrog has 1e-6, Runge-Kutta 1e-11, the eighth order 1e-14. Towards e = 0.99 all rise, the better ones faster, and beyond 0.95 leapfrog is the best of three bad ones. Right: six orbits of e = 0.95 by leapfrog with a thousand steps each: thin ellipses that turn from orbit to orbit.
-width = 14
-height = 7
 load 'plots/style.gp'
 load 'plots/methods.gp'
 file = 'build/data/09-eccentric.dat'
 set multiplot
-set lmargin at screen 0.1
-set rmargin at screen 0.52
-set bmargin at screen 0.16
-set tmargin at screen 0.97
+eval edges(0.1, 0.52, 0.16, 0.97)
 set logscale y
 set format y '10^{%T}'
 set xrange [0:1]

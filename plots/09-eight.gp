@@ -1,16 +1,11 @@
 # data: build/data/09-eight.dat
 # command: build/bin/gravity-studies --study figure-eight -o build/data/09-eight.dat
 # alt: Left: three bodies on one figure of eight lying on its side, at its right and left loop and at the crossing. Right, logarithmic: error of the places after one period against evaluations of the forces; leapfrog falls with slope two, Runge-Kutta with slope four, and the eighth-order method reaches rounding after a few thousand evaluations.
-width = 14
-height = 7
 load 'plots/style.gp'
 load 'plots/methods.gp'
 file = 'build/data/09-eight.dat'
 set multiplot
-set lmargin at screen 0.085
-set rmargin at screen 0.48
-set bmargin at screen 0.16
-set tmargin at screen 0.97
+eval edges(0.085, 0.48, 0.16, 0.97)
 set size ratio -1
 set xrange [-1.25:1.25]
 set yrange [-1.0:1.0]
@@ -26,8 +21,7 @@ plot file index 0 using 2:3 with lines ls 9, \
 set size noratio
 set lmargin at screen 0.59
 set rmargin at screen 0.985
-set logscale xy
-set format '10^{%T}'
+eval powers
 set xrange [70:3e5]
 set yrange [1e-16:1]
 set xlabel 'evaluations in a period'

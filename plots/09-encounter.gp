@@ -1,14 +1,11 @@
 # data: build/data/09-encounter.dat
 # command: build/bin/gravity-studies --study encounter -o build/data/09-encounter.dat
 # alt: Error of place, left, and of energy, right, after a fall past the Sun, against the closest approach from 0.3 to 3e-6 astronomical units, all logarithmic. Without softening both methods fail abruptly below about 0.01: leapfrog's place error rises with slope minus three and its energy jumps to ten thousand times what it was. With softening the energy error stays below 2e-7 throughout, and the place is wrong by 0.004 at the far end and by two, the whole width, at the near end.
-width = 14
-height = 7
 load 'plots/style.gp'
 load 'plots/methods.gp'
 file = 'build/data/09-encounter.dat'
 set multiplot layout 1,2 margins 0.1,0.985,0.16,0.97 spacing 0.115,0
-set logscale xy
-set format '10^{%T}'
+eval powers
 set xlabel 'closest approach  (AU)'
 set ylabel 'error of place  (AU)' offset 1
 set xrange [2e-6:0.5]

@@ -1,7 +1,6 @@
 # data: build/data/09-jacobi.dat
 # command: build/bin/gravity-studies --study ellipses -o build/data/09-jacobi.dat
 # alt: Two panels with logarithmic axes, the largest error of the energy of eight planets in a century. Left, against the days from kick to kick, a quarter to sixteen: leapfrog rises from 1e-7 to 1e-4; Kahan and Li's method is below 1e-10 at a quarter of a day and useless beyond one; Wisdom and Holman's runs parallel to leapfrog, twenty thousand times lower; SBAB4 lies at 1e-13, the level of rounding, up to two days, and then rises steeply. Right, against a factor on the planets' masses from 0.01 to 10: leapfrog is level, Wisdom and Holman's rises in proportion, and SBAB4 from rounding as the square.
-width = 14
 height = 7.5
 load 'plots/style.gp'
 file = 'build/data/09-jacobi.dat'

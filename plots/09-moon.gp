@@ -1,14 +1,10 @@
 # data: build/data/09-moon.dat
 # command: build/bin/gravity-studies --study ring --moon 1e-4 --mixed 2 --orbits 3 -o build/data/09-moon.dat
 # alt: The ring unrolled: distance against the angle from the moon, from minus 180 to 180 degrees. Before the moon the outer edge is straight at 2.5. Behind it the edge rises and falls in waves of about 55 degrees that become sharp crests, and at the moon's own distance particles are drawn out of the ring.
-width = 14
 height = 6.6
 load 'plots/style.gp'
 file = 'build/data/09-moon.dat'
-set lmargin at screen 0.085
-set rmargin at screen 0.97
-set bmargin at screen 0.19
-set tmargin at screen 0.97
+eval edges(0.085, 0.97, 0.19, 0.97)
 stats file index 0 every ::3073 using (atan2($2,$1)) nooutput
 moon = STATS_min
 set xlabel 'angle from the moon  (degrees)'

@@ -1,5 +1,4 @@
 # alt: Left, two ellipses of the same shape, one half as large as the other, with a common focus at the centre of mass; a heavy body on the smaller and a light one on the larger, on opposite sides of the focus. Right, an ellipse inside its circle, the Sun in a focus; from the body a vertical line leads to the circle, from where a radius leads to the centre and makes the angle E with the axis; the area between the Sun, the nearest point and the body is shaded.
-width = 14
 height = 5.6
 load 'plots/style.gp'
 unset border

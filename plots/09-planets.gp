@@ -2,8 +2,6 @@
 # command: build/bin/gravity-studies --study planets -o build/data/09-planets.dat
 # lecture: build/bin/gravity-studies --study planets --orbits 10000 -o build/data/09-planets.dat
 # alt: Eccentricity of the Earth's orbit, left, and of Mars's, right, over a thousand years, with Jupiter's mass as it is and 30, 100 and 300 times that. With the true mass the curves are nearly flat; the heavier Jupiter is, the more they swing, up to 0.05 for the Earth and 0.17 for Mars.
-width = 14
-height = 7
 load 'plots/style.gp'
 file = 'build/data/09-planets.dat'
 set multiplot layout 1,2 margins 0.095,0.96,0.16,0.9 spacing 0.1,0

@@ -1,14 +1,10 @@
 # data: build/data/09-ring-speeds.dat
 # command: build/bin/gravity-studies --study ring-speeds -o build/data/09-ring-speeds.dat
 # alt: Speed of a circle against its radius from 1.5 to 3. Without a ring it falls smoothly. With a ring of two per cent of the planet's mass between 2 and 2.5 it lies below that curve inside and above it outside, with a sharp dip at the inner edge and a sharp peak at the outer one. A dashed curve, for a ring seven times as heavy, has the same shape but much larger.
-width = 14
 height = 7.4
 load 'plots/style.gp'
 file = 'build/data/09-ring-speeds.dat'
-set lmargin at screen 0.105
-set rmargin at screen 0.985
-set bmargin at screen 0.15
-set tmargin at screen 0.97
+eval edges(0.105, 0.985, 0.15, 0.97)
 set xlabel '{/:Italic r}  (AU)'
 set ylabel 'speed  (AU/d)' offset 1
 set xrange [1.5:3]

@@ -5,12 +5,9 @@
 # data: build/data/09-ring-1000.dat
 # command: build/bin/gravity-studies --study ring --factor 1000 -o build/data/09-ring-1000.dat
 # alt: Three pictures of 3072 particles round a planet after two orbits. With masses of 1e-8 the ring is as it was, sharp at both edges. With 500 times that it is wide, its edges are torn, and there are grains of several particles. With 1000 times that it is a wide disk with clearly visible clumps and particles thrown out.
-width = 14
 height = 5.8
 load 'plots/style.gp'
-unset border
-unset tics
-set size ratio -1
+eval drawing
 set multiplot layout 1,3 margins 0.005,0.995,0.01,0.86 spacing 0.005,0
 do for [f in '1 500 1000'] {
     file = 'build/data/09-ring-'.f.'.dat'

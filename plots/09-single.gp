@@ -1,14 +1,10 @@
 # data: build/data/09-single.dat
 # command: build/bin/gravity-studies --study single -o build/data/09-single.dat
 # alt: Relative error of the pull of a ring on its own particles, in single precision, against the number of particles from 192 to 49152, both axes logarithmic. With the planet's pull summed first it rises from 0.002 to 0.3, and the line of the model runs through its points. With the planet last, and with a compensated sum, it stays between 0.0001 and 0.0015.
-width = 14
 height = 6.4
 load 'plots/style.gp'
 file = 'build/data/09-single.dat'
-set lmargin at screen 0.11
-set rmargin at screen 0.985
-set bmargin at screen 0.19
-set tmargin at screen 0.97
+eval edges(0.11, 0.985, 0.19, 0.97)
 set logscale xy
 eval decades
 set format '10^{%T}'

@@ -1,16 +1,11 @@
 # data: build/data/09-softening.dat
 # command: build/bin/gravity-studies --study softening -o build/data/09-softening.dat
 # alt: Logarithmic: by how much an ellipse of eccentricity 0.2 turns back in an orbit, and by how much the period of a circle is too long, against the softening from 0.001 to 0.3. Both rise with slope two; the points of the runs lie on the line of the theory up to a softening of about 0.1 and fall below it beyond.
-width = 14
 height = 6.4
 load 'plots/style.gp'
 file = 'build/data/09-softening.dat'
-set lmargin at screen 0.11
-set rmargin at screen 0.985
-set bmargin at screen 0.19
-set tmargin at screen 0.97
-set logscale xy
-set format '10^{%T}'
+eval edges(0.11, 0.985, 0.19, 0.97)
+eval powers
 set xlabel 'softening {/Symbol e}  (AU)'
 set ylabel 'per orbit' offset -0.3
 set xrange [7e-4:0.5]

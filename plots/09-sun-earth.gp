@@ -1,8 +1,6 @@
 # data: build/data/09-sun-earth.dat
 # command: build/bin/gravity-studies --study sun-earth -o build/data/09-sun-earth.dat
 # alt: Left: five years of the Earth seen from the Sun, in steps of two days. The closed form and leapfrog lie on one circle of radius one; Euler's method winds outwards in a spiral to twice the distance. Right: the distance against time: leapfrog stays at one, Euler's rises close to a grey law that grows as the cube root of the time.
-width = 14
-height = 7
 load 'plots/style.gp'
 load 'plots/methods.gp'
 file = 'build/data/09-sun-earth.dat'

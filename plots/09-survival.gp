@@ -3,13 +3,9 @@
 # lecture: build/bin/gravity-studies --study survival --orbits 10000 -o build/data/09-survival.dat
 # data: plots/data/kepler16_scan.dat
 # alt: How many of eight starting phases survive a thousand periods of the stars against the distance at which the planet begins, from 1.8 to 2.6 distances of the stars. None or few below 1.95, some from there on, all from 2.24 on. Open circles, ten times as long, agree but for single phases. A vertical line at 2.27, the published fit, stands just right of the step.
-width = 14
 height = 6.4
 load 'plots/style.gp'
-set lmargin at screen 0.09
-set rmargin at screen 0.985
-set bmargin at screen 0.2
-set tmargin at screen 0.97
+eval edges(0.09, 0.985, 0.2, 0.97)
 set xlabel 'distance at which the planet begins  (distances of the stars)'
 set ylabel 'phases that survive' offset 1
 set xrange [1.78:2.62]

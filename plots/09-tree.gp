@@ -1,15 +1,9 @@
 # data: plots/data/09-tree.dat
 # alt: Time of one evaluation of all forces against the number of particles in a ring, both axes logarithmic, from 125 to 32000. The direct sums rise with slope two, the vector kernel at two thirds of the portable one. Two trees rise with slopes near 1.2 and 1.3 and cross the vector kernel at a few hundred particles, that with the larger cells first. A vertical line marks 3072.
-width = 14
-height = 7
 load 'plots/style.gp'
 file = 'plots/data/09-tree.dat'
-set lmargin at screen 0.11
-set rmargin at screen 0.985
-set bmargin at screen 0.16
-set tmargin at screen 0.97
-set logscale xy
-set format '10^{%T}'
+eval edges(0.11, 0.985, 0.16, 0.97)
+eval powers
 set xlabel 'particles {/:Italic N}'
 set ylabel 'time of all forces  (ms)' offset 1
 set xrange [100:40000]

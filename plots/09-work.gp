@@ -2,7 +2,6 @@
 # command: build/bin/gravity-studies --study work -o build/data/09-work.dat
 # lecture: build/bin/gravity-studies --study work --orbits 1000 -o build/data/09-work.dat
 # alt: Two panels with logarithmic axes: error against evaluations of the forces in a period of the stars. Left, largest error of the energy; right, error of the planet's place after 400 days. Each method falls with a slope of its own: symplectic Euler highest, then leapfrog, Runge-Kutta, Yoshida's fourth order, PEFRL, Yoshida's sixth order, and Kahan and Li's eighth order, which reaches the level of rounding with about 600 evaluations.
-width = 14
 height = 8.6
 load 'plots/style.gp'
 load 'plots/methods.gp'

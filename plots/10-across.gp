@@ -1,5 +1,4 @@
 # alt: Two sketches of a mass between two walls, raised by z above the line between them. Left, springs as long as the gaps: two short arrows F along the springs, the sum of their components along z tiny. Right, stretched springs: two long arrows T, tilted a little, and their sum down by 2 T z/d.
-width = 14
 height = 4.3
 load 'plots/style.gp'
 unset border

@@ -1,5 +1,4 @@
 # alt: Four sketches. A block on a zigzag spring and a dashpot, both fixed to a wall on its left, with an arrow for its displacement q. A double pendulum that hangs from a ceiling: a thick short-pitched spring to the first body, a thin one to the second, both at an angle to the dotted vertical. A net of eight by eight bodies seen from above at an angle, its rim black and flat, its inside blue and bulging upwards. A beam of five braced cells, bent downwards, its two left bodies black at a hatched wall.
-width = 14
 height = 9.6
 load 'plots/style.gp'
 unset border

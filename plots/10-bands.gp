@@ -1,5 +1,4 @@
 # alt: Left, a grid of four by three bodies numbered row by row from 0 to 11, joined along the rows and along the columns. Right, two rows of twelve boxes: in the band of stride 1 the boxes 3 and 7, at the ends of rows, are empty; the band of stride 4 has boxes 0 to 7.
-width = 14
 height = 4.2
 load 'plots/style.gp'
 unset border

@@ -1,7 +1,6 @@
 # data: build/data/10-shapes.dat
 # command: build/bin/springs-studies --study shapes -o build/data/10-shapes.dat
 # alt: Three beams of five cells, held at the left. With two diagonals in each cell the end hangs by a metre and a quarter at rest and twice as much at the turning point; with one diagonal somewhat more; without diagonals the cells fold up, and the beam hangs down at the wall.
-width = 14
 height = 7.8
 load 'plots/style.gp'
 set multiplot layout 1,3 margins 0.075,0.99,0.17,0.9 spacing 0.035,0

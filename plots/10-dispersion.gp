@@ -2,12 +2,8 @@
 # command: build/bin/springs-studies --study dispersion -o build/data/10-dispersion.dat
 # alt: Angular frequency against the number of half waves, one to six. Two rows of points, motion across the membrane from 2 to 6.3 and along it from 3.4 to 13.9 radians a second, lie on the curves of the discrete formula, which bend; the straight dashed curve of the continuous membrane leaves the lower row from the third half wave on.
 width = 11
-height = 7
 load 'plots/style.gp'
-set lmargin at screen 0.12
-set rmargin at screen 0.985
-set bmargin at screen 0.16
-set tmargin at screen 0.97
+eval edges(0.12, 0.985, 0.16, 0.97)
 set xlabel 'half waves {/:Italic r}  (one along {/:Italic y})'
 set ylabel 'angular frequency  (rad/s)' offset 0.5
 set xrange [0:7]

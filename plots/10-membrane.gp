@@ -3,15 +3,11 @@
 # data: build/data/10-quartic.dat
 # command: build/bin/springs-studies --study quartic -o build/data/10-quartic.dat
 # alt: Three panels. Top left, taut membrane: the amplitude of the first mode follows a cosine for forty seconds, the other modes stay at zero. Bottom left, springs at rest length: a slower oscillation with sharper turns, in which the other modes grow to a sixth of the amplitude. Right, period against amplitude for one mass between two springs at rest length: it falls as one over the amplitude.
-width = 14
 height = 8.5
 load 'plots/style.gp'
 file = 'build/data/10-membranes.dat'
 set multiplot
-set lmargin at screen 0.075
-set rmargin at screen 0.6
-set tmargin at screen 0.97
-set bmargin at screen 0.59
+eval edges(0.075, 0.6, 0.59, 0.97)
 set xrange [0:40]
 set yrange [-1.25:1.7]
 set ytics 1

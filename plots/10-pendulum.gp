@@ -3,15 +3,11 @@
 # data: build/data/10-errors.dat
 # command: build/bin/springs-studies --study errors -o build/data/10-errors.dat
 # alt: Two panels. Left, the paths of the two bodies in ten seconds: the upper one swings on an arc of a circle, the lower one draws a winding curve below it. Right, error of the place after ten seconds against the step, with logarithmic axes, for ten methods: lines of slopes one, two, four, six and eight, each ending on the right at its step limit, PEFRL's and Kahan and Li's one point beyond it, but for the two implicit methods, which go on to a fifth of a second.
-width = 14
 height = 8
 load 'plots/style.gp'
 load 'plots/methods.gp'
 set multiplot
-set lmargin at screen 0.09
-set rmargin at screen 0.375
-set bmargin at screen 0.14
-set tmargin at screen 0.97
+eval edges(0.09, 0.375, 0.14, 0.97)
 set size ratio -1
 set xrange [-1.5:1.5]
 set yrange [-1.9:1.15]
@@ -27,9 +23,7 @@ plot file using 4:5 with lines lc rgb blue lw 0.8*thick, file using 2:3 with lin
 set size noratio
 set lmargin at screen 0.49
 set rmargin at screen 0.805
-set logscale xy
-set format x '10^{%T}'
-set format y '10^{%T}'
+eval powers
 set xtics auto
 set xrange [5e-5:0.5]
 set yrange [1e-13:3]

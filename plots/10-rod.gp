@@ -3,7 +3,6 @@
 # data: build/data/10-errors.dat
 # command: build/bin/springs-studies --study errors -o build/data/10-errors.dat
 # alt: Two panels with logarithmic axes. Left, error against step, for the leapfrog with the stiff spring, which ends at 0.028 seconds, for the implicit midpoint rule and for the rod, which goes on to half a second; all three fall as the square of the step. Right, how far the pendulum with a spring ends from the one with a rod, against the stiffness: it falls as one over the stiffness.
-width = 14
 height = 6.5
 load 'plots/style.gp'
 load 'plots/methods.gp'
@@ -14,9 +13,7 @@ stats rod index 0 using ($1 < 0.1 ? log($2/$1**2) : NaN) nooutput
 square = exp(STATS_mean)
 stats rod index 1 using ($1 > 1000 ? log($1*$2) : NaN) nooutput
 stiff = exp(STATS_mean)
-set logscale xy
-set format x '10^{%T}'
-set format y '10^{%T}'
+eval powers
 set xlabel 'step  (s)'
 set ylabel 'error after 10 s  (m)' offset 0.5
 set xrange [4e-4:1]

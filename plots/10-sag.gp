@@ -1,13 +1,9 @@
 # data: build/data/10-sag.dat
 # command: build/bin/springs-studies --study sag -o build/data/10-sag.dat
 # alt: Height of the middle of a membrane over sixty seconds after gravity and friction have ended: it starts at minus 0.44 metres and oscillates with a period of seven seconds, almost regularly, together with the amplitude of the mode (1, 1); all other modes together stay between two and eight centimetres.
-width = 14
 height = 6
 load 'plots/style.gp'
-set lmargin at screen 0.085
-set rmargin at screen 0.985
-set bmargin at screen 0.19
-set tmargin at screen 0.97
+eval edges(0.085, 0.985, 0.19, 0.97)
 set xlabel 'time since gravity and friction ended  (s)'
 set ylabel 'displacement  (m)' offset 1
 set xrange [0:60]

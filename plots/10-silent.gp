@@ -1,14 +1,10 @@
 # data: build/data/10-silent.dat
 # command: build/bin/springs-studies --study silent -o build/data/10-silent.dat
 # alt: Stretch of the upper spring over the first three seconds. With a small step it oscillates fast between zero and a millimetre and a half round a slow curve. RK4 with a step of 0.025 seconds starts like that and within half a second shows the slow curve alone.
-width = 14
 height = 6.5
 load 'plots/style.gp'
 load 'plots/methods.gp'
-set lmargin at screen 0.085
-set rmargin at screen 0.985
-set bmargin at screen 0.17
-set tmargin at screen 0.97
+eval edges(0.085, 0.985, 0.17, 0.97)
 set xlabel 'time  (s)'
 set ylabel 'stretch of the upper spring  (mm)' offset 1
 set xrange [0:3]

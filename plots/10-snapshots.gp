@@ -1,7 +1,6 @@
 # data: build/data/10-snapshots.dat
 # command: for rest in 0.8 1; do build/bin/springs0 $rest; done > build/data/10-snapshots.dat
 # alt: Eight surfaces of eight by eight bodies, drawn as nets, at 0, 8, 16 and 24 seconds. In the upper row, taut, each is a smooth bump up or down; in the lower row, at rest length, the bump has flat flanks and folds, and its corners drag behind.
-width = 14
 height = 8
 load 'plots/style.gp'
 set multiplot

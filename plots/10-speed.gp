@@ -1,12 +1,8 @@
 # data: plots/data/10-speed.dat
 # alt: Steps of a body per second against the side of the grid, 8 to 512 on a logarithmic axis. Spring by spring is lowest and falls slowly. By bands, in sweeps or in two trips, it is about three times as high up to 256; at 512 all have fallen, two trips more than sweeps. Computing every spring twice lies between.
 width = 11
-height = 7
 load 'plots/style.gp'
-set lmargin at screen 0.14
-set rmargin at screen 0.985
-set bmargin at screen 0.16
-set tmargin at screen 0.97
+eval edges(0.14, 0.985, 0.16, 0.97)
 set logscale x 2
 set xlabel 'bodies on a side'
 set ylabel 'steps of a body per second  (millions)' offset 0.5

@@ -1,7 +1,6 @@
 # data: build/data/10-spin.dat
 # command: build/bin/springs-studies --study spin -o build/data/10-spin.dat
 # alt: Two panels over five seconds. Left, angular momentum of a spinning dumbbell on a logarithmic axis: constant with the axial dashpot, a straight line down to seven thousandths of the start with the printed one. Right, energy: with the axial dashpot it oscillates down to a plateau of about 1.2 joules, the rotation that is left; with the printed one it goes to zero.
-width = 14
 height = 6.5
 load 'plots/style.gp'
 set multiplot layout 1,2 margins 0.1,0.985,0.17,0.97 spacing 0.11,0

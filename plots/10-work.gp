@@ -1,16 +1,10 @@
 # data: plots/data/10-work.dat
 # alt: Error after ten seconds against processor time, with logarithmic axes, from ten microseconds to a second. The leapfrog is the cheapest down to errors of ten to the minus four, PEFRL from there to a few times ten to the minus nine, Kahan and Li's eighth order method beyond. The implicit methods lie a factor of eight and more to the right.
-width = 14
 height = 8
 load 'plots/style.gp'
 load 'plots/methods.gp'
-set lmargin at screen 0.1
-set rmargin at screen 0.735
-set bmargin at screen 0.14
-set tmargin at screen 0.97
-set logscale xy
-set format x '10^{%T}'
-set format y '10^{%T}'
+eval edges(0.1, 0.735, 0.14, 0.97)
+eval powers
 set xlabel 'processor time  (s)'
 set ylabel 'error after 10 s  (m)' offset 1
 set xrange [1e-5:2]

@@ -2,7 +2,6 @@
 # data: build/runs/spheres-law.summary
 # command: build/bin/spheres-studies --study law --until 1000 -o /dev/null --summary build/runs/spheres-law.summary
 # alt: Two panels with logarithmic axes against the step from 0.0125 to 0.8 diameters. Left, the error of the energy stays near 1e-15 for all three ways at all steps. Right, the error of the pressure: for the two ways that push apart it rises in proportion to the step along the line of the law, from half a per cent to a quarter or a third; for going back it is within the noise below 0.05 and rises with slope 2 to a fifth.
-width = 14
 height = 7.5
 load 'plots/style.gp'
 file = 'plots/data/11-pressure.dat'

@@ -7,7 +7,6 @@
 # data: build/data/11-bound-spiral.dat
 # command: build/bin/scene sun-earth | build/bin/step - --dt 1 --method euler --until 9600 --every 20 --bound 1e300 --observe parts -o build/data/11-bound-spiral.dat
 # alt: Energy gained, in units of the scale S, against time, logarithmic upwards. The double pendulum with a step just above leapfrog's limit rises exponentially and crosses the bound 10; by Euler's method at a small step it does so half a second later. Two stars and a planet by leapfrog, ten steps a turn, stay near one hundredth. Euler's Earth levels off at a third, below the bound.
-width = 14
 height = 7.2
 load 'plots/style.gp'
 load 'plots/methods.gp'
@@ -17,10 +16,7 @@ set xrange [0:9.6]
 set yrange [1e-6:1e6]
 set xlabel 'time  (s; of stars and planets in thousands of days)'
 set ylabel '({/:Italic E} − {/:Italic E}_0)/{/:Italic S}' offset 0.6
-set lmargin at screen 0.11
-set bmargin at screen 0.155
-set tmargin at screen 0.97
-set rmargin at screen 0.98
+eval edges(0.11, 0.98, 0.155, 0.97)
 set key at graph 0.985,0.97 right Left reverse samplen 2 spacing 1.1
 set label 1 'the bound' at 9.5,22 right tc rgb '#555555'
 neg(x) = x < 0 ? -x : 0

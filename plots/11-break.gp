@@ -3,7 +3,6 @@
 # data: build/data/11-break-steps.dat
 # command: for order in ascending descending; do build/bin/spheres0 $order; echo; echo; done > build/data/11-break-steps.dat
 # alt: Two pictures of sixteen balls half a second after the break, each with an inset in which the balls in the middle stand nearly three times as far apart. Left, filled balls and open balls are mirror images of each other in the axis of the shot; two balls have flown far out, one to either side. Right, by events there are two answers for a hundred racks, mirror images too; rings mark the places by steps, the deepest pair first, which fall on one of the two.
-width = 14
 height = 7.9
 load 'plots/style.gp'
 file = 'build/data/11-break.dat'
@@ -20,10 +19,7 @@ do for [panel=1:2] {
     left = panel == 1 ? 0.085 : 0.575
     do for [zoom=0:1] {
         if (zoom) {
-            set lmargin at screen across(left, 0.85)
-            set rmargin at screen across(left, 2.05)
-            set bmargin at screen up(-0.6)
-            set tmargin at screen up(0.6)
+            eval edges(across(left, 0.85), across(left, 2.05), up(-0.6), up(0.6))
             set xrange [-0.05:0.41]
             set yrange [-0.23:0.23]
             unset object 1
@@ -33,10 +29,7 @@ do for [panel=1:2] {
             unset key
             unset tics
         } else {
-            set lmargin at screen left
-            set rmargin at screen left + wide
-            set bmargin at screen foot
-            set tmargin at screen foot + high
+            eval edges(left, left + wide, foot, foot + high)
             set xrange [-0.75:2.6]
             set yrange [-1.7:1.7]
             set object 1 rectangle from -0.05,-0.23 to 0.41,0.23 fs empty \

@@ -1,7 +1,6 @@
 # data: plots/data/11-cost.dat
 # slides: 2
 # alt: Four panels for packings 0.1, 0.3, 0.5 and 0.7, logarithmic axes: relative error of the pressure against processor time for a second of the gas, from 0.15 milliseconds to one second. Errors of pushing apart fall in proportion to the time, those of going back as its square, until they end in noise; a vertical line at 0.4, 1, 2 and 5 milliseconds marks the cost of events, where steps have errors from one per cent at the lowest packing to a half at the highest. Located contact, in green, has errors of a few thousandths at most, no more than its bars, at 20 milliseconds, at 0.1 and at half a second, and is not in the last panel.
-width = 14
 height = 9.5
 load 'plots/style.gp'
 file = 'plots/data/11-cost.dat'

@@ -8,17 +8,13 @@
 # command: build/bin/scene oscillator --damping 0.2 | build/bin/step - --until 40 --every 0.05 --observe x:1,vx:1 -o build/data/11-phase.dat
 # slides: 2
 # alt: Four panels. Height of body 30 of the membrane against time: an oscillation. The parts of the energy of the double pendulum against time: kinetic energy, springs and weight exchange, their sum is a straight line. Place of one of three bodies, y against x: a lying eight, not yet closed. Velocity against place of a damped oscillator: a spiral into the point of rest.
-width = 14
 height = 10
 load 'plots/style.gp'
 set multiplot
 left(k) = k % 2 ? 0.59 : 0.1
 low(k) = slide ? 0.15 : k < 2 ? 0.61 : 0.115
 do for [k=slide == 2 ? 2 : 0:slide == 1 ? 1 : 3] {
-    set lmargin at screen left(k)
-    set rmargin at screen left(k) + (k % 2 ? 0.39 : 0.375)
-    set bmargin at screen low(k)
-    set tmargin at screen low(k) + (slide ? 0.81 : 0.365)
+    eval edges(left(k), left(k) + (k % 2 ? 0.39 : 0.375), low(k), low(k) + (slide ? 0.81 : 0.365))
     set key at graph 0.99,0.30 right samplen 1.5 spacing 1.0
     set xlabel (k == 2 ? '{/:Italic x}_0' : k == 3 ? '{/:Italic x}_1  (m)' : '{/:Italic t}  (s)') offset 0,0.6
     set ylabel (k == 0 ? '{/:Italic z}_{30}  (m)' : k == 1 ? 'energy  (J)' : k == 2 ? '{/:Italic y}_0' : '{/:Italic v}_1  (m/s)') offset (k % 2 ? 0.2 : 1.2)

@@ -1,10 +1,7 @@
 # alt: A sketch. A dotted circle of radius sigma around the centre of disk 1. A straight path enters it from the right at A and goes on to B inside. From A a blue path leaves outwards, reflected at the normal through A. A red normal from the centre through B leads to C on the circle, from where a red path leaves in a direction that is turned a little, and starts behind the blue one.
-width = 14
 height = 7.2
 load 'plots/style.gp'
-unset border
-unset tics
-set size ratio -1
+eval drawing
 set margins 0,0,0,0
 set xrange [-3.2:9.4]
 set yrange [-1.8:lecture ? 5.3 : 4.7]

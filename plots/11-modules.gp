@@ -1,6 +1,4 @@
 # alt: The modules of part III in rows, an arrow from each to those that it uses. Above, the program step points to observables, checkpoint and reference; the first two point to motion. Motion points to gravity, springs and spheres, which do not point to each other. Below them are stepping, to which gravity, springs and reference point, and scene, to which springs and spheres point. No arrow leads upwards.
-width = 14
-height = 7
 load 'plots/style.gp'
 unset border
 unset tics

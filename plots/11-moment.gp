@@ -7,8 +7,6 @@
 # data: build/data/11-moment-path.dat
 # command: printf 'pos 0 0 0 1 1 0 0.1\ngrav 0 0 -2\nbox 0 0 0 0 -0.1 9\nwalls open open hard\ncontact\nrestitution 0.8\ndt 0.01\n' | build/bin/step - --contact located --until 12 --observe z:0 --every 0.01 -o build/data/11-moment-path.dat
 # alt: Two panels. Left: the height of a bouncing ball against time, ever lower arches that end at nine seconds. Circles, located contacts, lie on the arches and on the floor after them; squares, stepwise, leave the arches after some bounces and go on jumping. Right, logarithmic: the error of three balls against the step. Stepwise it falls in proportion to the step and scatters; located it falls with slope 2 by leapfrog, 4 by RK4 and 8 by Kahan and Li's method down to rounding.
-width = 14
-height = 7
 load 'plots/style.gp'
 load 'plots/methods.gp'
 set multiplot layout 1,2 margins 0.08,0.985,0.165,0.9 spacing 0.1,0
@@ -22,8 +20,7 @@ set key at graph 0.98,0.97 right top samplen 1
 plot 'build/data/11-moment-path.dat' using 1:2 with lines ls 9, \
      'build/data/11-moment-stepwise.dat' using 1:2 with points lc rgb dark pt 4 ps 0.5*big title 'stepwise', \
      'build/data/11-moment-located.dat' using 1:2 with points lc rgb blue pt 7 ps 0.4*big title 'located'
-set logscale xy
-set format '10^{%T}'
+eval powers
 set xrange [2e-4:0.3]
 set yrange [1e-14:3]
 set xtics autofreq

@@ -1,5 +1,4 @@
 # alt: Three sketches of two disks. Left, the second disk has flown into the first from the right; a dotted circle shows where it touched, a time tau earlier. Middle, both have been pushed apart along the line of their centres. Right, they have gone back to where they touched and on from there with their new velocities; the places and the arrows differ a little from those of the middle.
-width = 14
 height = 4.1
 load 'plots/style.gp'
 unset border

@@ -3,8 +3,6 @@
 # data: build/data/11-rest.dat
 # command: build/bin/spheres-studies --study rest -o build/data/11-rest.dat
 # alt: Left, places of five balls on strings against time: at first the outer two swing in turn and the others hardly move; within ten seconds the swings become alike, and from then on all five swing together. Right, energies on a logarithmic scale: on strings it falls in stairs to one fifth and stays there; between walls it falls in stairs to less than a hundredth within a minute, points by steps on the line by events.
-width = 14
-height = 7
 load 'plots/style.gp'
 swing = 'build/data/11-swing.dat'
 rest = 'build/data/11-rest.dat'

@@ -1,7 +1,6 @@
 # data: build/data/11-touch.dat
 # command: build/bin/spheres-studies --study touch -o build/data/11-touch.dat
 # alt: Three panels with the velocities of five balls against time, Linear springs, touching: the velocity of the first falls to minus 0.13, those of the next three rise one after the other to about 0.7 and fall, and the last rises to 0.94, the last but one keeps 0.3. Hertz's springs, touching: similar humps, but the last ball ends at 0.99 and the others near zero. Linear springs with gaps: each ball in turn takes the whole velocity, 1, and gives it to the next; the last keeps it.
-width = 14
 height = 6.2
 load 'plots/style.gp'
 set style line 11 lc rgb dark lw 2*thick

@@ -2,7 +2,6 @@
 # command: build/bin/averages-studies -o build/data/12-averages.dat
 # alt: Mean pressure of two disks against the time over which the mean is taken, from 128 to 131072 s, for twenty starts each. The points make a funnel about the law, 1.24, and scatter by 0.02 at 128 s and by 0.001 at 131072 s. Answers with error bars of about 0.01 only from 8192 s on; all lie on the law within their bars.
 width = 12
-height = 7
 file = 'build/data/12-averages.dat'
 load 'plots/style.gp'
 # Z = a p(r) of two disks, as in 06-two.gp.

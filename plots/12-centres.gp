@@ -3,9 +3,7 @@ width = 9
 height = 5.2
 load 'plots/style.gp'
 # Jacobi's coordinates.
-unset border
-unset tics
-set size ratio -1
+eval drawing
 set lmargin 1
 set rmargin 1
 set xrange [-1.9:8.3]

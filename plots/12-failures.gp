@@ -1,7 +1,6 @@
 # data: build/data/12-failures.dat
 # command: awk -v want=figure -f tests/stability/failures.awk tests/stability/failures.txt > build/data/12-failures.dat
 # alt: The failures of this book, each a numbered point, the relative error of the energy to the right and that of the answer upwards, both logarithmic: a crowd in the upper left corner, in a frame, where the energy is right to rounding and the answer wrong by a hundredth to a multiple of itself; some in the middle; and a few along the diagonal where both errors are alike.
-width = 14
 height = 9
 load 'plots/style.gp'
 file = 'build/data/12-failures.dat'
@@ -10,10 +9,7 @@ numbers = face.(lecture ? ',18' : ',8')
 set ylabel 'error of the answer' offset 1
 set xlabel 'relative error of the energy'
 set key at graph 0.985,0.05 right bottom samplen 1
-set lmargin at screen 0.11
-set rmargin at screen 0.985
-set bmargin at screen lecture ? 0.15 : 0.125
-set tmargin at screen 0.975
+eval edges(0.11, 0.985, lecture ? 0.15 : 0.125, 0.975)
 set xrange [1e-20:1e10]
 set yrange [1e-11:300]
 set xtics ('none' 2e-19, '0' 1e-17, '10^{-14}' 1e-14, '10^{-10}' 1e-10, '10^{-6}' 1e-6, '10^{-2}' 1e-2, '10^2' 1e2, '10^6' 1e6)

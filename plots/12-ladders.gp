@@ -1,21 +1,15 @@
 # data: build/data/12-ladders.dat
 # command: build/bin/scene solar-system | build/bin/bonk - --until 3650 --tolerance 1e-6 --chart build/data/12-ladders.dat -o /dev/null
 # alt: Error against cost of all runs that were made to choose for the solar system over ten years, both logarithmic, with the tolerance of a millionth as a line across. Eight ellipses stand far to the left and above the line; the coarser run of the reference stands far to the right and far below. Leapfrog, Yoshida's sixth order and the method of Kahan and Li have one point each, PEFRL has three, all above the line. The points of Wisdom and Holman and of SBAB4 lie about the line; the cheapest of those below it is one of the former, marked with a star: it is taken.
-width = 14
 height = 8
 load 'plots/style.gp'
 load 'plots/methods.gp'
-set logscale xy
-set format x '10^{%T}'
-set format y '10^{%T}'
+eval powers
 set xlabel 'cost  (s by the price list)'
 set ylabel 'error  (fraction of the scale)' offset 1
 set xrange [2e-5:0.02]
 set yrange [1e-12:30]
-set lmargin at screen 0.115
-set bmargin at screen 0.145
-set tmargin at screen 0.97
-set rmargin at screen 0.965
+eval edges(0.115, 0.965, 0.145, 0.97)
 set key at graph 0.985,0.97 right Right spacing 1.1 samplen 2
 file = 'build/data/12-ladders.dat'
 tried(name) = sprintf("< awk '!/^#/ && $4 ~ /^%s:/ && $3 == 0' %s | sort -g -k2", name, file)

@@ -2,7 +2,6 @@
 # command: build/bin/bonk-studies --study atlas -o build/data/12-atlas.dat
 # slides: 4
 # alt: Eleven panels, error against cost, both logarithmic: gravity and springs. Where two bodies are alone a closed form stands at the lower left. Elsewhere the front is a staircase of methods, from order two at the top through order four to order eight and steps of their own length at the bottom, with a pick just below each of the three tolerances.
-width = 14
 height = 19
 load 'plots/style.gp'
 names = 'sun-earth comet circumbinary choreography figure-eight ring oscillator pendulum membrane taut-membrane cantilever'

@@ -1,7 +1,6 @@
 # data: build/data/12-atlas.dat
 # command: build/bin/bonk-studies --study atlas -o build/data/12-atlas.dat
 # alt: The map of Newton's cradle on strings.
-width = 14
 height = 17.5
 load 'plots/style.gp'
 scene = 'strings'

@@ -1,12 +1,9 @@
 # data: build/data/12-two.dat
 # command: for e in 0.1 0.05 0.02 0.01 0.005 0.002 0.001 0.0005 0.0002 0.0001 0.00005 0.00002 0.00001; do build/bin/bonk0 $e; done > build/data/12-two.dat
 # alt: Cost of the run that is taken against the tolerance, both logarithmic. From a tenth to a twentieth it is that of the ellipses, seven microseconds; below it is leapfrog's, which begins ten times higher and rises by a factor of ten for each hundredth of the tolerance. What all runs cost together lies above, between a millisecond and a tenth of a second.
-width = 14
-height = 7
 load 'plots/style.gp'
 load 'plots/methods.gp'
-set logscale xy
-set format '10^{%T}'
+eval powers
 set xrange [0.2:5e-6]
 set yrange [2e-6:0.3]
 set xlabel 'tolerance  (fraction of the scale)'

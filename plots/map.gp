@@ -9,15 +9,11 @@ if (!exists('stepless')) stepless = ''
 if (!exists('byhand')) byhand = ''
 if (!exists('airx')) { airx = 4; airy = -0.3 }
 file = 'build/data/12-atlas.dat'
-set logscale xy
-set format '10^{%T}'
+eval powers
 set xlabel 'cost  (s by the price list)'
 set ylabel 'true error  (share of the scene)' offset 1
 set ytics 1e-15,1e3,1
-set lmargin at screen 0.105
-set rmargin at screen 0.985
-set bmargin at screen lecture ? 0.15 : 0.065
-set tmargin at screen 0.985
+eval edges(0.105, 0.985, lecture ? 0.15 : 0.065, 0.985)
 set xrange [xlow:xhigh]
 set yrange [ylow:20]
 method(w) = w[1:(strstrt(w, ',') ? strstrt(w, ',')-1 : strlen(w))]

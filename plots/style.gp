@@ -1,10 +1,11 @@
-# One style for all figures. A script sets width and height in cm, loads this
-# file, draws, and that is all: medium (pdf, svg or lecture) and output come
-# from the Makefile. By hand: gnuplot plots/01-drift.gp draws build/figure.svg.
+# One style for all figures. A script sets width and height in cm if they are
+# not 14 and 7, loads this file, draws, and that is all: medium (pdf, svg or
+# lecture) and output come from the Makefile. By hand: gnuplot plots/01-drift.gp
+# draws build/figure.svg.
 if (!exists("medium")) medium = 'svg'
 if (!exists("output")) output = 'build/figure.svg'
 if (!exists("width")) width = 14
-if (!exists("height")) height = 8.5
+if (!exists("height")) height = 7
 
 # A lecture slide is 16:9: the book's figure, as much larger as it is wider,
 # with all its type, lines and points. One that is much taller has a slide for
@@ -44,6 +45,14 @@ set tics scale 0.6
 # `eval decades` after set logscale sets those that gnuplot 5 has by itself.
 decades = "set xtics (1); set for [k=-3:5] xtics add (10.0**k); ".\
     "set for [k=-3:5] for [j=2:9] xtics add ('' j*10.0**k 1)"
+# The sides of the axes, as shares of the figure: `eval edges(0.1, 0.98, 0.15, 0.97)`.
+edges(left, right, bottom, top) = sprintf("set lmargin at screen %.17g; ".\
+    "set rmargin at screen %.17g; set bmargin at screen %.17g; ".\
+    "set tmargin at screen %.17g", left, right, bottom, top)
+# Both axes logarithmic, with powers of ten: `eval powers`.
+powers = "set logscale xy; set format '10^{%T}'"
+# A picture without axes, with the same scale across and up: `eval drawing`.
+drawing = "unset border; unset tics; set size ratio -1"
 # What a figure says of a run it reads: from the run's summary, as \result does
 # in the text, and from the head of a table. What is not there ends the drawing.
 result(run, key) = real(system("sed -n 's/^".key." //p' build/runs/".run.".summary"))

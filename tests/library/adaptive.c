@@ -488,7 +488,6 @@ TEST(test_collision, "a fall into the centre ends")
     }
 }
 
-/* Moved from outside, a run begins anew; the time goes on. */
 TEST(test_disturbed, "a disturbed run begins anew")
 {
     for (int k = 0; k < 2; ++k) {

@@ -283,7 +283,6 @@ TEST(test_squeezed, "a squeezed start does not count")
     UNIT_NEAR(f.value, law, 2 * f.error * 10);
 }
 
-/* Radii move the places, and nothing else. */
 TEST(test_radii, "radii move the places only")
 {
     FREED(scene) s;
@@ -380,7 +379,6 @@ TEST(test_refusals, "scenes without an average are refused")
     UNIT_TRUE(says(&s, "x:1", "held"));
 }
 
-/* Too short a time: which would be long enough is said. */
 TEST(test_short, "too short a time is refused with a better one")
 {
     FREED(scene) s;
@@ -441,7 +439,6 @@ TEST(test_locked, "disks that are locked in are refused at little cost")
     UNIT_TRUE(f.cost < 0.5); /* of 5 */
 }
 
-/* The tolerance that a refusal offers is held when it is asked for. */
 TEST(test_offer, "the tolerance that is offered can be had")
 {
     FREED(scene) s;

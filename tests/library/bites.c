@@ -80,7 +80,6 @@ TEST(test_pace, "slabs end at a time, paced by what went before")
     UNIT_EQUAL(bite[bites - 1].collisions, 6000000);
 }
 
-/* The end of the run and its rows stand, wherever the bites would end. */
 TEST(test_rows, "but not beyond a row or the end")
 {
     run_program("--preset random -N 1000 --every 9000 --until 22500");

@@ -168,7 +168,6 @@ TEST(test_inelastic_engines_agree, "so they do with restitution below one")
     UNIT_TRUE(seen[BONKERS_COLLISIONS] > 10);
 }
 
-/* 20000 bodies in which a collapse is certain. */
 TEST(test_large_collapse, "and with 20000 of low restitution")
 {
     const struct stop stops[] = {{0.5, UINT64_MAX}, {0.7, 3000}};
@@ -208,7 +207,6 @@ TEST(test_ties, "and where many gaps close at one time")
             }
 }
 
-/* The state after every single collision, ties and all. */
 TEST(test_every_collision, "and after every single collision")
 {
     for (size_t movers = 1; movers <= 40; movers += 13)
@@ -224,7 +222,6 @@ TEST(test_every_collision, "and after every single collision")
         }
 }
 
-/* The C-th collision, whether it is asked for at once or after others. */
 TEST(test_collision_number,
      "collision number C is the same on any way there")
 {
@@ -873,8 +870,6 @@ TEST(test_after_a_collapse, "a collapse lasts")
     }
 }
 
-/* The same two balls and their wall collapse however many others lie far
-   away at rest. */
 TEST(test_collapse_in_company, "a collapse is seen among a thousand")
 {
     for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e) {
@@ -908,7 +903,6 @@ TEST(test_row_is_no_collapse, "a struck row is no collapse")
     }
 }
 
-/* Sticking bodies in free space end up with one velocity. */
 TEST(test_sticking, "sticking bodies move as one")
 {
     for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e) {
@@ -986,7 +980,6 @@ TEST(test_auto, "the engine chosen")
     UNIT_TRUE(bonkers_engine_names[BONKERS_ENGINES] == NULL);
 }
 
-/* A collision exactly at the end takes place; the clock stops there. */
 TEST(test_exact_end, "a collision exactly at the end takes place")
 {
     for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e) {
@@ -1012,8 +1005,6 @@ TEST(test_exact_end, "a collision exactly at the end takes place")
     }
 }
 
-/* Settled, a run goes on as it would have, with the clock at zero. Points
-   and rods. */
 TEST(test_settle, "a settled run goes on")
 {
     for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e)
@@ -1301,7 +1292,6 @@ TEST(test_upright_shares, "upright, all bodies have equal shares")
     UNIT_NEAR(bonkers_energy(&b) / energy, 1, 1e-11);
 }
 
-/* Two that lie on the floor are part of it for a third that is as heavy. */
 TEST(test_pile, "what lies on the floor is part of it")
 {
     FREED(bonkers) b;
@@ -1357,7 +1347,6 @@ static int count_fliers(double restitution, enum bonkers_engine engine)
     return fly;
 }
 
-/* Only what loses something with each bounce comes to rest. */
 TEST(test_no_rest_without_loss, "nor does an elastic body come to rest")
 {
     static const enum bonkers_engine engine[] = {BONKERS_SCAN,
@@ -1368,8 +1357,6 @@ TEST(test_no_rest_without_loss, "nor does an elastic body come to rest")
     }
 }
 
-/* No floor: all fall together, and what they do is what they would do
-   without weight. */
 TEST(test_free_fall, "without a floor weight changes nothing")
 {
     FREED(bonkers) b, c;

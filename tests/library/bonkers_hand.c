@@ -91,7 +91,6 @@ TEST(test_cold, "a body too slow for numbers ends a run")
     }
 }
 
-/* Potential and kinetic, above a floor and where there is none. */
 TEST(test_energy, "energies above a floor and without")
 {
     FREED(bonkers) b;
@@ -109,7 +108,6 @@ TEST(test_energy, "energies above a floor and without")
     UNIT_EQUAL(bonkers_energy(&b), 11);
 }
 
-/* Which starts are of points, and where the radii go. */
 TEST(test_rods, "points and rods")
 {
     for (size_t with = 0; with <= 3; ++with) {

@@ -163,7 +163,6 @@ TEST(test_against_plain, "events come out as from a plain array")
             }
 }
 
-/* Days that are far too short or long make it slow, not wrong. */
 TEST(test_wrong_widths, "wrong widths make nothing wrong")
 {
     static const double widths[] = {1e-300, 1e-15, 1e-9, 1e-4,
@@ -175,8 +174,6 @@ TEST(test_wrong_widths, "wrong widths make nothing wrong")
                        0);
 }
 
-/* Of events at one time the pair with the smaller numbers comes first, and
-   the order in which they were put does not matter. */
 TEST(test_ties, "equal times come in the order of pairs")
 {
     for (uint64_t seed = 1; seed <= 5; ++seed) {
@@ -191,7 +188,6 @@ TEST(test_ties, "equal times come in the order of pairs")
     }
 }
 
-/* A partner is a wall or the event itself as well. */
 TEST(test_partners, "walls and the event itself are partners")
 {
     static struct plain p;
@@ -210,7 +206,6 @@ TEST(test_partners, "walls and the event itself are partners")
     UNIT_EQUAL(calendar_first(&c), 0);
 }
 
-/* Bursts: many events at one time, then silence, then another burst. */
 TEST(test_bursts, "bursts at one time come out in order")
 {
     static struct plain p;
@@ -232,8 +227,6 @@ TEST(test_bursts, "bursts at one time come out in order")
     UNIT_EQUAL(bad + drain(&c, &p), 0);
 }
 
-/* An event that is put before the one last found, in the past even, comes
-   next. */
 TEST(test_overdue, "what is overdue comes first")
 {
     static struct plain p;
@@ -252,7 +245,6 @@ TEST(test_overdue, "what is overdue comes first")
     UNIT_EQUAL(drain(&c, &p), 0);
 }
 
-/* Taken out and put again; one without a time taken out; freed twice. */
 TEST(test_edges, "taken out, put again, freed twice")
 {
     static struct plain p;

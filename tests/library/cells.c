@@ -320,7 +320,6 @@ TEST(test_mixed, "mixed radii and masses give the same bits")
     COMPARE(scenes, 2);
 }
 
-/* One heavy giant among small ones, as in Brownian motion. */
 TEST(test_giant, "a heavy giant gives the same bits")
 {
     static const struct scene scenes[] = {
@@ -480,7 +479,6 @@ TEST(test_three_cells, "three cells along an axis are enough")
     UNIT_TRUE(three >= 10);
 }
 
-/* In a box too narrow for three cells they do not suit. */
 TEST(test_suit, "a box too narrow does not suit")
 {
     FREED(disks) d;
@@ -656,7 +654,6 @@ static void plant(struct disks *d, size_t a, size_t b, double hair)
     d->disk[b].position[1] += least * 0.8;
 }
 
-/* Cells find what pairs find: an overlap anywhere, across a side too. */
 TEST(test_fit, "cells find an overlap where pairs find it")
 {
     for (size_t dimensions = 2; dimensions <= 3; ++dimensions)

@@ -169,7 +169,6 @@ TEST(test_comes_back, "a run comes back to the last bit")
     clear();
 }
 
-/* A checkpoint of one method is none of another. */
 TEST(test_other_method, "not for another method")
 {
     FREED(scene) s, t;
@@ -194,8 +193,6 @@ TEST(test_other_method, "not for another method")
     clear();
 }
 
-/* As any program does, the rows leave it to the umask who may read and
-   write them. */
 TEST(test_mode, "the umask says who may read the rows")
 {
     struct checkpoint c;
@@ -279,7 +276,6 @@ static void says(int (*does)(void *), void *with, int status,
     UNIT_TRUE(!what || strstr(c.err, what) != NULL);
 }
 
-/* A run that is under way keeps its files from another. */
 TEST(test_lock, "one run at a time")
 {
     FREED(scene) s;
@@ -321,7 +317,6 @@ TEST(test_between, "a file that lost its name is not locked")
     clear();
 }
 
-/* A file of somebody else's is neither written nor removed. */
 TEST(test_foreign, "what is not ours stays")
 {
     char text[64];
@@ -344,7 +339,6 @@ TEST(test_foreign, "what is not ours stays")
     clear();
 }
 
-/* Each bit of a checkpoint and of its rows counts, and so does the end. */
 TEST(test_damage, "no bit may be changed")
 {
     FREED(scene) s;
@@ -432,7 +426,6 @@ static void forge(const char *text, const char *key, const char *number)
     put(SAVED, forged, (size_t)n);
 }
 
-/* What no run can have written is refused, whoever has written it. */
 TEST(test_forged, "what no run has written")
 {
     static const struct {
@@ -488,7 +481,6 @@ TEST(test_forged, "what no run has written")
     clear();
 }
 
-/* Which outputs can have a checkpoint beside them. */
 TEST(test_possible, "which outputs may have one")
 {
     const char *no = "-|/dev/null|/dev/no-such|/proc/self/fd/1|build|";
@@ -562,8 +554,6 @@ TEST(test_copy, "all rows are copied")
     clear();
 }
 
-/* Rows that the disk has not taken are not copied, not even none of them.
- */
 TEST(test_lost, "rows that are lost are not copied")
 {
     struct checkpoint c;

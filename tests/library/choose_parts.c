@@ -210,7 +210,6 @@ static struct choose_candidate *candidate(const char *name, unsigned cuts)
     return task_candidate(&task, p);
 }
 
-/* A model has one candidate for each set of what it leaves out. */
 TEST(test_candidates, "a candidate for each way")
 {
     begin(1e-6);
@@ -578,7 +577,6 @@ static void refuses(const char *text)
     UNIT_SAYS(choice.refusal, text);
 }
 
-/* Refusals, each for its reason. */
 TEST(test_refusals, "refusals")
 {
     struct scene s = {.time = 1};

@@ -92,7 +92,6 @@ TEST(test_refused, "what is no number is refused")
     UNIT_TRUE(isnan(read_one(text)));
 }
 
-/* Numbers as programs write them, of all sizes. */
 TEST(test_random, "numbers as programs write them")
 {
     SEEDED(r, 4);
@@ -157,7 +156,6 @@ TEST(test_locale, "a point is a point in every country")
     setlocale(LC_NUMERIC, "C");
 }
 
-/* A text ends where its length says, whatever stands behind. */
 TEST(test_ends, "a text has a length")
 {
     static const struct {

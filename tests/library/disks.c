@@ -62,7 +62,6 @@ TEST(test_pair_time, "pair times of known triangles")
         disks_pair_time((double[]){8, 5, 0}, (double[]){-1, 0, 0}, 5), 8);
 }
 
-/* What overlaps and approaches collides now, what parts does not. */
 TEST(test_overlap, "overlaps collide now if they approach")
 {
     const double in[] = {-1, 0.5, 0}, out[] = {1, 0.5, 0};
@@ -149,7 +148,6 @@ TEST(test_engines, "a plan has the bits of every pair looked at")
     }
 }
 
-/* A run in pieces has the bits of a run in one; looking changes nothing. */
 TEST(test_pieces, "pieces of a run have the bits of the whole")
 {
     FREED(disks) one, many;
@@ -242,7 +240,6 @@ TEST(test_one, "one disk: exact impulses")
     UNIT_LIST(d.impulse, 1e-14, 2 * 2 * 0.6, 8 * 2 * 0.8);
 }
 
-/* Nothing ever happens to disks at rest, and time still passes. */
 TEST(test_rest, "nothing happens at rest")
 {
     FREED(disks) d;
@@ -300,7 +297,6 @@ TEST(test_restitution, "restitution")
     UNIT_EQUAL(d.impulse[0], 0.75 + 0.375);
 }
 
-/* Along an axis that is open there is no wall to meet. */
 TEST(test_open_axis, "an open axis has no wall")
 {
     FREED(disks) d;
@@ -429,7 +425,6 @@ TEST(test_random_start, "random starts fit or are refused")
     UNIT_TRUE(!disks_place_random(&d, &r));
 }
 
-/* The first pair that overlaps, or the disk that sticks out. */
 TEST(test_fit, "misfits are named")
 {
     FREED(disks) d;
@@ -575,7 +570,6 @@ TEST(test_ball, "a disk that bounces")
     }
 }
 
-/* Far from floor and roof, disks that fall meet as if they did not. */
 TEST(test_common_fall, "disks that fall meet as if they did not")
 {
     struct disks d[2];
@@ -688,7 +682,6 @@ TEST(test_no_sides, "without sides they meet behind the seam")
     }
 }
 
-/* A disk that is put on the floor at rest is reported, not lost. */
 TEST(test_lying, "a disk that lies is reported")
 {
     FREED(disks) d;
@@ -845,7 +838,6 @@ TEST(test_disks_replan_distance, "how far a disk flies before it looks")
     }
 }
 
-/* Between walls a lattice goes from one to the other, along each axis. */
 TEST(test_from_wall_to_wall, "a lattice goes from wall to wall")
 {
     for (size_t dimensions = 2; dimensions <= 3; ++dimensions)

@@ -65,7 +65,6 @@ TEST(test_pendulum, "the double pendulum hangs where it should")
     UNIT_EQUAL(s.freedom[0], 0);
 }
 
-/* Symmetric to the last bit, the rim held and flat. */
 TEST(test_membrane, "a membrane is symmetric to the last bit")
 {
     FREED(scene) s;
@@ -127,7 +126,6 @@ TEST(test_truss, "a truss has the diagonals it was asked for")
     }
 }
 
-/* Where the beam comes to rest in gravities of 0.1, 1 and 10. */
 TEST(test_beam, "the beam comes to rest as computed elsewhere")
 {
     const double g[] = {0.1, 1, 10};

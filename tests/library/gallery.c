@@ -137,7 +137,6 @@ TEST(test_ends, "keys at their ends do no harm")
     UNIT_EQUAL(for_all(check_ends), 0);
 }
 
-/* Chosen values, and refusals of what is not there, as build makes them. */
 TEST(test_chosen, "what is chosen, and nothing else")
 {
     const struct gallery_scene *g = gallery_find(hard_scenes, "cradle");

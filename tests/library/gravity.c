@@ -169,7 +169,6 @@ static void add_plainly(const struct gravity *g, size_t i, double total[3])
     }
 }
 
-/* Blocks of bodies change no bit, however many are left for the last. */
 TEST(test_blocks, "blocks have the bits of one body at a time")
 {
     for (size_t n = 33; n <= 130; n += n < 70 ? 1 : 20)

@@ -173,7 +173,6 @@ TEST(test_theta, "half of theta, a quarter of the error")
     }
 }
 
-/* Bodies without mass, half of them, and all bodies of a cell. */
 TEST(test_massless, "what weighs nothing pulls nowhere")
 {
     scatter(CUBE, 1000, 3);
@@ -224,8 +223,6 @@ TEST(test_blown_up, "a run that has blown up")
     }
 }
 
-/* Built again, with another theta, and the same bits as the first time.
- */
 TEST(test_again, "built again, with another theta")
 {
     scatter(BALLS, 777, 2);

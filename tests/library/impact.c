@@ -229,7 +229,6 @@ TEST(test_own_steps, "steps of their own length")
     UNIT_EQUAL(largest_difference(x, y, 9), 0);
 }
 
-/* No contact, no difference. */
 TEST(test_same_bits, "without contact the same bits")
 {
     for (int way = 0; way < 2; ++way) {
@@ -246,7 +245,6 @@ TEST(test_same_bits, "without contact the same bits")
     }
 }
 
-/* A row that touches: the velocity goes through it at one moment. */
 TEST(test_at_once, "a row that touches, at once")
 {
     FREED(scene) s;
@@ -263,7 +261,6 @@ TEST(test_at_once, "a row that touches, at once")
     UNIT_EQUAL(s.velocity[4], 4);
 }
 
-/* Two that touch already and come at each other go back from there. */
 TEST(test_touching, "two that touch already")
 {
     static const char *const methods[] = {"leapfrog", "rk4", "radau15"};
@@ -387,7 +384,6 @@ TEST(test_crowd, "two that rest on each other crowd")
     UNIT_EQUAL(m.impact.between[1], 1);
 }
 
-/* What rests goes on resting when the run is resumed, to the same bits. */
 TEST(test_resume, "what rests is resumed")
 {
     FREED(scene) s, saved;

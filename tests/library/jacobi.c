@@ -118,7 +118,6 @@ TEST(test_masses, "errors go as powers of the planets' masses")
     }
 }
 
-/* There and back. */
 TEST(test_reversal, "steps back lead back")
 {
     static const char *const names[] = {"wisdom-holman", "sbab4"};
@@ -163,7 +162,6 @@ TEST(test_momentum, "momentum and the centre of mass are kept")
     }
 }
 
-/* A body without mass disturbs nobody. */
 TEST(test_light, "a body without mass disturbs nobody")
 {
     FREED(scene) s, t;
@@ -175,7 +173,6 @@ TEST(test_light, "a body without mass disturbs nobody")
     UNIT_TRUE(apart(&s, &t) < 1e-6);
 }
 
-/* Who has left for ever has no ellipse: the run ends. */
 TEST(test_open, "an orbit that opens ends the run")
 {
     FREED(scene) s;

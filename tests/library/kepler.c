@@ -49,7 +49,6 @@ TEST(test_anomaly, "Kepler's equation has its known roots")
     }
 }
 
-/* The equation itself, at all eccentricities, in long double. */
 TEST(test_residual, "and every root solves it")
 {
     double worst = 0;
@@ -86,7 +85,6 @@ TEST(test_turn, "cosine and sine are right to a rounding")
     UNIT_EQUAL(s, 0);
 }
 
-/* The shape of an orbit from a place on it, in any attitude. */
 TEST(test_shape, "a place gives back the shape of its orbit")
 {
     for (double e = 0; e < 1; e += 0.07)

@@ -38,7 +38,6 @@ static void each_text(const char *list, bool good)
     }
 }
 
-/* The last texts that make sense, and the first that do not. */
 TEST(test_texts, "texts that just make sense, or just not")
 {
     each_text("normal normal:-1,1e-300 microcanonical:2 "
@@ -92,7 +91,6 @@ TEST(test_completed, "what is not given")
     }
 }
 
-/* Densities, probabilities, means and spreads in closed form. */
 TEST(test_closed_forms, "points in closed form")
 {
     static const struct {
@@ -149,7 +147,6 @@ TEST(test_closed_forms, "points in closed form")
     UNIT_NEAR(laws_density(&component, 0), 1 / sqrt(2 * pi * a), 1e-15);
 }
 
-/* Kolmogorov's function, from its other sum: the two are equal. */
 TEST(test_kolmogorov, "Kolmogorov's function from both of its sums")
 {
     for (double l = 0.3; l < 3; l += 0.05) {

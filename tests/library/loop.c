@@ -64,7 +64,6 @@ TEST(test_turns, "ticks, and an offset at an event")
     finish(&l);
 }
 
-/* From event to event up to a tick, one at the tick too. */
 TEST(test_go_to, "events up to a tick")
 {
     struct loop l;

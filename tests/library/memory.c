@@ -165,7 +165,6 @@ TEST(test_scenes, "scenes")
             fails(laid->name, lays, "", false);
 }
 
-/* What sums forces. */
 TEST(test_forces, "forces")
 {
     make("membrane");
@@ -430,7 +429,6 @@ TEST(test_line, "bodies on a line")
         fails(what[k], measures, what[k], false);
 }
 
-/* What is freed is empty, and may be freed again. */
 TEST(test_freed_twice, "freed twice")
 {
     const double sides[] = {5, 5};

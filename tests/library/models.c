@@ -170,7 +170,6 @@ TEST(test_no_light, "no-light: ellipses and steps agree, the centre stays")
     UNIT_EQUAL(r.work[MODELS_PAIR], 51 * 8); /* one source, 8 others */
 }
 
-/* Light bodies round two heavy ones, and where something is held. */
 TEST(test_no_light_others, "no-light: round two stars, round a held one")
 {
     make("circumbinary", NULL);
@@ -212,7 +211,6 @@ TEST(test_kepler_refuses, "kepler refuses what is no ellipse")
     refuses("kepler", "bodies are held beside the plane of their motion");
 }
 
-/* Weight and friction against steps; what is held stays. */
 TEST(test_free, "free: weight and friction, and what is held")
 {
     make_bodies(3);
@@ -577,7 +575,6 @@ TEST(test_rods, "rods: chapter 10's numbers, and a hanging cradle")
     UNIT_TRUE(hung < 1e-3); /* the strings' D is 1e5 N/m */
 }
 
-/* What acts: exactly, not nearly. */
 TEST(test_acts, "what acts is told exactly")
 {
     struct models_acts a;
@@ -619,7 +616,6 @@ TEST(test_acts, "what acts is told exactly")
     UNIT_EQUAL(a.axes, 4);
 }
 
-/* Points on a line may meet as in line only. */
 TEST(test_meeting, "points on a line meet as in line only")
 {
     static const char unseen[] = "points on a line collide only as in line";
@@ -872,7 +868,6 @@ TEST(test_across, "what is across a line is left out")
     }
 }
 
-/* A plan is read as it was written, whatever its order was. */
 TEST(test_text, "plans are read as they were written")
 {
     static const char *const same[] = {"free", "pefrl:24",
@@ -1106,7 +1101,6 @@ TEST(test_passage, "steps of their own length see a passage")
     UNIT_NEAR(r.work[MODELS_EVALUATION], 8 * steps, 8);
 }
 
-/* A run that breaks down, and one that comes to a standstill. */
 TEST(test_ends, "runs that break down or stand still")
 {
     const char *why;

@@ -502,7 +502,6 @@ TEST(test_bill_of_steps, "the bill of steps")
     scene_free(&many);
 }
 
-/* How many steps a row is asked for. */
 TEST(test_steps_of_row, "steps asked for in a row")
 {
     struct models_run r = {.plan = plan("pefrl:12")};

@@ -26,7 +26,6 @@ static int rising(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* All frequencies of a taut membrane with unequal sides, by formula. */
 TEST(test_taut, "all modes of a taut membrane are those of the formula")
 {
     const struct elastic_membrane e = {8, 6, 2, 50,   0, 0.8,

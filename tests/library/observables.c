@@ -115,7 +115,6 @@ TEST(test_bodies, "bodies are asked one by one")
     scene.velocity[2] = 0;
 }
 
-/* As many as there is room for; the columns add up. */
 TEST(test_many, "as many as there is room for")
 {
     struct observables o;
@@ -148,7 +147,6 @@ TEST(test_sorts, "along which axis they lie")
     }
 }
 
-/* Places and velocities of bodies in any order, and no more than they. */
 TEST(test_states, "states of bodies")
 {
     static const double right[] = {4, 6, 3, 0, -2, 1, 1, 2, 3, 1, 0, 3, 77};
@@ -219,7 +217,6 @@ static void refuse(const char *text, const char *why)
         printf("# '%s': %s\n", text, message);
 }
 
-/* Every body has its number, and there is none beyond the last. */
 TEST(test_numbers, "bodies by their numbers")
 {
     struct observables o;

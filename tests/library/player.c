@@ -13,7 +13,6 @@ static void give(const char *text)
         strcpy(room, text);
 }
 
-/* Asked before anything was chosen or begun it has no answer. */
 TEST(test_nothing_yet, "nothing is asked for yet")
 {
     UNIT_TRUE(page_word(KEYS * 1000) == NULL);
@@ -67,7 +66,6 @@ TEST(test_every_scene, "every scene of the gallery")
     UNIT_TRUE(scenes > 10 && !page_make((double)scenes));
 }
 
-/* A text that is no scene is refused, with the line. */
 TEST(test_no_scene, "what is no scene")
 {
     give("particle (0 0 0) 1\nnonsense 3\n");

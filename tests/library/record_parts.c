@@ -234,7 +234,6 @@ TEST(test_apart, "how far rows are apart")
     }
 }
 
-/* The scales of what has units. */
 TEST(test_scales, "scales of units")
 {
     const struct scales to = {2, 3, 5, 7};
@@ -257,7 +256,6 @@ TEST(test_scales, "scales of units")
     UNIT_EQUAL(or_next(3, 4), 3);
 }
 
-/* A body that flies along one axis is as fast along any. */
 TEST(test_speed, "how fast a body is")
 {
     FREED(scene) s;

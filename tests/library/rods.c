@@ -165,7 +165,6 @@ TEST(test_too_long, "a step that is too long is refused")
     end();
 }
 
-/* A force a step, however often somebody moves a body in between. */
 TEST(test_counts, "forces are asked for once in a step")
 {
     weight = 1;

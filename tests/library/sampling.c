@@ -169,8 +169,6 @@ TEST(test_depletion, "Asakura and Oosawa's law of distances")
     }
 }
 
-/* A rejected try leaves all in place; an accepted one moves one disk by at
-   most the step; all fit all the time. */
 TEST(test_moves, "a try moves one disk or none")
 {
     FREED(sampling) s;

@@ -306,7 +306,6 @@ TEST(test_images, "images end a slide in every direction")
         }
 }
 
-/* Small ones do not see each other, however much they overlap. */
 TEST(test_ideal, "small ones do not see each other")
 {
     const double sides[] = {10, 10};

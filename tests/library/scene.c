@@ -20,7 +20,6 @@ static bool parse(struct scene *s, const char *text)
     return scene_parse(s, text, strlen(text), &error);
 }
 
-/* The facts of the paper's listing: the Sun and the Earth. */
 TEST(test_paper, "the paper's listing reads as it is")
 {
     struct scene s;
@@ -52,7 +51,6 @@ TEST(test_paper, "the paper's listing reads as it is")
     UNIT_TRUE(s.mass == NULL);
 }
 
-/* Springs as the paper's script for a membrane makes them. */
 TEST(test_springs, "springs in any order, rest lengths, displacements")
 {
     FREED(scene) s;
@@ -81,7 +79,6 @@ TEST(test_springs, "springs in any order, rest lengths, displacements")
     UNIT_EQUAL(s.damping, 0.25);
 }
 
-/* The lines that are ours. */
 TEST(test_ours, "our own lines")
 {
     FREED(scene) s;
@@ -457,7 +454,6 @@ TEST(test_letters, "what is written, letter by letter")
     UNIT_TRUE(s.stiffness == 3 && s.dashpot == 0);
 }
 
-/* A copy is its own, and grows on its own. */
 TEST(test_copy, "a copy is its own")
 {
     struct scene a, b;

@@ -108,7 +108,6 @@ TEST(test_against_plain, "events come out as from a plain array")
             mix(sizes[k], levels[i], 10 * k + (uint64_t)i);
 }
 
-/* Events at one time come out in the order of their numbers. */
 TEST(test_ties, "equal times come in the order of numbers")
 {
     FREED(schedule) s;
@@ -119,7 +118,6 @@ TEST(test_ties, "equal times come in the order of numbers")
         UNIT_EQUAL(schedule_take(&s), i);
 }
 
-/* Dropped twice, put after it was dropped, cleared while empty. */
 TEST(test_edges, "dropped twice, put again, cleared")
 {
     struct schedule s;

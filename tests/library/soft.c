@@ -164,7 +164,6 @@ TEST(test_rest, "to rest is to be pressed")
     end(&m, &s);
 }
 
-/* A restitution and springs are one too many. */
 TEST(test_twice, "restitution or springs")
 {
     FREED(scene) s;

@@ -89,7 +89,6 @@ TEST(test_same_place, "two bodies in one place do no harm")
         UNIT_EQUAL(a[i], 0);
 }
 
-/* Held axes feel nothing; gravity and friction act where a body is free. */
 TEST(test_held, "held axes, gravity and friction")
 {
     FREED(scene) s;
@@ -345,7 +344,6 @@ TEST(test_odd_lists, "so they do for lists that are no grid")
     same_bits(&s, 3);
 }
 
-/* Nothing but inner forces: the momentum stays, to rounding. */
 TEST(test_momentum, "inner forces keep the momentum")
 {
     FREED(scene) s;

@@ -253,7 +253,6 @@ TEST(test_two_and_galperin, "two and galperin take a mass ratio")
     UNIT_TRUE(s.until == INFINITY);
 }
 
-/* Walls that are given stand; what is drawn at random is between them. */
 TEST(test_walls, "walls that are given stand")
 {
     for (int kind = 0; kind < START_KINDS; ++kind) {
@@ -297,8 +296,6 @@ TEST(test_allows, "which numbers of movers are allowed")
     UNIT_TRUE(start_names[START_KINDS] == NULL);
 }
 
-/* All that is fixed of each kind: how many, until when, where, how fast and
-   how heavy. */
 TEST(test_all_numbers, "all that is fixed of each kind")
 {
     static const struct {
@@ -369,7 +366,6 @@ TEST(test_all_numbers, "all that is fixed of each kind")
     UNIT_TRUE(most <= 1.1 && most > 1.099);
 }
 
-/* Room for movers of 1 kg, all else zero. */
 TEST(test_create, "room for a start")
 {
     FREED(start) s;

@@ -123,7 +123,6 @@ TEST(test_there_and_back, "what is written is read again")
     remove(path);
 }
 
-/* What stands in a file that is read, and what is taken of it. */
 TEST(test_texts, "what is read")
 {
     static const struct {
@@ -164,7 +163,6 @@ TEST(test_texts, "what is read")
     remove(path);
 }
 
-/* What stands in a file that is refused, and how the reason begins. */
 TEST(test_refused, "what is refused")
 {
     static const char *const files[][2] = {

@@ -177,7 +177,6 @@ TEST(test_fit_errors, "errors of a fit with narrow bins")
     free(h);
 }
 
-/* Flat counts are not Gaussian, and chi-square says so. */
 TEST(test_bad_fit, "a bad fit is seen, an impossible one refused")
 {
     struct statistics_gaussian fit;
@@ -306,7 +305,6 @@ TEST(test_every_plateau, "all errors need a plateau")
     UNIT_TRUE(statistics_describe(4096, x, false, &d) && d.plateau);
 }
 
-/* A run shorter than its correlations has no honest error, and says so. */
 TEST(test_no_plateau, "too short a run says so")
 {
     SEEDED(r, 37);

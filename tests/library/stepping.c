@@ -444,7 +444,6 @@ TEST(test_cuts, "neither cuts nor resuming change a bit")
         }
 }
 
-/* The leapfrog of its own code has the bits of the general one. */
 TEST(test_leapfrog_is_a_splitting,
      "leapfrog's own code is that of a splitting")
 {
@@ -666,7 +665,6 @@ FORCES(grow)
     a[0] = x[0] * x[0] * x[0];
 }
 
-/* A run that blows up ends at the next look, wherever it is cut. */
 TEST(test_infinite, "what is not finite is noticed")
 {
     const struct stepping_forces f = {1, false, grow, NULL};

@@ -24,7 +24,6 @@ static bool both_signs(double x)
     return is_same(x) && is_same(-x);
 }
 
-/* Powers of ten and of two, and the doubles beside them. */
 TEST(test_powers, "powers and their neighbours")
 {
     for (int base = 2; base <= 10; base += 8)
@@ -58,7 +57,6 @@ TEST(test_every_size, "numbers of every size")
         UNIT_TRUE(is_same(random_between(&r, -4, 4)));
 }
 
-/* What is left to printf. */
 TEST(test_others, "what is left to printf")
 {
     static const double others[] = {0,        5e-324,   1e-300, 9.9e-5,

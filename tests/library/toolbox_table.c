@@ -307,7 +307,6 @@ static int open_no_more(void *path)
     return opened ? 0 : 1;
 }
 
-/* The temporary cannot be made. */
 TEST(test_no_descriptor, "no descriptor for the temporary is an error")
 {
     child_says(child_run(open_no_more, "a", NULL), 1,
@@ -421,7 +420,6 @@ static int replaces_input(void *path)
     return freopen("in", "r", stdin) && replace_loses(path, "-") ? 7 : 0;
 }
 
-/* Whether a table would take away what is read. */
 TEST(test_replaces, "a table that would replace its input is known")
 {
     write_file("in", "1\n");
@@ -655,7 +653,6 @@ TEST(test_clash_in_pipe, "two outputs to one pipe are refused")
     UNIT_TRUE(sweep() == 1);
 }
 
-/* A pipe with a name is written as it is, and stays a pipe. */
 TEST(test_named_pipe, "a named pipe is written as it is")
 {
     char got[4096] = "";

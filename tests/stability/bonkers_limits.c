@@ -70,7 +70,6 @@ TEST(test_way_back, "the way back is missed as n^(3/2)")
     UNIT_TRUE(mean_miss(BONKERS_SCAN, 1000) < -11);
 }
 
-/* All fast engines take the same way back. */
 TEST(test_way_back_of_every_engine, "every engine misses it alike")
 {
     const struct start_request request = {

@@ -123,7 +123,6 @@ TEST(test_chaos, "the way back is lost after 50 collisions")
     UNIT_TRUE(median(15) > -1);
 }
 
-/* A collapse ends the run, and in finite time; e near one does not. */
 TEST(test_collapse, "inelastic collapse ends a run")
 {
     FREED(disks) d;

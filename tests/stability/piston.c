@@ -12,8 +12,6 @@ static const struct piston eleven = {
 typedef bool stepper(const struct piston *, struct piston_state *, double);
 static stepper *const steppers[] = {piston_step, piston_step_rk4};
 
-/* A step that ends in a wall, or behind it, or that meets one on the way,
-   is refused, and the state is what it was. */
 TEST(test_walls, "a step into a wall is refused")
 {
     const struct {
@@ -30,7 +28,6 @@ TEST(test_walls, "a step into a wall is refused")
         }
 }
 
-/* Whatever the step, the piston is inside the box after it. */
 TEST(test_inside, "no step ends outside the box")
 {
     size_t taken = 0, refused = 0;

@@ -8,7 +8,7 @@
 
 #define PROGRAM "averages-studies"
 
-/* Makes the scene of chapter 5 with two disks. */
+/* Makes chapter 5's scene "four-disks" with two disks. */
 static void make_disks(struct scene *s, double seed)
 {
     const char *wrong =
@@ -18,8 +18,8 @@ static void make_disks(struct scene *s, double seed)
         program_give_up("%s", wrong);
 }
 
-/* Returns the time average of the pressure over a time T, as Z, from the
-   virial of the whole run (7.5, eq:virial). */
+/* Returns Z, the pressure averaged over a run of T seconds, computed from
+   the virial (7.5, eq:virial). */
 static double measure_pressure(const struct scene *s, double T)
 {
     const struct models_plan plan = {.model = models_find("disks")};
@@ -38,7 +38,7 @@ static double measure_pressure(const struct scene *s, double T)
     return 1 + virial / (2 * energy * T);
 }
 
-/* Returns the mean pressure over T that averages_find gives, with the
+/* Returns the estimate of averages_find for the mean pressure over T, with
    tolerance 0.01. */
 static struct averages_found find_pressure(const struct scene *s, double T)
 {
@@ -53,10 +53,11 @@ static struct averages_found find_pressure(const struct scene *s, double T)
     return f;
 }
 
-/* Writes a row with the mean over all of T and the answer of
-   averages_find. The two are independent: the starting velocities differ by
-   some parts in 1e12, so that the paths separate after a few dozen
-   collisions. If there is no answer, its value and its error are nan. */
+/* Writes a row with the pressure averaged over all of T and the estimate of
+   averages_find. The estimate and its error are nan if averages_find
+   refuses to answer. The two runs are independent: their starting
+   velocities differ by about 1e-12, so their paths separate after a few
+   dozen collisions. */
 static void study_pair(struct study *s, double T, double seed)
 {
     struct scene pair;
@@ -71,8 +72,9 @@ static void study_pair(struct study *s, double T, double seed)
     scene_free(&pair);
 }
 
-/* Writes, for two disks, twenty starts and increasing times T, the mean
-   over all of T and the answer, which simulates only a part of T. */
+/* Compares the mean over all of T with the estimate of averages_find, which
+   simulates only part of T. Uses two disks, twenty starts and increasing
+   times T. */
 static void study_disks(struct study *s)
 {
     TABLE_COLUMNS(s->out, {"T", "s", "time of the mean"},

@@ -1,4 +1,4 @@
-/* Maps cost against true error for all scenes; measures the price list. */
+/* Maps cost against error for all scenes and measures the price list. */
 #include "choosing/choose.h"
 #include "scenes/gallery.h"
 #include "choosing/models.h"
@@ -13,12 +13,13 @@
 #define PROGRAM "bonk-studies"
 
 static struct {
-    const char *scene; /* the only scene to map, or NULL: all of them */
+    const char *scene; /* scene to map, or NULL for all */
 } own;
 
 enum { ROWS = 16, KEYS = 4 };
 
-/* A scene of the atlas: how to make it, and how long it runs. */
+/* A scene of the atlas: its name on the map, its name in the gallery, its
+   duration, and the values that differ from the gallery's defaults. */
 struct subject {
     const char *name, *scene;
     double until; /* s */
@@ -28,12 +29,11 @@ struct subject {
     } set[KEYS];
 };
 
-/* The scenes of the atlas: the name on the map, the name in the gallery,
-   the duration, and the values that differ from the gallery's defaults. The
-   cue ball of the break is shifted slightly, since a ball that touches two
-   others at the same time has no unique outcome. Times of celestial scenes
-   are in days. The comet starts at aphelion with sqrt(0.1) times the
-   circular speed, so that its orbit has the eccentricity 0.9. */
+/* The scenes of the atlas. In `break` the cue ball is shifted slightly,
+   because a ball that touches two others at the same time has no unique
+   outcome. Times of celestial scenes are in days. The comet starts at
+   aphelion with sqrt(0.1) times the circular speed, so its orbit has
+   eccentricity 0.9. */
 static const struct subject subjects[] = {
     {"cradle", "cradle", 20, {{0}}},
     {"equal-line",
@@ -71,13 +71,14 @@ static const struct subject subjects[] = {
     {"cantilever", "cantilever", 8, {{0}}},
     {0}};
 
-/* Prints the reason and ends the program: a part of an atlas is useless. */
+/* Prints the reason and ends the program, because an incomplete atlas is
+   useless. */
 _Noreturn static void fail(const char *why)
 {
     program_give_up("%s", why);
 }
 
-/* Returns the scene of this name from the three lists of the gallery. */
+/* Finds a scene in the three lists of the gallery. */
 static const struct gallery_scene *find_scene(const char *name)
 {
     static const struct gallery_scene *const lists[] = {
@@ -90,7 +91,8 @@ static const struct gallery_scene *find_scene(const char *name)
     return g;
 }
 
-/* Makes a scene with the gallery's defaults, except values that t sets. */
+/* Makes a scene with the values of t->set and otherwise the gallery's
+   defaults. */
 static void make_scene(struct scene *s, const struct subject *t)
 {
     double value[GALLERY_KEYS + 1];
@@ -103,12 +105,12 @@ static void make_scene(struct scene *s, const struct subject *t)
         fail(why);
 }
 
-/* The positions of all bodies in all rows. Velocities are not stored, since
-   an error in them shows in the positions of the next row. */
+/* The positions of all bodies in all rows. Velocities are not stored: an
+   error in a velocity shows in the positions of the next row. */
 struct path {
-    size_t size; /* coordinates: three for each body */
+    size_t size; /* coordinates in a row: 3 per body */
     double *x;   /* [ROWS * size] m */
-    double cost; /* s by the price list; INFINITY: it could not begin */
+    double cost; /* s by the price list; INFINITY if the run never began */
 };
 
 static void make_path(struct path *p, const struct scene *s)
@@ -118,9 +120,9 @@ static void make_path(struct path *p, const struct scene *s)
     program_memory(p->x, "for a path");
 }
 
-/* Runs a plan until it has cost `limit` seconds by the price list. Fills p
-   with the rows that the run has reached and with its cost. Returns false
-   if the run did not reach its end. */
+/* Runs a plan. Stops when its cost by the price list exceeds `limit`, s.
+   Fills p with the cost and the rows that were reached. Returns false if
+   the run did not finish. */
 static bool run_plan(struct path *p, const struct models_plan *plan,
                      const struct scene *s, double every, double limit)
 {
@@ -141,8 +143,8 @@ static bool run_plan(struct path *p, const struct models_plan *plan,
     return end == MODELS_DONE;
 }
 
-/* Returns the largest difference between the coordinates of two paths in
-   their first rows, m, or INFINITY if a difference is not finite. */
+/* Returns the largest difference between coordinates in the first `rows`
+   rows of two paths, m, or INFINITY if a difference is not finite. */
 static double distance(const struct path *a, const struct path *b,
                        size_t rows)
 {
@@ -156,9 +158,10 @@ static double distance(const struct path *a, const struct path *b,
     return most;
 }
 
-/* Returns the scale of position errors, m: the diagonal of the box that
-   contains all bodies and walls. It does not use the function of the module
-   under test, so that a mistake in either shows as a disagreement. */
+/* Returns the length by which position errors are divided, m: the diagonal
+   of the box that contains all bodies and walls. This deliberately does not
+   call the function of the module under test, so a mistake in either shows
+   as a disagreement. */
 static double size_of(const struct scene *s)
 {
     double square = 0;
@@ -178,15 +181,15 @@ static double size_of(const struct scene *s)
 /* The next collision of a body. */
 struct meeting {
     quad t;
-    size_t with; /* body; wall: bodies + 2 * axis + side */
+    size_t with; /* body, or bodies + 2 * axis + side for a wall */
 };
 
 /* Hard bodies that move in straight lines between events, in 113-bit
-   arithmetic: they give the true path of scenes in which only contacts act.
+   arithmetic. They give the true path of scenes in which only contacts act.
    The simulation is as simple as possible: all positions refer to the same
-   time, and there is no calendar and no grid, only the next collision of
-   each body. Lines and disks need no separate code: on a line the square
-   root of (5.3, eq:pair-time) is exact. */
+   time, each body stores only its next collision, and there is no calendar
+   or grid. The same code serves lines and disks: on a line the square root
+   of (5.3, eq:pair-time) is exact. */
 struct flight {
     size_t bodies;
     const struct scene *scene;
@@ -195,9 +198,9 @@ struct flight {
     struct meeting *next;
 };
 
-/* Returns the scalar product of the differences in a and in b between
-   bodies i and j; a and b are positions or velocities. All equations of a
-   collision consist of such products. */
+/* Returns (a_j - a_i) . (b_j - b_i), the scalar product that all collision
+   equations consist of. a and b are positions or velocities of all
+   bodies. */
 static quad scalar_product(const struct flight *f, const quad a[],
                            const quad b[], size_t i, size_t j)
 {
@@ -209,8 +212,8 @@ static quad scalar_product(const struct flight *f, const quad a[],
     return sum;
 }
 
-/* Returns the time at which bodies i and j collide, or INFINITY if they do
-   not (5.3, eq:pair-time). */
+/* Returns the time at which bodies i and j collide, or INFINITY if they
+   miss each other (5.3, eq:pair-time). */
 static quad pair_time(const struct flight *f, size_t i, size_t j)
 {
     const struct scene *s = f->scene;
@@ -227,7 +230,7 @@ static quad pair_time(const struct flight *f, size_t i, size_t j)
 }
 
 /* Returns the first collision of body i with a wall (5.1, eq:wall-time). A
-   body that rounding has put behind a wall collides with it at once. */
+   body beyond a wall because of rounding collides with it at once. */
 static struct meeting wall_time(const struct flight *f, size_t i)
 {
     const struct scene *s = f->scene;
@@ -247,8 +250,8 @@ static struct meeting wall_time(const struct flight *f, size_t i)
     return first;
 }
 
-/* Finds the next collision of body i. The partner's next collision is
-   replaced as well if this one comes before it. */
+/* Finds the next collision of body i. Also updates the next collision of
+   every other body that body i meets earlier. */
 static void predict(struct flight *f, size_t i)
 {
     f->next[i] = wall_time(f, i);
@@ -270,8 +273,8 @@ static void move_to(struct flight *f, quad t)
     f->now = t;
 }
 
-/* Applies the impulse of a collision of i and j along the line of centres
-   (1.10, eq:impulse). A fixed body, of inverse mass 0, stays at rest. */
+/* Applies the impulse of a collision of i and j along their line of centres
+   (1.10, eq:impulse). A fixed body has inverse mass 0 and stays at rest. */
 static void collide(struct flight *f, size_t i, size_t j)
 {
     const size_t n = f->bodies;
@@ -286,9 +289,9 @@ static void collide(struct flight *f, size_t i, size_t j)
     }
 }
 
-/* Moves all bodies to the next event, that of body i, carries it out, and
-   predicts the next collisions of the bodies that took part in it and of
-   those that expected to collide with one of them. */
+/* Moves all bodies to the next event, which is that of body i, and carries
+   it out. Predicts new collisions for the bodies involved and for those
+   that expected to collide with them. */
 static void handle_event(struct flight *f, size_t i)
 {
     const size_t n = f->bodies, j = f->next[i].with;
@@ -314,7 +317,7 @@ static size_t find_next(const struct flight *f)
     return best;
 }
 
-/* Starts a flight. The doubles of the scene are taken as exact, since their
+/* Starts a flight. Takes the scene's doubles as exact, because their
    rounding is not an error of a method. */
 static void begin_flight(struct flight *f, const struct scene *s)
 {
@@ -337,8 +340,8 @@ static void begin_flight(struct flight *f, const struct scene *s)
         predict(f, i);
 }
 
-/* Fills p with the true path. Only stored positions are rounded to
-   double. */
+/* Fills p with the true path, computed in 113-bit arithmetic and rounded to
+   double only when stored. */
 static void run_events(struct path *p, const struct scene *s, double every)
 {
     struct flight f;
@@ -358,13 +361,12 @@ static void run_events(struct path *p, const struct scene *s, double every)
 /* The true path and its uncertainty. */
 struct truth {
     struct path path;
-    double scale;  /* length by which errors are divided, m */
-    double unsure; /* difference of two computed paths, over scale */
+    double scale;  /* unit of errors, m */
+    double unsure; /* difference of two computed paths, in units of scale */
 };
 
-/* Runs a plan with compensated summation, which carries rounding errors
-   along. A scene with `carry` lines is stepped in this way; if s has none,
-   its copy gets carries of zero. */
+/* Runs a plan with compensated summation. A scene with `carry` arrays is
+   stepped in this way. If s has none, its copy gets carries of zero. */
 static bool run_with_carries(struct path *p, struct models_plan plan,
                              const struct scene *s, double every)
 {
@@ -379,21 +381,21 @@ static bool run_with_carries(struct path *p, struct models_plan plan,
 
 enum { LEVELS = 3, FIRST = 8, HALVINGS = 20 };
 
-/* A column of Richardson's table. Entry 0 is the run itself; each further
-   entry has one more term of the error removed. */
+/* A column of Richardson's table. Entry 0 is a run. Each further entry
+   removes one more term of the error. */
 struct column {
     struct path entry[LEVELS];
 };
 
-/* Fills a column from its run and from the column before, whose steps are
+/* Fills a column from its run and from the previous column, whose steps are
    twice as long. A run with steps h of a method of order p ends at x(h) = x
    + a h^p + b h^q + ..., so
 
    x(h/2) + (x(h/2) - x(h)) / (2^p - 1) = x + b' h^q + ...
 
-   (Richardson's extrapolation). The next entry removes the term in h^q in
-   the same way. q is p + 2 if the method is symmetric, since the error is
-   then the same for h and -h, and p + 1 otherwise. */
+   (Richardson's extrapolation). The next entry removes the term h^q in the
+   same way. For a symmetric method the error is the same for h and -h, and
+   q = p + 2. Otherwise q = p + 1. */
 static void fill_column(struct column *now, const struct column *before,
                         size_t levels, const struct stepping_method *m)
 {
@@ -408,12 +410,11 @@ static void fill_column(struct column *now, const struct column *before,
     }
 }
 
-/* Fills best with the extrapolated path and returns its last change, m. The
-   steps are halved until the result no longer changes, or until a run costs
-   more than the budget, s. If a run fails because its steps are too long,
-   the table starts again with the next run. Once the result is good to nine
-   digits, a change larger than the one before is caused by rounding and
-   ends the search. */
+/* Fills best with the extrapolated path and returns its last change, m.
+   Halves the steps until the result no longer changes or a run costs more
+   than `budget`, s. If the steps are too long for a run, the table starts
+   again with the next run. Once the result has nine correct digits,
+   rounding causes any growth of the change and the search ends. */
 static double converge(struct path *best, const char *method,
                        const struct scene *s, double every, double budget)
 {
@@ -451,9 +452,9 @@ static double converge(struct path *best, const char *method,
     return change;
 }
 
-/* Fills best with a run of radau15, which chooses its step lengths. Returns
-   the difference between the results with the two tolerances 1e-14 and
-   1e-15, m. */
+/* Fills best with a run of radau15, a method with variable steps. Returns
+   the difference between the results for the tolerances 1e-14 and 1e-15,
+   m. */
 static double refine_lengths(struct path *best, const struct scene *s,
                              double every)
 {
@@ -478,12 +479,13 @@ static bool only_contacts(const struct scene *s)
     return a.contact && !(a.gravity || a.springs || a.weight || a.friction);
 }
 
-/* Finds the true path. If only contacts act, it comes from events in
-   113-bit arithmetic. Otherwise it is computed by two methods that have
-   little in common: by extrapolated steps of equal length (kahan-li8, or
-   gauss4 if there is friction, which kahan-li8 cannot integrate; both are
-   symmetric) and by steps of variable length. The path that changed less
-   when it was refined is used; their difference is its uncertainty. */
+/* Finds the true path. If only contacts act, it is computed from events in
+   113-bit arithmetic. Otherwise it is computed by two very different
+   methods: extrapolated steps of equal length, and radau15 with steps of
+   variable length. The equal steps use kahan-li8, or gauss4 if there is
+   friction, which kahan-li8 cannot integrate. Both are symmetric. The path
+   that changed less when it was refined is used. Its distance from the
+   other path is its uncertainty. */
 static void find_truth(struct truth *t, const struct scene *s, double every,
                        double budget)
 {
@@ -515,25 +517,25 @@ static const double tolerances[TOLERANCES] = {1e-3, 1e-6, 1e-9};
 /* A plan with its cost and its error. */
 struct point {
     struct models_plan plan;
-    double cost, error; /* s by the price list; fraction of the scale */
-    bool front;         /* no other point is better (is_front) */
+    double cost, error; /* s by the price list; in units of truth.scale */
+    bool front;         /* on the Pareto front (is_front) */
 };
 
-/* The points of a scene, with its true path. */
+/* The points and the true path of a scene. */
 struct map {
     const struct subject *subject;
     struct scene scene;
     double every; /* time between two rows, s */
-    double limit; /* cost at which a run is stopped, s by the price list */
+    double limit; /* maximum cost of a run, s by the price list */
     struct truth truth;
-    struct path path; /* of the last run */
+    struct path path; /* path of the last run */
     struct point point[MOST_POINTS];
     size_t points;
 };
 
 /* Runs a plan and adds its point to the map. Returns its error, or INFINITY
-   if the run did not reach its end. An error of less than 1e-17, the lower
-   edge of the map, is raised to it: a logarithmic axis has no zero. */
+   if the run did not finish. Errors below 1e-17, the lower edge of the map,
+   are raised to 1e-17, because a logarithmic axis has no zero. */
 static double add_point(struct map *m, struct models_plan plan)
 {
     if (m->points == MOST_POINTS)
@@ -547,12 +549,12 @@ static double add_point(struct map *m, struct models_plan plan)
     return error;
 }
 
-/* Runs a plan with 1, 2, 4, ... steps in each row and returns the smallest
-   error. It stops when two doublings have not helped, because the remaining
-   error comes from rounding, from a part that was left out, or from the
-   uncertainty of the truth; or when a run costs too much. Each doubling
-   increases the cost by at least as much as the one before, so a run that
-   would be stopped is not started. */
+/* Runs a plan with 1, 2, 4, ... steps per row and returns the smallest
+   error. Stops if a run costs too much or if two doublings have not helped.
+   The remaining error then comes from rounding, from a part that was left
+   out, or from the uncertainty of the truth. Each doubling adds at least as
+   much cost as the previous one, so a run whose predicted cost exceeds the
+   limit is not started. */
 static double double_steps(struct map *m, struct models_plan plan)
 {
     double best = INFINITY, cost = 0, next = 0;
@@ -571,8 +573,9 @@ static double double_steps(struct map *m, struct models_plan plan)
     return best;
 }
 
-/* Lowers the tolerance of a method with steps of variable length from 0.1
-   to 1e-15 by 1, 0.5, 0.2 in each decade, until it stops helping. */
+/* Lowers the tolerance of a method with variable steps until it stops
+   helping. The tolerances are 1, 0.5 and 0.2 times powers of ten, from 0.1
+   to 1e-15. */
 static void lower_tolerance(struct map *m, struct models_plan plan)
 {
     static const double digit[] = {1, 0.5, 0.2};
@@ -589,8 +592,8 @@ static void lower_tolerance(struct map *m, struct models_plan plan)
     }
 }
 
-/* Adds points between n/2 and n steps: finds by bisection the fewest steps
-   that meet the tolerance, to a sixteenth of n. */
+/* Adds points between n/2 and n = plan.steps steps. Finds by bisection the
+   fewest steps that meet the tolerance, to within n/16. */
 static void refine(struct map *m, struct models_plan plan, double tolerance)
 {
     const uint64_t n = plan.steps;
@@ -605,15 +608,15 @@ static void refine(struct map *m, struct models_plan plan, double tolerance)
     }
 }
 
-/* Returns whether two plans differ only in their steps or tolerances. */
+/* Returns whether two plans have the same model and cuts. */
 static bool is_same(const struct models_plan *a,
                     const struct models_plan *b)
 {
     return a->model == b->model && a->cuts == b->cuts;
 }
 
-/* Returns whether plan a is slightly finer than b: more steps, up to twice
-   as many, or a smaller tolerance, down to a tenth. */
+/* Returns whether plan a is slightly finer than b: it has up to twice as
+   many steps, or down to a tenth of the tolerance. */
 static bool is_a_little_finer(const struct models_plan *a,
                               const struct models_plan *b)
 {
@@ -623,12 +626,12 @@ static bool is_a_little_finer(const struct models_plan *a,
     return a->steps > b->steps && a->steps <= 2 * b->steps;
 }
 
-/* Returns whether p meets the tolerance by luck: whether a slightly finer
-   run of the same model and cuts fails. The error may change sign as steps
-   get shorter and is zero in between, so that 144 steps may meet a
-   tolerance that 160 do not. Only a comparison with the true path shows
-   this. Therefore a number of steps is accepted only if all larger numbers
-   on the map, up to twice as many, meet the tolerance as well. */
+/* Returns whether p meets the tolerance only by luck, that is, whether a
+   slightly finer run of the same model and cuts fails. The error may change
+   sign as the steps get shorter and is zero in between, so 144 steps may
+   meet a tolerance that 160 do not. Only a comparison with the true path
+   reveals this. Therefore a number of steps is accepted only if all larger
+   numbers on the map, up to twice as many, also meet the tolerance. */
 static bool is_luck(const struct map *m, const struct point *p,
                     double tolerance)
 {
@@ -641,9 +644,9 @@ static bool is_luck(const struct map *m, const struct point *p,
     return false;
 }
 
-/* Returns the cheapest point that meets the tolerance, not by luck, or NULL
-   if there is none. If plan is not NULL, only points with its model and
-   cuts are considered. Points of the model `without` are not. */
+/* Returns the cheapest point that meets the tolerance other than by luck,
+   or NULL. If plan is not NULL, considers only points with its model and
+   cuts. Ignores points of the model `without`. */
 static const struct point *cheapest_of(const struct map *m,
                                        const struct models_plan *plan,
                                        const struct models_model *without,
@@ -659,8 +662,8 @@ static const struct point *cheapest_of(const struct map *m,
     }
     return best;
 }
-/* Lowers the limit of cost to ten times the cost of this model, once it has
-   reached an error of 1e-10 or is exact. Other models are not run for
+/* Lowers the cost limit to ten times the cost of this model, if the model
+   is exact or has reached an error of 1e-10. Other models need not run
    longer than that. */
 static void lower_limit(struct map *m, const struct models_plan *plan)
 {
@@ -671,8 +674,9 @@ static void lower_limit(struct map *m, const struct models_plan *plan)
         m->limit = fmin(m->limit, fmax(1e-3, 10 * fine->cost));
 }
 
-/* Adds the points of a model with steps, and refines its cheapest ones if
-   they cost less than twice the cheapest on the map. */
+/* Adds the points of a model with steps. For each tolerance, refines its
+   cheapest point if that costs less than twice the cheapest point on the
+   map. */
 static void try_steps(struct map *m, struct models_plan plan)
 {
     if (plan.model->method->adaptive)
@@ -688,8 +692,8 @@ static void try_steps(struct map *m, struct models_plan plan)
     }
 }
 
-/* Returns whether no other point is at least as cheap and as accurate as p,
-   and better in one of the two. */
+/* Returns whether p is on the Pareto front: no other point is at least as
+   cheap and at least as accurate, and better in one of the two. */
 static bool is_front(const struct map *m, const struct point *p)
 {
     for (size_t i = 0; i < m->points; ++i) {
@@ -701,17 +705,17 @@ static bool is_front(const struct map *m, const struct point *p)
     return true;
 }
 
-/* Returns whether the plan leaves nothing out and its model belongs to this
-   family. Such plans are the choice of a user who does not compare models:
-   events if only contacts act, otherwise steps. */
+/* Returns whether the plan leaves nothing out and its model belongs to
+   `family`. A user who does not compare models chooses such a plan: events
+   if only contacts act, otherwise steps. */
 static bool is_plain(const struct point *p, enum models_family family)
 {
     return p->plan.cuts == 0 && p->plan.model->family == family;
 }
 
-/* Returns the cheapest plain point with an error of at most 1e-11, or of at
-   most twice the smallest error of all plain points, if that is larger
-   (four disks do not reach 1e-11). Returns NULL if there is none. */
+/* Returns the cheapest plain point whose error is at most 1e-11 or at most
+   twice the smallest error of all plain points, whichever is larger. Four
+   disks do not reach 1e-11. Returns NULL if there is no plain point. */
 static const struct point *finest(const struct map *m)
 {
     const struct point *best = NULL;
@@ -730,10 +734,10 @@ static const struct point *finest(const struct map *m)
     return best;
 }
 
-/* Returns the point of the classic method: events, or leapfrog with its
-   steps halved until the tolerance is met. If the map ends before that, the
-   error is extrapolated: leapfrog is of second order, so twice the steps
-   have a quarter of the error. */
+/* Returns the point of the classic method: events, or leapfrog with steps
+   halved until the tolerance is met. Beyond the map the error is
+   extrapolated: leapfrog is of second order, so twice as many steps have a
+   quarter of the error. */
 static struct point classic_way(const struct map *m, double tolerance)
 {
     const bool events = only_contacts(&m->scene);
@@ -755,9 +759,9 @@ static struct point classic_way(const struct map *m, double tolerance)
     return best;
 }
 
-/* Tries all models with steps, or all others, with these cuts. It begins at
-   the end of the table, with the high orders: they soon lower the limit of
-   cost, which keeps the runs of low orders short. */
+/* Tries all models with these cuts, either those with steps or all others.
+   Starts at the end of the table with the high orders: they soon lower the
+   cost limit, which keeps the runs of low orders short. */
 static void try_models(struct map *m, unsigned cuts, bool steps)
 {
     size_t k = 0;
@@ -776,11 +780,10 @@ static void try_models(struct map *m, unsigned cuts, bool steps)
     }
 }
 
-/* Tries all sets of cuts, the parts that a plan may leave out; each set is
-   the bits of a number. If leaving the set out of the finest plain plan
-   makes an error of at least the largest tolerance, only models without
-   steps are tried. Sets with rods, which need leapfrog, are always
-   tried. */
+/* Tries all sets of cuts. A cut is a part that a plan may leave out, and a
+   set is a bit mask. If the finest plain plan with these cuts has an error
+   of at least the largest tolerance, tries only models without steps. Sets
+   with rods, which need leapfrog, are always tried. */
 static void try_cuts(struct map *m)
 {
     const unsigned all = models_cuts(&m->scene);
@@ -797,16 +800,16 @@ static void try_cuts(struct map *m)
     }
 }
 
-/* The chooser's plan for a tolerance, and how it went. */
+/* The chooser's plan for a tolerance and its result. */
 struct pick {
     struct point point; /* cost NAN: the chooser refused */
     double deciding;    /* cost of choosing, s by the price list */
-    double horizon;     /* of prediction, s; INFINITY: none found */
+    double horizon;     /* horizon of prediction, s, or INFINITY */
 };
 
-/* Lets the chooser choose, with the functions and the budget that bonk
-   uses, and runs its plan. The chooser's own estimate of the error is not
-   used, since the map knows the true path. */
+/* Calls the chooser with the functions and the budget that bonk uses, and
+   runs its plan. Ignores the chooser's own error estimate, because the map
+   knows the true path. */
 static void ask_chooser(struct pick *p, struct map *m, double tolerance)
 {
     const struct choose_request q = {.scene = &m->scene,
@@ -830,7 +833,7 @@ static void ask_chooser(struct pick *p, struct map *m, double tolerance)
     choose_free(&c);
 }
 
-/* Writes plan, error and cost; writes "-" and two nan if p is NULL. */
+/* Writes plan, error and cost, or "- nan nan" if p is NULL. */
 static void write_way(const struct point *p, struct table *out)
 {
     char text[MODELS_TEXT] = "-";
@@ -840,10 +843,10 @@ static void write_way(const struct point *p, struct table *out)
                 p ? p->cost : NAN);
 }
 
-/* Writes the row of a pick. It begins with a name by which the book quotes
-   it: the scene and the digits of the tolerance. After the pick come the
-   cheapest point that meets the tolerance, the cheapest one of another
-   model, the finest plain point, and the classic method. */
+/* Writes the row of a pick. The row starts with the name that the book
+   cites: the scene and the digits of the tolerance. Then follow the pick,
+   the cheapest point that meets the tolerance, the cheapest such point of
+   another model, the finest plain point, and the classic method. */
 static void write_pick(const struct map *m, const struct pick *p, int k,
                        struct table *out)
 {
@@ -862,8 +865,8 @@ static void write_pick(const struct map *m, const struct pick *p, int k,
     table_print(out, " %.4g %.4g\n", p->deciding, p->horizon);
 }
 
-/* Orders points by cost for qsort, so that a plot can join the points of
-   the front by a line. */
+/* Compares points by cost for qsort, so a plot can join the points of the
+   front by a line. */
 static int cheaper(const void *one, const void *other)
 {
     const struct point *a = one, *b = other;
@@ -872,8 +875,8 @@ static int cheaper(const void *one, const void *other)
                : (a->error > b->error) - (a->error < b->error);
 }
 
-/* Writes the points whose error is less than 30 scales; the others are of
-   no use. */
+/* Writes the points whose error is less than OFF scales. Larger errors are
+   of no use. */
 static void write_points(const struct map *m, struct table *out)
 {
     enum { OFF = 30 };
@@ -887,7 +890,7 @@ static void write_points(const struct map *m, struct table *out)
     }
 }
 
-/* A run that measures the price of a unit of work: it does many units of
+/* A run that measures the price of one kind of work. It does many units of
    that kind and few of the others. */
 struct price_run {
     const char *name, *key;
@@ -897,15 +900,15 @@ struct price_run {
     uint64_t rows;
 };
 
-/* The runs that measure the price list. Each takes from half a millisecond
-   to some hundredths of a second: long for a clock that counts
-   microseconds, yet short enough to measure every unit six times. The
-   bodies of the choreography have 276 pairs. Most springs of a short beam
-   do not form bands. In a row of a hundred balls hardly any pair comes
-   close, in a gas many do. Radau's paths are polynomials of degree nine:
-   sixty disks need many such curves, and on a line most curves have a root.
-   Two balls have one gap and thirty have 29; a collision of four disks
-   needs few examinations and one of ninety many. */
+/* The runs that measure the price list. A run takes from 0.5 ms to some
+   hundredths of a second: long enough for a clock that counts microseconds
+   and short enough to measure every unit six times. The bodies of the
+   choreography have 276 pairs. Most springs of a short beam do not form
+   bands. In a row of a hundred balls hardly any pair comes close; in a gas
+   many do. Radau's paths are polynomials of degree nine: sixty disks need
+   many such curves, and on a line most curves have a root. Two balls have
+   one gap and thirty have 29. A collision of four disks needs few
+   examinations and a collision of ninety many. */
 static const struct price_run price_runs[MODELS_UNITS] = {
     [MODELS_EVALUATION] = {"sun-earth", NULL, 0, "kahan-li8:1000", 10, 10},
     [MODELS_BODY] = {"ring", "particles", 500, "kahan-li8:40", 1, 10},
@@ -928,9 +931,10 @@ static const struct price_run price_runs[MODELS_UNITS] = {
     [MODELS_MODE] = {"cantilever", "nx", 12, "modes", 1, 2},
     [MODELS_ROW] = {"cradle", "balls", 2, "relabel", 1, 20000},
 };
-/* Carries out the run and returns the processor time it took, s. This
-   includes the start, which is most of the work for modes. `alone` switches
-   gravity off: the bodies of a ring without gravity move freely. */
+/* Carries out the run. Returns its processor time, s, and fills work[] with
+   its units. The time includes the start, which is most of the work for
+   `modes`. `alone` switches gravity off, so the bodies of a ring move
+   freely. */
 static double time_run(const struct price_run *b, bool alone,
                        double work[MODELS_UNITS])
 {
@@ -956,8 +960,8 @@ static double time_run(const struct price_run *b, bool alone,
     return seconds;
 }
 
-/* Returns the cost of a unit, ns, if the other units of the run cost what
-   the list says. */
+/* Returns the cost of a unit, ns, assuming the listed prices for the other
+   units of the run. */
 static double price_in(const struct price_run *b, enum models_unit unit)
 {
     double work[MODELS_UNITS];
@@ -967,8 +971,8 @@ static double price_in(const struct price_run *b, enum models_unit unit)
     return (seconds - models_cost(work)) / units * 1e9;
 }
 
-/* Complete runs, some of them short, that test the predicted cost. With
-   many bodies the start and the rows contribute to it. */
+/* Complete runs that test the predicted cost. With many bodies the start
+   and the rows contribute to it. */
 static const struct price_run whole_runs[] = {
     {"gas", "particles", 100, "disks", 1e-4, 16},
     {"gas", "particles", 100, "disks", 0.5, 16},
@@ -981,8 +985,8 @@ static const struct price_run whole_runs[] = {
     {"ring", "particles", 100, "leapfrog:3", 25, 16},
     {0}};
 
-/* Fills the map of a scene. The points are sorted last, since pointers to
-   them become invalid. */
+/* Fills the map of a scene. Sorting is the last step, because it
+   invalidates pointers to points. */
 static void make_map(struct map *m, const struct subject *t)
 {
     *m = (struct map){.subject = t, .every = t->until / ROWS, .limit = 0.2};
@@ -997,9 +1001,9 @@ static void make_map(struct map *m, const struct subject *t)
     qsort(m->point, m->points, sizeof m->point[0], cheaper);
 }
 
-/* Returns whether it was right to refuse: no point on the map meets the
-   tolerance, and the finest run meets it up to the horizon of the pick, if
-   that lies within the run. */
+/* Returns whether the chooser was right to refuse: no point on the map
+   meets the tolerance, and the finest run meets it up to the horizon of the
+   pick, if that is within the run. */
 static bool is_refusal_right(struct map *m, const struct pick *p,
                              double tolerance)
 {
@@ -1014,9 +1018,9 @@ static bool is_refusal_right(struct map *m, const struct pick *p,
                tolerance * m->truth.scale;
 }
 
-/* Returns 0 if the pick is right, 1 if it does not meet the tolerance, 2 if
-   it costs more than 1.13 times the cheapest point that does, and 3 if the
-   chooser refused wrongly. */
+/* Returns 0 if the pick is right, 1 if it misses the tolerance, 2 if it
+   costs more than 1.13 times the cheapest point that meets the tolerance,
+   and 3 if the chooser refused wrongly. */
 static int judge(struct map *m, const struct pick *p, double tolerance)
 {
     const struct point *best = cheapest_of(m, NULL, NULL, tolerance);
@@ -1027,11 +1031,11 @@ static int judge(struct map *m, const struct pick *p, double tolerance)
     return best && p->point.cost > 1.13 * best->cost ? 2 : 0;
 }
 
-/* Maps all scenes, or only the one that --scene names, so that many
-   machines can share the work. `make atlas` joins their tables byte for
-   byte to what one run would have written: it adds the counts of the last
-   lines and takes the largest error of the truth. The picks of a scene are
-   followed by all its points. */
+/* Maps all scenes, or only the scene of --scene, so several machines can
+   share the work. `make atlas` joins their tables into the same bytes that
+   one run would write: it adds the counts of the last lines and takes the
+   largest error of the truth. The picks of a scene are followed by all its
+   points. */
 static void study_atlas(struct study *s)
 {
     static struct map m;
@@ -1076,8 +1080,8 @@ static void study_scenes(struct study *s)
         table_print(s->out, "%s\n", subjects[i].name);
 }
 
-/* Measures the price list. Each price is the median of several rounds,
-   after a first round that is discarded. */
+/* Measures the price list. Each price is the median of several rounds. The
+   first round is discarded. */
 static void study_prices(struct study *s)
 {
     bench_machine(s->out);

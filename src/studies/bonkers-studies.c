@@ -15,11 +15,12 @@
 #define PROGRAM "bonkers-studies"
 
 static struct {
-    uint64_t most; /* collisions; in the study `speed` particles */
+    uint64_t most; /* maximum collisions; in study_speed, particles */
     double until;
 } own = {.most = 1000000, .until = 10};
 
-/* Makes and starts a run. Ends the program if there is no memory. */
+/* Makes the bodies of a request and starts a run. Ends the program if there
+   is no memory. */
 static void begin_or_exit(struct bonkers *b,
                           const struct start_request *request,
                           enum bonkers_engine engine)
@@ -33,13 +34,13 @@ static void begin_or_exit(struct bonkers *b,
     start_free(&start);
 }
 
-/* A small engine that examines all gaps and computes in the widest type of
-   the compiler. It either gives the true motion or rounds the result of
-   every operation to a lower precision. The results are then exactly those
-   of a unit for that precision: the widest type has more than twice the
-   digits of a float and two more, so rounding twice gives the same float as
-   rounding once. */
-enum { LINE_BODIES = 32 }; /* most bodies of a struct line */
+/* struct line is a small engine that examines all gaps and computes in the
+   compiler's widest floating-point type. It either gives the true motion or
+   rounds every result to a lower precision, exactly as hardware of that
+   precision would: the widest type has more than twice the digits of a
+   float plus two, so rounding twice gives the same float as rounding
+   once. */
+enum { LINE_BODIES = 32 }; /* maximum number of bodies in a line */
 
 enum line_kind {
     LINE_WIDE,   /* the widest precision: the true motion */
@@ -47,7 +48,6 @@ enum line_kind {
     LINE_BIASED  /* double, difference form (1.8, eq:restitution) */
 };
 
-/* The bodies of a line. The widest type stores all precisions. */
 struct line {
     size_t gaps;
     enum line_kind kind;
@@ -55,9 +55,9 @@ struct line {
     quad now, x[LINE_BODIES], v[LINE_BODIES], im[LINE_BODIES];
 };
 
-/* Returns a result rounded to the precision of the line. Every result
-   passes through this function, the only place, apart from the choice of
-   the collision formula, where the precision matters. */
+/* Rounds a result to the precision of the line. All results pass through
+   this function. Apart from the choice of the collision formula, the
+   precision matters nowhere else. */
 static quad rounded(const struct line *l, quad value)
 {
     return l->kind == LINE_SINGLE   ? (quad)(float)value
@@ -76,8 +76,8 @@ static void line_copy(struct line *l, const struct bonkers *b,
     }
 }
 
-/* Returns the time until the next gap closes and sets *first to that gap.
-   Returns a negative number if no gap closes. */
+/* Returns the time until the next gap closes, or a negative number if no
+   gap closes. Sets *first to that gap. */
 static quad line_wait(const struct line *l, size_t *first)
 {
     quad least = -1;
@@ -119,8 +119,8 @@ static void line_collide(struct line *l, size_t i)
     ++l->collisions;
 }
 
-/* Runs until n collisions have taken place and returns the line. It lies
-   between two walls, so there is always another collision. */
+/* Runs until n collisions have taken place. Returns the line. The bodies
+   are between two walls, so there is always another collision. */
 static struct line *line_run(struct line *l, uint64_t n)
 {
     while (l->collisions < n) {
@@ -131,7 +131,6 @@ static struct line *line_run(struct line *l, uint64_t n)
     return l;
 }
 
-/* Runs until the time t. */
 static void line_run_to(struct line *l, quad t)
 {
     size_t first = 0;
@@ -143,8 +142,8 @@ static void line_run_to(struct line *l, quad t)
     line_move(l, t - l->now);
 }
 
-/* Returns the energy. The sum is not rounded to the line's precision, since
-   it must be more precise than the errors that it measures. */
+/* Returns the energy. The sum is not rounded to the line's precision,
+   because it must be more accurate than the errors it measures. */
 static double line_energy(const struct line *l)
 {
     quad sum = 0;
@@ -153,11 +152,10 @@ static double line_energy(const struct line *l)
     return (double)(sum / 2);
 }
 
-/* Returns the collisions per second of a run that takes at least a
-   twentieth of a second. The two slow engines run until a number of
-   collisions, not until a time: to stop at a time they search once more for
-   the next collision, which at a million bodies takes as long as a
-   collision. */
+/* Returns the collisions per second, measured over at least 0.05 s. The two
+   slow engines stop after a number of collisions. Stopping them at a time
+   would require one more search for the next collision, which takes as long
+   as a collision if there are a million bodies. */
 static double speed_of(struct bonkers *b)
 {
     const double n = (double)b->gaps, bite = fmax(4, 1e5 / n);
@@ -175,10 +173,10 @@ static double speed_of(struct bonkers *b)
     return (double)(b->collisions - before) / seconds;
 }
 
-/* Sets speed[] to the medians of the engines' speeds in collisions per
-   second, and speed[0] to the percentage of collisions that the slab engine
-   did twice. All engines have the same gas. They take turns, since the
-   clock rate of a processor changes; the first round is a warm-up. */
+/* Sets speed[e] to the median speed of engine e in collisions per second.
+   Sets speed[0] to the percentage of collisions that the slab engine did
+   twice. All engines run the same gas. They take turns, because the clock
+   rate of a processor changes. The first round is a warm-up. */
 static void compare_engines(struct study *s, size_t movers,
                             double speed[BONKERS_ENGINES])
 {
@@ -195,13 +193,13 @@ static void compare_engines(struct study *s, size_t movers,
         bonkers_free(&b[e]);
 }
 
-/* Numbers of particles. The small ones are close together, to find where
+/* Numbers of particles. The small numbers are closely spaced, to show where
    other engines overtake the scan. */
 static const size_t sizes[] = {4,    10,    30,     100,
                                1000, 10000, 100000, 1000000};
 enum { SIZES = sizeof sizes / sizeof sizes[0] };
 
-/* Writes the results that need a run of a million particles. */
+/* Writes the results that require a run with a million particles. */
 static void note_large(struct table *summary,
                        double speed[SIZES][BONKERS_ENGINES])
 {
@@ -232,7 +230,7 @@ static void study_speed(struct study *s)
         compare_engines(s, sizes[n], speed[n]);
         table_print(s->out, "%-7zu %9.4g %9.4g %9.4g %9.4g\n", sizes[n],
                     speed[n][1], speed[n][2], speed[n][3], speed[n][4]);
-        /* The speed of each engine over that of the one before it. */
+        /* Compare each engine with the previous one. */
         for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e)
             table_keyed(s->summary, speed[n][e] / speed[n][e - 1],
                         "%s/%s-%zu", bonkers_engine_names[e],
@@ -246,11 +244,11 @@ static void study_speed(struct study *s)
         note_large(s->summary, speed);
 }
 
-/* Writes, for random velocities of two masses, how often g - q lies halfway
-   between two doubles and how often such a tie is rounded up (section A
-   coin that is not fair). The widest type can store the exact difference,
-   which gives the rounding error of `rest`: in a tie it is half of the
-   distance to the next double. */
+/* Writes how often g - q is exactly halfway between two doubles, and how
+   often such a tie is rounded up, for random velocities of two masses
+   (section "A coin that is not fair"). The widest type stores the exact
+   difference. The rounding error of `rest` in a tie is half the distance to
+   the next double. */
 static void throw_coins(struct table *summary, const char *name,
                         double mass1, double mass2)
 {
@@ -273,10 +271,10 @@ static void throw_coins(struct table *summary, const char *name,
     table_keyed(summary, ties > 0 ? 100.0 * up / ties : 0, "up_%s", name);
 }
 
-enum { SINGLE_MOST = 200000 }; /* collisions of the slow line */
+enum { SINGLE_MOST = 200000 }; /* most collisions of the slow line */
 
-/* Returns the first of the numbers 1, 2, 5, 10, ... that is greater than n.
-   On a logarithmic axis they are almost evenly spaced. */
+/* Returns the smallest of the numbers 1, 2, 5, 10, ... that is greater than
+   n. They are almost evenly spaced on a logarithmic axis. */
 static uint64_t next_stop(uint64_t n)
 {
     uint64_t decade = 1;
@@ -287,13 +285,13 @@ static uint64_t next_stop(uint64_t n)
                             : 10 * decade;
 }
 
-/* Measures the error of the energy in three runs: START_MIXED in double
-   precision, three other bodies, whose energy drifts from the beginning,
-   and START_MIXED in single precision. The initial energy in double
-   precision comes from the same function as the later ones, so that the
-   error begins at zero. The energy in single precision is compared with the
-   same initial energy: its error begins at 1e-8, because the start is
-   rounded. This slow run stops after SINGLE_MOST collisions. */
+/* Measures the energy error in three runs: START_MIXED in double precision,
+   three bodies whose energy drifts from the beginning, and START_MIXED in
+   single precision. In double precision the initial energy comes from the
+   same function as the later ones, so the error starts at zero. The
+   single-precision run is compared with the same initial energy. Its error
+   starts at 1e-8, because its initial state is rounded. This slow run stops
+   after SINGLE_MOST collisions. */
 static void study_drift(struct study *s)
 {
     const struct start_request request = {.kind = START_MIXED};
@@ -337,9 +335,10 @@ static void study_drift(struct study *s)
     bonkers_free(&whole);
 }
 
-/* Returns the largest displacement from the start, m, after n collisions,
-   reversal of the velocities and as much time back. Two starts of one kind
-   are equal to the last bit, so a second one serves for the comparison. */
+/* Runs n collisions, reverses all velocities and runs for the same time
+   again. Returns the largest distance from the start, m, which would be
+   zero without rounding. A second run from the same request supplies the
+   start, because equal requests give bit-identical bodies. */
 static double miss(enum bonkers_engine engine, uint64_t n)
 {
     const struct start_request request = {.kind = START_MIXED};
@@ -349,7 +348,7 @@ static double miss(enum bonkers_engine engine, uint64_t n)
     begin_or_exit(&start, &request, engine);
     bonkers_run(&b, INFINITY, n);
     const double t = b.now;
-    /* Moves all bodies to the present before they are reversed. */
+    /* Reversal is correct only if all bodies are at the same time. */
     bonkers_settle(&b);
     for (size_t i = 0; i <= b.gaps; ++i)
         b.body[i].v = -b.body[i].v;
@@ -363,9 +362,8 @@ static double miss(enum bonkers_engine engine, uint64_t n)
     return worst;
 }
 
-/* Returns the largest displacement from the start, m, as `miss` does, for a
-   struct line, which moves all bodies at every collision, so that their
-   velocities can be reversed at once. */
+/* Returns the result of `miss` for a struct line. A line moves all bodies
+   at every collision, so their velocities can be reversed at once. */
 static double line_miss(enum line_kind kind, uint64_t n)
 {
     const struct start_request request = {.kind = START_MIXED};
@@ -386,7 +384,7 @@ static double line_miss(enum line_kind kind, uint64_t n)
 }
 
 /* Measures how far from its start a reversed run ends. The slow lines,
-   which round every operation, make fewer collisions. */
+   which round every operation, run fewer collisions. */
 static void study_reverse(struct study *s)
 {
     progress_begin(&s->progress, PROGRAM, own.most, "collisions");
@@ -412,8 +410,8 @@ static void study_reverse(struct study *s)
     }
 }
 
-/* Makes this number of steps of dt. Each step moves all bodies and then
-   collides all neighbours that overlap and approach each other. */
+/* Makes `steps` steps of dt. Each step moves all bodies and then collides
+   all neighbours that overlap and approach each other. */
 static void walk(struct bonkers_body body[], size_t gaps, uint64_t steps,
                  double dt)
 {
@@ -428,9 +426,9 @@ static void walk(struct bonkers_body body[], size_t gaps, uint64_t steps,
     }
 }
 
-/* Returns the root mean square distance of the movers from their true
-   positions, m. Each mover is first moved from its own time to that of the
-   true line. */
+/* Returns the root mean square distance of the moving bodies from their
+   true positions, m. Each body is first moved from its own time to the time
+   of the true line. */
 static double distance(const struct line *truth,
                        const struct bonkers_body body[])
 {
@@ -444,9 +442,9 @@ static double distance(const struct line *truth,
     return sqrt(sum / (double)(truth->gaps - 1));
 }
 
-/* Returns the processor time of one walk from the start to the time until,
-   s, and in body[] its final state. The walk is repeated until it has taken
-   a fiftieth of a second, since one walk may be too short to time. */
+/* Returns the processor time of one time-stepped run until the time
+   `until`, s. Stores its final state in body[]. One run may be too short to
+   time, so it is repeated for at least 0.02 s. */
 static double time_walk(double until, const struct bonkers *b, double dt,
                         struct bonkers_body body[])
 {
@@ -464,9 +462,8 @@ static double time_walk(double until, const struct bonkers *b, double dt,
     return seconds / times;
 }
 
-/* Returns the processor time of an event-driven run, s, as time_walk does.
-   A run changes the bodies, so each repetition makes a new start, which is
-   not timed. */
+/* Does the same as time_walk for an event-driven run. A run changes the
+   bodies, so each repetition makes a new start, which is not timed. */
 static double time_events(double until, const struct start_request *request,
                           struct bonkers_body body[], uint64_t *collisions)
 {
@@ -493,8 +490,8 @@ static void name_steps(struct table *out)
                   {"error", "m", "root mean square error of positions"});
 }
 
-/* Writes a row for events, with the step zero, and then rows for steps that
-   are halved until they are less than a millionth of a second. */
+/* Writes a row for the event-driven run, marked by dt = 0, and then rows
+   for time steps that are halved until they are less than 1e-6 s. */
 static void study_steps(struct study *s)
 {
     const struct start_request request = {.kind = START_MIXED};
@@ -520,9 +517,9 @@ static void study_steps(struct study *s)
     bonkers_free(&b);
 }
 
-/* Returns the number of collisions of two balls and a wall on their left
-   until no more follow, or 0 if the balls collapse: their collisions have
-   no end. */
+/* Returns the number of collisions of two balls with each other and with a
+   wall on their left, or 0 if the number is infinite, that is, if the balls
+   collapse. */
 static uint64_t count_until_still(double restitution)
 {
     struct bonkers b;
@@ -539,9 +536,8 @@ static uint64_t count_until_still(double restitution)
     return n;
 }
 
-/* Counts the collisions until no more follow for many restitutions. In
-   theory the half-turn takes pi/phi rounds of two collisions (2.7,
-   eq:collapse). */
+/* Counts the collisions for many coefficients of restitution. In theory the
+   half-turn takes pi/phi rounds of two collisions (2.7, eq:collapse). */
 static void study_collapse(struct study *s)
 {
     const double pi = acos(-1);
@@ -565,12 +561,11 @@ static void study_collapse(struct study *s)
     table_count(s->summary, "next", next);
 }
 
-static const double pull = 9.81, long_run = 900; /* m/s2, s */
+static const double pull = 9.81, long_run = 900; /* m/s^2; s */
 
 /* Returns the state at the time long_run of a ball dropped from 1 m,
-   computed with this number of leapfrog steps. They are exact for a falling
-   body; the only error is that the floor is noticed at the end of a
-   step. */
+   computed with `steps` leapfrog steps. They are exact for a falling body.
+   The only error is that the bounce takes place at the end of a step. */
 static struct bonkers_body bounce_in_steps(uint64_t steps)
 {
     struct bonkers_body a = {.x = 1};
@@ -586,8 +581,8 @@ static struct bonkers_body bounce_in_steps(uint64_t steps)
 }
 
 /* Returns the exact height, m, of a ball at the time `until` after it was
-   dropped from a height, m. The motion is periodic, so the
-   time since the last bounce, a remainder, is sufficient. */
+   dropped from `height`. The motion is periodic, so only the time since the
+   last bounce matters. */
 static double bounced(double height, double until)
 {
     const double v = sqrt(2 * pull * height), phase = v / pull + until;
@@ -611,9 +606,8 @@ static struct bonkers_body bounce_by_events(uint64_t *bounces)
     return (struct bonkers_body){x[1], v[1], 0, 0};
 }
 
-/* Equal beads dropped from 0.2 m, 0.4 m, ... Since equal beads exchange
-   their velocities, they move like ten independent balls, in order of
-   height. */
+/* Equal beads dropped from 0.2 m, 0.4 m, ... Equal beads exchange their
+   velocities, so they move like ten independent balls sorted by height. */
 enum { BEADS = 10 };
 
 static int by_height(const void *a, const void *b)
@@ -634,9 +628,9 @@ static double error_of_beads(const struct bonkers_body body[], double until)
     return sqrt(sum / BEADS);
 }
 
-/* Walks under gravity. Each step moves the beads by half a step, changes
-   their velocities, and calls walk for the other half, which also makes the
-   collisions that are due. */
+/* Makes time steps of dt under gravity. Each step moves the beads by half a
+   step, changes their velocities, and calls walk for the second half, which
+   also carries out the collisions. */
 static void walk_upright(struct bonkers_body body[], double until,
                          double dt)
 {
@@ -650,8 +644,8 @@ static void walk_upright(struct bonkers_body body[], double until,
     }
 }
 
-/* Writes a row of the table: for steps of dt, or for events if dt is 0. The
-   run is repeated from its start until it is long enough for the clock. */
+/* Writes a table row for time steps of dt, or for events if dt is 0.
+   Repeats the run until it is long enough for the clock. */
 static void time_beads(struct table *out, double until, double dt)
 {
     struct bonkers_body body[BEADS + 2];
@@ -709,9 +703,9 @@ static void study_bounce(struct study *s)
     }
 }
 
-/* Returns the number of collisions after one end of a row of n bodies has
-   been struck. The bodies have masses from 1 to 5 and distances of `gap`,
-   m. */
+/* Returns the number of collisions after an end body of a row of n bodies
+   at rest is given the speed 1 m/s. The masses are random from 1 to 5 kg,
+   and `gap` is the distance between neighbours, m. */
 static uint64_t strike(size_t n, uint64_t seed, double gap, bool right)
 {
     struct bonkers b;
@@ -753,8 +747,8 @@ static void study_row(struct study *s)
 
 enum { SHOWN = 60, EVENTS = 32 };
 
-/* The positions of a body at the start, at its collisions and at the end. A
-   full trail ends early, which does no harm to the figure. */
+/* The positions of a body at the start, at its collisions and at the end.
+   Points beyond EVENTS are dropped, which does not harm the figure. */
 struct trail {
     size_t count;
     double x[EVENTS], t[EVENTS];
@@ -773,15 +767,15 @@ static struct {
     size_t hits[SHOWN + 1]; /* collisions of each gap */
 } slab;
 
-/* Fills the trails by a run of the scan engine. It stops at every
+/* Fills the trails from a run of the scan engine. The run stops at every
    collision, which does not affect the results. */
 static void fill_slab(struct bonkers *b, double until)
 {
     for (size_t i = 0; i <= b->gaps; ++i)
         add_point(&slab.trail[i], b->body[i].x, 0);
     while (bonkers_run(b, until, b->collisions + 1) != BONKERS_TIME) {
-        /* The gap that has just had a collision lies between two neighbours
-           whose own times are both the present. */
+        /* Find the gap of this collision. Its two bodies were both updated
+           at the present time. */
         size_t i = 0;
         while (i + 1 < b->gaps && (b->body[i].since != b->now ||
                                    b->body[i + 1].since != b->now))
@@ -796,8 +790,8 @@ static void fill_slab(struct bonkers *b, double until)
                   b->now);
 }
 
-/* Writes the collisions of gap i with the number of its island. A collision
-   is in the trails of both neighbours with the same time. */
+/* Writes the collisions of gap i with its island number. A collision is in
+   the trails of both neighbours, with the same time. */
 static void write_gap(struct table *out, size_t i, size_t island)
 {
     const struct trail *t = &slab.trail[i], *next = t + 1;
@@ -809,8 +803,8 @@ static void write_gap(struct table *out, size_t i, size_t island)
 }
 
 /* Writes all collisions and returns the number of islands. Two gaps with
-   collisions belong to the same island if at most one gap lies between them
-   (2.6, eq:islands). */
+   collisions belong to the same island if at most one other gap is between
+   them (2.6, eq:islands). */
 static size_t write_islands(struct table *out, size_t gaps)
 {
     size_t island = 0, last = 0;

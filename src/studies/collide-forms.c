@@ -21,9 +21,9 @@ static struct {
          .collisions = 1000000,
          .digits = 5};
 
-/* Returns the next number of collisions after n at which the drift is
-   written: 1, 2 or 5 times a power of ten from a thousand on, a tenth of
-   `last`, or `last`, where the run ends. */
+/* Returns the first collision count after n at which the drift is written.
+   The counts are 1, 2 and 5 times powers of ten from 1000 on, last / 10,
+   and `last`, where the run ends. */
 static uint64_t next_stop(uint64_t n, uint64_t last)
 {
     static const uint64_t steps[] = {1, 2, 5};
@@ -39,10 +39,11 @@ struct rounding {
     double energy_max, energy_square, momentum_max, velocity_max;
 };
 
-/* Compares a collision with (1.5, eq:difference) in 113-bit arithmetic and
-   adds its errors to the sums. The errors of energy and momentum follow
-   from those of the two velocities: if v has the error dv, the momentum has
-   the error m dv and the energy m (v + dv/2) dv. */
+/* Compares a collision in the given form with (1.5, eq:difference) in
+   113-bit arithmetic and adds its errors to *all. The errors of energy and
+   momentum follow from the velocity errors: if v has the error dv, the
+   momentum m v has the error m dv and the energy has the error m (v + dv/2)
+   dv. */
 static void measure_rounding(struct rounding *all, int form, double u1,
                              double u2, double im1, double im2)
 {
@@ -112,18 +113,17 @@ static void study_rounding(struct study *s)
     }
 }
 
-/* The system in which the drift is measured: four bodies in a row between
-   two walls. Random numbers, the same for every form, decide which gap
-   closes next. */
+/* The drift is measured with four bodies in a row between two walls. Random
+   numbers, the same for every form, choose the next gap to close. */
 enum { MOVERS = 4, BODIES = MOVERS + 2 };
 
 static const double row_im[BODIES] = {0,         1 / 11.23, 1 / 21.23,
                                       1 / 31.23, 1 / 41.23, 0};
 
-/* Returns a random gap that closes, by the number of its left neighbour.
-   The loop ends, since some gap always closes: the walls are at rest, so
-   the velocities could increase from left to right only if all were zero,
-   and the four bodies never stop at the same time. */
+/* Returns the index of a random gap whose two bodies approach each other.
+   Some gap always closes, so the loop ends: the walls are at rest, so the
+   velocities could increase from left to right only if all were zero, and
+   the four bodies never stop at the same time. */
 static uint64_t row_draw(struct random *r, const double v[BODIES])
 {
     for (;;) {
@@ -141,9 +141,9 @@ static quad row_energy(const double v[BODIES])
     return energy;
 }
 
-/* Returns the energy that the difference form gains in a collision of gap i
-   because its two fractions add up to 1 + delta (1.11, eq:bias): 2 delta
-   d^2 / (a + b). The sum over a run predicts the drift. */
+/* Returns the energy that the difference form gains in a collision of gap
+   i: 2 delta d^2 / (a + b), where its two fractions add up to 1 + delta
+   (1.11, eq:bias). The sum over a run predicts the drift. */
 static double row_bias(uint64_t i, const double v[BODIES])
 {
     const double a = row_im[i], b = row_im[i + 1], sum = a + b;
@@ -152,9 +152,8 @@ static double row_bias(uint64_t i, const double v[BODIES])
     return 2 * delta * d * d / sum;
 }
 
-/* Measures the drift of the energy in each form. Between two rows of the
-   table each form in turn makes a million collisions, so that a run that is
-   interrupted ends soon. */
+/* Measures the energy drift of each form. The forms take turns of a million
+   collisions, so an interrupted run ends soon. */
 static void study_drift(struct study *s)
 {
     double v[COLLIDE_FORMS][BODIES], error[COLLIDE_FORMS + 1];
@@ -207,8 +206,8 @@ static void study_drift(struct study *s)
 }
 
 /* Returns the number of collisions of a heavy ball, a light ball and a
-   wall, but at most `limit`, since rounding may make the collisions
-   endless. The wall is a body at rest with the inverse mass zero. */
+   wall. Stops at `limit`, because rounding may make the collisions endless.
+   The wall is a body at rest with inverse mass zero. */
 static uint64_t count_galperin(int form, double im_heavy, uint64_t limit)
 {
     double heavy = -1, light = 0;
@@ -223,8 +222,8 @@ static uint64_t count_galperin(int form, double im_heavy, uint64_t limit)
     return n;
 }
 
-/* Returns the number of collisions of Galperin's system in single
-   precision, in the most accurate form, `smaller`. */
+/* Does the same as count_galperin in single precision, with the most
+   accurate form, `smaller`. */
 static uint64_t count_galperin_float(float im_heavy, uint64_t limit)
 {
     float heavy = -1, light = 0;
@@ -273,9 +272,8 @@ static void study_galperin(struct study *s)
     table_real(s->summary, "count_float", row[COLLIDE_FORMS + 2]);
 }
 /* Writes velocities before and after a collision, for random states of
-   energy 1/2 in which the bodies approach each other. Such a state is a
-   random direction in the plane of the velocities times the roots of the
-   masses. */
+   energy 1/2 in which the bodies approach each other. Each state is drawn
+   as a random direction in the plane of sqrt(m1) u1 and sqrt(m2) u2. */
 static void study_map(struct study *s)
 {
     const double im[] = {1, 0.25};
@@ -318,9 +316,9 @@ static double time_form(const struct bench *b, int form, uint64_t passes)
     return (bench_seconds() - start) * 1e9 / ((double)passes * PAIRS);
 }
 
-/* Measures the time of a collision in each form. The forms take turns, so
-   that all of them slow down if the machine slows down for a second. Round
-   -1 is the warm-up: round 0 overwrites its time. */
+/* Measures the time of a collision in each form. The forms take turns, so a
+   temporary slowdown of the machine affects all of them. Round -1 is the
+   warm-up: round 0 overwrites its time. */
 static void study_cost(struct study *s)
 {
     static struct bench b;

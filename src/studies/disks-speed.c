@@ -13,16 +13,16 @@
 #define PROGRAM "disks-speed"
 
 enum {
-    SIZES = 16,        /* most numbers of disks in a table */
-    PAIRS_MOST = 10000 /* most disks for the engine of all pairs */
+    SIZES = 16,        /* maximum number of rows in a table */
+    PAIRS_MOST = 10000 /* most disks for the all-pairs engine */
 };
 
-/* The settings of the command line. */
+/* Settings from the command line. */
 static struct {
     size_t dimensions, sizes;
     double packing, particles[SIZES];
     bool steps;
-    uint64_t collisions; /* in a round; 0: for a fifth of a second */
+    uint64_t collisions; /* per round; 0: run each round for 0.2 s */
     uint64_t seed;
     const char *output, *summary, *command;
 } own = {.dimensions = 2,
@@ -31,18 +31,19 @@ static struct {
          .packing = 0.3,
          .summary = "/dev/null"};
 
-/* Returns whether the disks must form a fluid when they are timed. They
-   must at a packing below that of freezing, unless --collisions sets a
-   short run, in which a dense lattice does not melt. A crystal would be
-   faster than a fluid, in which disks change their partners. To become a
-   fluid, the disks start small, as a thin gas, and grow (warm_up). */
+/* Returns whether the lattice must be melted before the timing. A crystal
+   would be faster than a fluid, because its disks keep their neighbours.
+   Disks that are denser than at freezing stay on their lattice. So do the
+   disks of a run with --collisions, which is too short to melt a dense
+   lattice. */
 static bool is_fluid(void)
 {
     return own.packing <= (own.dimensions == 2 ? 0.70 : 0.494) &&
            !own.collisions;
 }
 
-/* Returns the diameter of the disks at the start, m. */
+/* Returns the initial diameter, m. A fluid starts as a thin gas of small
+   disks, which warm_up grows to diameter 1. */
 static double first_diameter(void)
 {
     const double thin = fmin(0.3 / own.packing, 1);
@@ -51,8 +52,8 @@ static double first_diameter(void)
     return own.dimensions == 2 ? sqrt(thin) : cbrt(thin);
 }
 
-/* Places disks of mass 1 kg, at kT = 1 J, on a lattice in a periodic box.
-   Ends the program if there is no memory or no room. */
+/* Places `count` disks of mass 1 kg, with kT = 1 J, on a lattice in a
+   periodic box. Ends the program if there is no memory or no room. */
 static void begin_or_exit(struct disks *d, size_t count)
 {
     const double pi = 3.14159265358979324;
@@ -71,8 +72,8 @@ static void begin_or_exit(struct disks *d, size_t count)
     disks_set_temperature(d, 1, &r);
 }
 
-/* Copies all disks, to run them with the engine of all pairs. Ends the
-   program if there is no memory. */
+/* Copies all disks for the all-pairs engine. Ends the program if there is
+   no memory. */
 static void copy_or_exit(struct disks *to, const struct disks *from)
 {
     const size_t n = from->count;
@@ -89,11 +90,13 @@ static void copy_or_exit(struct disks *to, const struct disks *from)
 }
 
 struct engines {
-    struct disks pairs, disks; /* for the engine of all pairs; for cells */
+    struct disks pairs; /* run by the all-pairs engine */
+    struct disks disks; /* run by `cells` */
     struct cells cells;
 };
 
-/* Runs `more` collisions in portions; after each it checks for signals. */
+/* Runs `more` collisions in batches and checks for signals after each
+   batch. */
 static void run_collisions(struct engines *e, bool fast, uint64_t more)
 {
     const struct disks *d = fast ? &e->disks : &e->pairs;
@@ -108,11 +111,9 @@ static void run_collisions(struct engines *e, bool fast, uint64_t more)
     }
 }
 
-/* Returns the collisions per second of one round of measurement. With
-   --collisions the round has that number. Otherwise it consists of
-   portions, after each of which the clock is read, until a fifth of a
-   second has passed; a slow engine gets smaller portions than a fast
-   one. */
+/* Returns the collisions per second of one round. A round has
+   own.collisions collisions if that is set. Otherwise it runs batches until
+   0.2 s have passed. The slower all-pairs engine gets smaller batches. */
 static double speed_of(struct engines *e, bool fast)
 {
     const struct disks *d = fast ? &e->disks : &e->pairs;
@@ -129,8 +130,8 @@ static double speed_of(struct engines *e, bool fast)
     return (double)(d->collisions - before) / seconds;
 }
 
-/* Sets *pairs and *cells to the collisions per second of both engines.
- *pairs is NaN if there are too many disks for the engine of all pairs. */
+/* Measures the collisions per second of both engines. Sets *pairs to NaN if
+   there are too many disks for the all-pairs engine. */
 static void compare(struct engines *e, double *pairs, double *cells)
 {
     const bool both = e->disks.count <= PAIRS_MOST;
@@ -140,9 +141,8 @@ static void compare(struct engines *e, double *pairs, double *cells)
     *pairs = speed[1];
 }
 
-/* Returns the memory per disk, in bytes. Call it at the end of the run,
-   when the lists of cells and neighbours have reached their final
-   length. */
+/* Returns the memory per disk in bytes. Call at the end of the run, when
+   the cell and neighbour lists have reached their final size. */
 static double bytes_each(const struct cells *c)
 {
     const struct disks *d = c->d;
@@ -159,9 +159,9 @@ static double bytes_each(const struct cells *c)
            (cell * (double)c->cells + days) / (double)d->count;
 }
 
-/* Writes the head of the table. Two of the columns, the stale events and
-   the renewed lists, show without a clock that the work per collision does
-   not depend on N. */
+/* Writes the table head. The columns `stale` and `renewed` show,
+   independently of the clock, that the work per collision does not depend
+   on N. */
 static void write_head(struct table *t)
 {
     static const char *const asked[] = {"one by one", "four at a time",
@@ -182,10 +182,11 @@ static void write_head(struct table *t)
                   {"renewed", "", "lists made anew for a collision"});
 }
 
-/* Measures what each step of the chapter gains, by removing the steps one
-   by one. First the neighbours are no longer examined several at once. Then
-   the calendar gets one endless day, so that all events are on one page,
-   which is searched for each event, as the engine of all pairs does. */
+/* Measures the speed gained by each optimization of the chapter by removing
+   them one after another. First the neighbours are examined one at a time
+   instead of several at once. Then the calendar gets a single day of
+   infinite length, so every search scans all events, as in the all-pairs
+   engine. */
 static void write_steps(struct engines *e, struct table *out)
 {
     struct calendar *calendar = &e->cells.calendar;
@@ -260,10 +261,10 @@ static void make_cells(struct engines *e)
     program_memory(cells_create(&e->cells, &e->disks), "for the cells");
 }
 
-/* Returns the radius to which disk i grows, m: it fills nine tenths of the
-   gap to its nearest neighbour. If disks filled the whole gap, thousands
-   would touch and collide at the same time, for which no calendar has days
-   that are short enough. */
+/* Returns the new radius of disk i, m, which fills nine tenths of the gap
+   to its nearest neighbour. If the disks filled the whole gap, thousands
+   would touch and collide at the same time, and no calendar day would be
+   short enough for so many events. */
 static double room_of(const struct cells *c, size_t i)
 {
     const struct disk *disk = c->d->disk;
@@ -282,9 +283,9 @@ static double room_of(const struct cells *c, size_t i)
     return fmin(disk[i].radius + 0.9 * gap, 0.5);
 }
 
-/* Lets all disks grow. Returns whether all have reached their final size.
-   The neighbour lists must be new: disks that are not in each other's lists
-   are then at least two skins apart. */
+/* Grows all disks. Returns whether every disk has reached its final size.
+   Call only with new neighbour lists: disks that are not in each other's
+   lists are then at least two skins apart. */
 static bool grow(struct engines *e)
 {
     bool whole = true;
@@ -296,13 +297,13 @@ static bool grow(struct engines *e)
     return whole;
 }
 
-/* Runs until the start has no influence. The engine with cells does this
-   for both engines: the results are equal to the last bit, and the engine
-   of all pairs would take an hour. Small disks grow, move for a while, and
-   grow again. At full size they are too close together at first: at the
-   packing 0.70, Z is 11.1 and falls to 10.3, the value of the fluid, in
-   some hundred collisions per disk. Hence the three million collisions at
-   the end. */
+/* Runs until the initial state has no influence. Uses the engine with cells
+   for both engines, because their results are bit-identical and the
+   all-pairs engine would take an hour. Small disks alternately grow and
+   move. When they reach full size, they are too close together: at packing
+   0.70, Z is 11.1 and falls to the fluid's value of 10.3 within some
+   hundred collisions per disk. The final three million collisions allow for
+   this. */
 static void warm_up(struct engines *e)
 {
     const uint64_t n = e->disks.count;
@@ -318,9 +319,9 @@ static void warm_up(struct engines *e)
     }
 }
 
-/* Returns the number of tiles along each axis, or 1 if the box is not
-   tiled. A million disks would take minutes to melt; instead some thousands
-   are melted, and copies of them are laid side by side. */
+/* Returns the number of tiles along each axis, or 1 for a box without
+   tiles. Melting a million disks would take minutes, so some thousands are
+   melted and then copied side by side. */
 static size_t tiles_along(size_t count)
 {
     size_t along = 1;
@@ -333,8 +334,8 @@ static size_t tiles_along(size_t count)
     return along;
 }
 
-/* Replaces the disks by copies of them, side by side. Each copy gets its
-   own random velocities; after five collisions per disk no two tiles are
+/* Replaces the disks by copies arranged side by side. Each copy gets its
+   own random velocities, so after five collisions per disk no two tiles are
    alike. */
 static void lay_tiles(struct engines *e, size_t along, size_t count)
 {
@@ -353,8 +354,8 @@ static void lay_tiles(struct engines *e, size_t along, size_t count)
     disks_free(&tile);
 }
 
-/* Makes the disks that are timed. If the run is short, so is the
-   warm-up. */
+/* Makes the disks that are timed. With --collisions the warm-up has
+   as many collisions as a round. */
 static void make_fluid(struct engines *e, size_t count)
 {
     const size_t along = tiles_along(count);

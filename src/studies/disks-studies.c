@@ -14,12 +14,12 @@ enum { MOST_STARTS = 100000 };
 
 static struct {
     uint64_t samples;
-    uint64_t starts; /* 0: the usual number of the study */
-    double every;    /* s; the time step */
+    uint64_t starts; /* 0: the study's default */
+    double every;    /* time step, s */
 } own = {.samples = 1000000, .every = 0.01};
 
-/* Makes `count` equal disks of speed v between the walls of a square box.
-   Ends the program if there is no memory or no room. */
+/* Makes `count` disks of radius r and speed v in a square box with walls
+   and sides `length`. Ends the program if there is no memory or no room. */
 static void begin_or_exit(struct disks *d, size_t count, double r,
                           double length, double v, struct random *random)
 {
@@ -35,7 +35,7 @@ static void begin_or_exit(struct disks *d, size_t count, double r,
 }
 
 static const double radius =
-    0.15; /* m; of the four disks in a box of 1 m */
+    0.15; /* m, of four disks in a box of side 1 m */
 
 static void begin_four(struct disks *d, double v, uint64_t seed)
 {
@@ -46,25 +46,23 @@ static void begin_four(struct disks *d, double v, uint64_t seed)
 
 enum { BINS = 100 };
 
-/* Returns the bin of a position. A disk that has just collided with a wall
-   lies exactly on the edge of a bin; the factor keeps rounding from
-   choosing the side. */
+/* Returns the bin of a position. A disk that has just hit a wall is exactly
+   on the edge of a bin. Shrinking x by 1e-9 keeps rounding from choosing
+   the bin at random. */
 static int bin_of(double x)
 {
     const double inside = 0.5 + (x - 0.5) * (1 - 1e-9);
     return (int)fmin(fmax(floor(inside * BINS), 0), BINS - 1);
 }
 
-/* Three programs with the same start: one with the correct loop, one with
-   the loop of the hard-disk article, and one with the article's loop after
-   its sign has been corrected (box/loop.h). */
+/* The three loops that are compared: ours, the loop of the hard-disk
+   article, and the article's loop with its sign corrected (box/loop.h). */
 enum { OURS, ARTICLE, MENDED, CLOCKS };
 
 static const char *const clocks[CLOCKS] = {"clock", "article", "mended"};
 
-/* Runs one of the three programs with four disks, counts their coordinates
-   in bins[], and raises *overlap to the deepest overlap. Returns the energy
-   at the start. */
+/* Runs four disks with loop `way`, counts their coordinates in bins[], and
+   raises *overlap to the deepest overlap. Returns the initial energy. */
 static double sample_by(int way, const struct study *s, struct loop *l,
                         double bins[BINS], double *overlap)
 {
@@ -87,7 +85,7 @@ static double sample_by(int way, const struct study *s, struct loop *l,
     return energy;
 }
 
-/* Writes the density of a coordinate, sampled by each program. */
+/* Writes the density of the coordinates as sampled by each loop. */
 static void study_clock(struct study *s)
 {
     static double bins[CLOCKS][BINS];
@@ -97,7 +95,8 @@ static void study_clock(struct study *s)
         double overlap = 0;
         const double energy = sample_by(way, s, &l, bins[way], &overlap);
         const double impulse = l.d.impulse[0] + l.d.impulse[1];
-        const double nkt = disks_energy(&l.d); /* 2 E / D, D = 2 */
+        const double nkt =
+            disks_energy(&l.d); /* N kT = 2 E / D with D = 2 */
         const double edge = (bins[way][15] + bins[way][84]) / 16 * BINS;
         TABLE_RESULTS_OF(
             s->summary, clocks[way], {"Z", impulse / (4 * nkt * l.t)},
@@ -116,7 +115,6 @@ static void study_clock(struct study *s)
     }
 }
 
-/* Writes a row with the time and the position of the first disk. */
 static void write_place(struct study *s, struct loop *l)
 {
     double place[DISKS_AXES];
@@ -124,12 +122,12 @@ static void write_place(struct study *s, struct loop *l)
     TABLE_ROW(s->out, l->d.now, place[0], place[1]);
 }
 
-/* Writes three blocks of rows until 1.5 s: at the events (0), at the ticks
-   of the clock (1), and at the records of the article's loop (2). All begin
-   with the same state, one second after a start on a lattice. A block has
-   at most a thousand rows, since for a few seeds the article's loop makes
-   no progress: it reverses an overlapping pair endlessly, and its clock
-   stops. */
+/* Writes the path of the first disk until 1.5 s in three blocks: at the
+   events (0), at the ticks of the clock (1), and at the records of the
+   article's loop (2). All blocks begin with the same state, one second
+   after a lattice start. A block has at most a thousand rows: for a few
+   seeds the article's loop reverses an overlapping pair endlessly and its
+   clock stops. */
 static void study_timeline(struct study *s)
 {
     TABLE_COLUMNS(s->out, {"t", "s", "events; clock times; the article's"},
@@ -158,11 +156,11 @@ static void study_timeline(struct study *s)
     }
 }
 
-/* Returns the largest displacement from the start, m, after the time t,
-   reversal of the velocities and as much time back. Adds the number of
-   collisions before the reversal to *collisions. All disks are moved to the
-   present before they are reversed; otherwise the way back would begin at
-   other positions. */
+/* Runs for the time t, reverses all velocities and runs for t again.
+   Returns the largest distance from the start, m, which would be zero
+   without rounding. Adds the number of collisions before the reversal to
+   *collisions. The disks are moved to the present before the reversal;
+   otherwise the way back would begin at other positions. */
 static double miss(struct disks *d, double t, double *collisions)
 {
     struct disk start[4];
@@ -185,8 +183,9 @@ static double miss(struct disks *d, double t, double *collisions)
     return worst;
 }
 
-/* Returns the median displacement, m, of four disks of energy e after many
-   starts, as `miss` does, and the mean number of collisions. */
+/* Returns the median result of `miss`, m, over many starts of four disks
+   with total energy e. Sets *collisions to the mean number of
+   collisions. */
 static double median_miss(const struct study *s, double e, double t,
                           double *collisions)
 {
@@ -204,8 +203,8 @@ static double median_miss(const struct study *s, double e, double t,
     return bench_median(worst, starts);
 }
 
-/* Writes the displacements for two energies side by side. At twice the
-   speed everything takes half the time. */
+/* Writes the results for the energies 1 J and 4 J side by side. At 4 J the
+   speed is doubled and everything takes half the time. */
 static void study_reverse(struct study *s)
 {
     double one[16], four[16], n = 0, other;
@@ -225,9 +224,9 @@ static void study_reverse(struct study *s)
                   {"rate_4", log(four[14] / four[2]) / 3});
 }
 
-/* Makes a pair of disks that will collide with the impact parameter `miss`.
-   `gap` is the distance of their rims. Both are in units of sigma = 1; the
-   direction is random. */
+/* Makes a pair of disks that will collide in a random direction, with
+   impact parameter `miss` and distance `gap` between their edges. The unit
+   of length is sigma = 1. */
 static void throw_pair(struct random *r, double gap, double miss,
                        double apart[], double closing[])
 {
@@ -241,9 +240,9 @@ static void throw_pair(struct random *r, double gap, double miss,
     apart[2] = 0;
 }
 
-/* Finds the errors of the time of contact: *book with the textbook's root
-   and *ours with the stable root. Returns the error of the distance at the
-   time of the stable root, or -1 if the disks do not collide. */
+/* Computes the errors of the contact time: *book for the textbook's root
+   and *ours for the stable root. Returns the error of the disks' distance
+   at the time of the stable root, or -1 if the disks do not collide. */
 static double contact_errors(const double x[], const double v[],
                              double *book, double *ours)
 {
@@ -263,14 +262,15 @@ static double contact_errors(const double x[], const double v[],
     return fabs((double)(quad_root(dx * dx + dy * dy) - 1));
 }
 
-/* Kinds of pairs: grazing ones, pairs with a gap, and pairs with a gap
-   whose positions are exact. */
+/* Kinds of pairs: grazing, with a gap, and with a gap and exact
+   positions. */
 enum { GRAZE, GAP, EXACT, KINDS };
 
-/* Draws random pairs of one kind and raises worst[] to the largest errors:
-   for grazing pairs those of the time with the stable root and of the
-   distance; for the others those of the times with the textbook's and the
-   stable root, relative to the gap, which is about equal to the time. */
+/* Draws random pairs of one kind and raises worst[] to the largest errors.
+   For grazing pairs these are the errors of the stable root's time and of
+   the distance then. For the other kinds they are the time errors of the
+   textbook's and of the stable root, divided by the gap, which is about
+   equal to the time. */
 static void worst_of(int kind, double size, struct random *r,
                      double worst[])
 {
@@ -295,7 +295,7 @@ static void worst_of(int kind, double size, struct random *r,
     }
 }
 
-/* Writes the errors for sizes that are powers of two. The results are the
+/* Writes the errors for sizes that are powers of two. The summary gets the
    errors at 2^-40 for grazing pairs and at 2^-26 for pairs with a gap. */
 static void study_contact(struct study *s)
 {
@@ -322,8 +322,8 @@ static void study_contact(struct study *s)
     }
 }
 
-/* Runs n disks with this restitution for at most 100 n collisions. Returns
-   whether they collapse. */
+/* Runs n disks for at most 100 n collisions. Returns whether they
+   collapse. */
 static bool collapses(struct disks *d, size_t n, double restitution,
                       uint64_t seed)
 {
@@ -334,9 +334,9 @@ static bool collapses(struct disks *d, size_t n, double restitution,
     return disks_run(d, INFINITY, 100 * n) == DISKS_COLLAPSE;
 }
 
-/* Writes the fractions of starts that collapse, then the final state of one
-   run. The disks that take part in its collapse are those whose last
-   collision is at the present time. */
+/* Writes the fraction of starts that collapse for each restitution, then
+   the final state of one run. The disks in the collapse are those whose
+   last collision is at the present time. */
 static void study_collapse(struct study *s)
 {
     static const size_t sizes[] = {10, 30, 100};
@@ -373,15 +373,15 @@ static void study_collapse(struct study *s)
     disks_free(&d);
 }
 
-/* Runs the slow engine, which examines all pairs before each collision. */
+/* Runs the slow engine, which examines all pairs before every collision. */
 static void run_pairs(struct disks *d, uint64_t collisions)
 {
     while (d->collisions < collisions)
         disks_collide(d, disks_next(d));
 }
 
-/* Returns the collisions per second of processor time, those with walls
-   included, of a run of at least a twentieth of a second. */
+/* Returns the collisions per second of processor time, including collisions
+   with walls, measured over at least 0.05 s. */
 static double speed_of(struct disks *d, bool plan)
 {
     const uint64_t before = d->collisions + d->wall_collisions;
@@ -400,8 +400,8 @@ static double speed_of(struct disks *d, bool plan)
     return (double)(d->collisions + d->wall_collisions - before) / seconds;
 }
 
-/* Measures the speed of both engines. Each has its own gas, and each of its
-   rounds continues the run of the round before. */
+/* Measures the speed of both engines. Each engine has its own gas and
+   continues its run from round to round. */
 static void study_speed(struct study *s)
 {
     bench_machine(s->out);
@@ -424,10 +424,10 @@ static void study_speed(struct study *s)
     }
 }
 
-/* Returns Z = P V/(N kT) of a run of this number of collisions and adds its
-   processor time to *seconds, s. A run that ends with a collision has a
-   bias of the order of one event, which is below the noise even in the
-   shortest runs. */
+/* Returns Z = P V/(N kT) of a run of `collisions` collisions and adds its
+   processor time to *seconds. Ending the run at a collision causes a bias
+   of about one event, which is below the noise even in the shortest
+   runs. */
 static double pressure_of(uint64_t collisions, uint64_t seed, bool plan,
                           double *seconds)
 {
@@ -452,11 +452,11 @@ static double pressure_of(uint64_t collisions, uint64_t seed, bool plan,
 enum { RUNS = 32 };
 
 static const double reference =
-    2.69889; /* by direct sampling, +- 0.00031 */
+    2.69889; /* from direct sampling, +- 0.00031 */
 
-/* Fills a row with the times of both engines and with the error and the
-   bias of runs of row[0] collisions. Returns the number of runs in which
-   the engines disagree; a single different bit would in the end change
+/* Fills row[1] to row[4] with the times of both engines, the error and the
+   bias for runs of row[0] collisions. Returns the number of runs in which
+   the engines disagree. A single different bit would eventually change
    Z. */
 static double find_errors(uint64_t seed, double row[5])
 {

@@ -13,13 +13,13 @@
 #define PROGRAM "sample-studies"
 
 enum {
-    LIST = 16, /* most numbers that an option takes */
-    BINS = 14, /* bins of the range of a disk's centre */
+    LIST = 16, /* maximum length of an option's list */
+    BINS = 14, /* bins for a coordinate of a disk's centre */
     HALF = BINS / 2,
     WALLS = BINS, /* index of the left side of (6.5, eq:two-sides) */
     PAIRS,        /* index of its right side */
     QUANTITIES,
-    PATIENCE = 200000000 /* most throws in the study of acceptance */
+    PATIENCE = 200000000 /* maximum number of throws in study_acceptance */
 };
 
 static struct {
@@ -43,13 +43,12 @@ static const struct options_entry entries[] = {
     {"step", 'd', "D1,..", "of the chain, m (0.1)"},
     {0}};
 
-/* Ends the program with a message that there is not enough memory. */
 static _Noreturn void end_without_memory(void)
 {
     program_give_up("no memory; use fewer disks or samples");
 }
 
-/* Makes a unit box with disks of this radius. */
+/* Makes a unit box with own.disks disks. */
 static void make_box(struct sampling *p, double radius)
 {
     if (!sampling_create(p, 2, DISKS_WALLS, (const double[]){1, 1},
@@ -57,8 +56,8 @@ static void make_box(struct sampling *p, double radius)
         end_without_memory();
 }
 
-/* Starts a Markov chain and runs it for this number of sweeps, after which
-   the start should have no influence. */
+/* Starts a Markov chain and runs it for `sweeps` sweeps to remove the
+   influence of the start. */
 static void start_chain(struct sampling *p, double step, uint64_t sweeps,
                         struct random *r)
 {
@@ -69,7 +68,7 @@ static void start_chain(struct sampling *p, double step, uint64_t sweeps,
         sampling_try(p, step, r);
 }
 
-/* Returns the bin of a coordinate among BINS equal bins of its range. */
+/* Returns the bin of x, among BINS equal bins from r to 1 - r. */
 static size_t bin_of(const struct sampling *p, double x)
 {
     const double r = p->disks.disk[0].radius;
@@ -77,8 +76,8 @@ static size_t bin_of(const struct sampling *p, double x)
     return bin < 0 ? 0 : bin < BINS ? (size_t)bin : BINS - 1;
 }
 
-/* Adds a sample of both sides of (6.5, eq:two-sides) from one disk. The
-   disks take turns. */
+/* Adds a sample of both sides of (6.5, eq:two-sides), taken from one disk.
+   Successive calls use successive disks. */
 static void count_contacts(struct means *m, const struct sampling *p)
 {
     const size_t count = p->disks.count;
@@ -96,8 +95,9 @@ static void count_contacts(struct means *m, const struct sampling *p)
     means_add(m, PAIRS, pairs);
 }
 
-/* Adds a sample of all coordinates and of both sides of (6.5). The weight
-   of a coordinate is such that the mean of a bin is its density. */
+/* Adds a sample of the density of the coordinates and of both sides of
+   (6.5). Each coordinate is weighted so that the mean of a bin is its
+   density. */
 static void count_places(struct means *m, const struct sampling *p)
 {
     const size_t count = p->disks.count;
@@ -115,9 +115,10 @@ static const char *const way_names[WAYS] = {"thrown", "kept", "chain",
                                             "moved"};
 
 /* Takes samples in one of four ways, two of which are wrong. If a disk does
-   not fit, THROWN places all disks again, and KEPT only that disk (wrong:
-   disks_place_random does this). CHAIN takes a sample after every trial
-   move, MOVED only after accepted moves (wrong). */
+   not fit, THROWN places all disks again. KEPT places only that disk again,
+   as disks_place_random does, which is wrong. CHAIN takes a sample after
+   every trial move. MOVED takes one only after accepted moves, which is
+   wrong. */
 static void take(enum way way, struct means *m, struct sampling *p,
                  double step, struct random *r)
 {
@@ -136,8 +137,8 @@ static void take(enum way way, struct means *m, struct sampling *p,
                 count_places(m, p);
 }
 
-/* Writes the relative error, in per cent, of a wrong density in bins b and
-   BINS - 1 - b, compared with the corresponding right one. */
+/* Writes the error in per cent of the density `wrong` relative to `right`,
+   in bins b and BINS - 1 - b together. */
 static void write_bias(struct study *s, const char *key,
                        const struct means *wrong, const struct means *right,
                        size_t b)
@@ -149,7 +150,7 @@ static void write_bias(struct study *s, const char *key,
     table_real(s->summary, key, 100 * (got / due - 1));
 }
 
-/* Writes the densities that the four ways give, both sides of (6.5,
+/* Writes the densities from the four ways of sampling, both sides of (6.5,
    eq:two-sides), and the relative errors of the wrong densities. */
 static void write_mistakes(struct study *s, const struct means means[])
 {
@@ -179,9 +180,8 @@ static void write_mistakes(struct study *s, const struct means means[])
     write_bias(s, "moved_middle", &means[MOVED], &means[CHAIN], HALF - 1);
 }
 
-/* Compares two wrong ways of sampling with the right ones. Each way begins
-   with a chain of a thousand sweeps, which removes the influence of the way
-   before. */
+/* Compares two wrong ways of sampling with the right ones. Each way first
+   runs a chain of a thousand sweeps, to forget the previous one. */
 static void study_mistakes(struct study *s)
 {
     struct means means[WAYS];
@@ -205,9 +205,9 @@ static void study_mistakes(struct study *s)
     sampling_free(&p);
 }
 
-/* Runs a chain. Stores after each sweep the coordinate x of disk 1 and the
-   fraction of all coordinates that are in the outermost bins. Returns the
-   fraction of accepted moves. */
+/* Runs a chain. After sweep n, stores the x coordinate of disk 1 in x[n]
+   and the fraction of coordinates in the outermost bins in edge[n]. Returns
+   the fraction of accepted moves. */
 static double run_chain(struct sampling *p, double step, uint64_t sweeps,
                         double x[], double edge[], struct random *r)
 {
@@ -227,8 +227,8 @@ static double run_chain(struct sampling *p, double step, uint64_t sweeps,
     return (double)moved / (double)(sweeps * count);
 }
 
-/* Returns the statistical inefficiency of a series: the number of its
-   samples that carry as much information as one independent sample. */
+/* Returns the statistical inefficiency of a series: how many of its samples
+   carry as much information as one independent sample. */
 static double inefficiency(size_t n, const double x[])
 {
     static struct statistics_blocking b;
@@ -237,8 +237,8 @@ static double inefficiency(size_t n, const double x[])
     return b.inefficiency;
 }
 
-/* Runs chain k of all combinations of radius and step. x is memory for two
-   series. The keys of the results end in k + 1. */
+/* Runs chain k, for the k-th combination of radius and step. x has space
+   for two series. The keys of the results end in k + 1. */
 static void study_chain(struct study *s, size_t k, double x[],
                         struct random *r)
 {
@@ -279,8 +279,8 @@ static void study_memory(struct study *s)
 }
 
 /* Measures the fraction of random configurations without overlaps. Draws
-   configurations until --samples of them have none, at most PATIENCE
-   times. */
+   configurations until own.samples of them have no overlaps, or PATIENCE
+   have been drawn. */
 static void study_acceptance(struct study *s)
 {
     struct random r;
@@ -310,15 +310,15 @@ enum method { DIRECT, MARKOV, DYNAMICS, METHODS };
 static const char *const method_names[METHODS] = {"direct", "markov",
                                                   "dynamics"};
 enum {
-    TIMES = 7, /* number of times at which errors are measured; each time is
-                  four times the one before */
-    SEEDS = 8, /* runs whose squared errors are averaged */
-    TRIES = 64 /* tries between two readings of the clock */
+    TIMES = 7, /* processor times at which errors are measured, each four
+                  times the previous */
+    SEEDS = 8, /* runs averaged for each error */
+    TRIES = 64 /* tries between clock readings */
 };
 static const double first_time = 0.00025; /* s */
 
-/* Makes a throw, a sweep, or a tenth of a second of dynamics. Returns
-   whether the result is a sample. */
+/* Makes one random throw, one Markov sweep, or 0.1 s of dynamics. Returns
+   whether the result is a valid sample. Only a throw can fail. */
 static bool next_try(enum method method, struct sampling *p, double step,
                      struct random *r)
 {
@@ -334,8 +334,8 @@ static bool next_try(enum method method, struct sampling *p, double step,
     }
 }
 
-/* Prepares a method. Dynamics begins with the end of a chain and all speeds
-   equal to 1 m/s; the other methods do not use speeds. */
+/* Prepares a method. Dynamics starts from the end of a Markov chain with
+   all speeds equal to 1 m/s. The other methods do not use speeds. */
 static void begin_method(enum method method, struct sampling *p,
                          double step, struct random *r)
 {
@@ -349,7 +349,7 @@ static void begin_method(enum method method, struct sampling *p,
         end_without_memory();
 }
 
-/* Counts the present coordinates by their distance from the nearer wall. */
+/* Counts the current coordinates by their distance from the nearer wall. */
 static void add_places(const struct sampling *p, double counts[HALF])
 {
     for (size_t i = 0; i < p->disks.count; ++i) {
@@ -362,8 +362,8 @@ static void add_places(const struct sampling *p, double counts[HALF])
     }
 }
 
-/* Returns the mean square deviation of a density from a reference, in units
-   of the mean density squared. */
+/* Returns the mean square deviation of the density `counts` from
+   `reference`, in units of the mean density squared. */
 static double deviation(const double counts[HALF],
                         const double reference[HALF])
 {
@@ -380,8 +380,8 @@ static double deviation(const double counts[HALF],
     return sum / HALF;
 }
 
-/* Runs a method and adds the square deviation of its density after each of
-   the times to sum[]. */
+/* Runs a method and adds the squared deviation of its density to sum[] at
+   each of the TIMES times. */
 static void run_method(enum method method, struct sampling *p, double step,
                        struct random *r, const double reference[HALF],
                        double sum[TIMES])
@@ -399,10 +399,10 @@ static void run_method(enum method method, struct sampling *p, double step,
 }
 
 /* Measures the error of each method against processor time: the root mean
-   square of eight runs, after one run that fills the caches. The reference
-   is a far longer run of dynamics. The error of direct sampling, which is
-   correct by construction, decreases steadily up to the longest time; this
-   shows that the reference is correct, too. */
+   square of SEEDS runs, after one warm-up run. The reference is a much
+   longer run of dynamics. Direct sampling is correct by construction, and
+   its error decreases steadily up to the longest time. So the reference
+   must be correct, too. */
 static void study_cost(struct study *s)
 {
     struct random r;
@@ -440,17 +440,17 @@ static void study_cost(struct study *s)
 }
 
 /* Methods that measure the pressure of 64 disks in a periodic box: a Markov
-   chain with the densities at contact, dynamics with its collisions, and
-   event chains, which need neither. */
+   chain uses the densities at contact, dynamics uses collisions, and event
+   chains use neither. */
 enum gauging { SLIDES, COLLISIONS, CHAINS, GAUGINGS };
 static const char *const gauging_names[GAUGINGS] = {"markov", "dynamics",
                                                     "chains"};
 
-/* A measurement of Z - 1 in progress. */
+/* A running measurement of Z - 1. */
 struct gauge {
     struct sampling p;
     struct random r;
-    double step, sum; /* step: m; sum of the samples' Z - 1 */
+    double step, sum; /* step, m; sum of Z - 1 over the samples */
     uint64_t samples;
 };
 
@@ -474,8 +474,8 @@ static void begin_gauge(struct gauge *g, enum gauging way, double packing,
         end_without_memory();
 }
 
-/* Makes a sweep. Returns Z - 1 from the densities at contact of one disk
-   with three others, as in the program sample. */
+/* Makes a sweep. Returns Z - 1, estimated from the contact densities of one
+   disk with three others, as in the program `sample`. */
 static double slide(struct gauge *g)
 {
     const size_t n = g->p.disks.count, i = g->samples % n;
@@ -489,7 +489,8 @@ static double slide(struct gauge *g)
     return sum * (double)(n - 1) * g->p.disks.disk[0].radius / 2;
 }
 
-/* Makes an event chain of about five diameters. Returns its Z - 1. */
+/* Returns the estimate of Z - 1 from an event chain of about five
+   diameters. */
 static double follow_chain(struct gauge *g, size_t axis)
 {
     const double length =
@@ -499,8 +500,8 @@ static double follow_chain(struct gauge *g, size_t axis)
     return gained / length;
 }
 
-/* Returns Z - 1 from the run so far. Dynamics gives it from the virial of
-   all collisions since the start (7.5, eq:virial). */
+/* Returns Z - 1 from the run so far. For dynamics the estimate uses the
+   virial of all collisions since the start (7.5, eq:virial). */
 static double gauge_value(struct gauge *g, enum gauging way)
 {
     const struct disks *d = &g->p.disks;
@@ -522,8 +523,8 @@ static void take_one(struct gauge *g, enum gauging way)
 
 enum { MARKS = 5, GAUGES = 16 };
 
-/* Runs a measurement and adds the squares of its errors at the MARKS times,
-   divided by GAUGES, to square[]. */
+/* Runs a measurement and adds its squared error, divided by GAUGES, to
+   square[t] at each of the MARKS times. */
 static void measure_gauge(enum gauging way, double packing, double step,
                           double truth, struct random *r,
                           double square[MARKS])
@@ -543,7 +544,8 @@ static void measure_gauge(enum gauging way, double packing, double step,
     sampling_free(&g.p);
 }
 
-/* Returns the reference value of Z - 1 from this number of event chains. */
+/* Returns the reference value of Z - 1, the mean over `chains` event
+   chains. */
 static double find_truth(double packing, double step, uint64_t chains,
                          struct random *r)
 {
@@ -583,9 +585,9 @@ static void study_pressure(struct study *s)
     }
 }
 
-/* Measures the pressure with event chains along x only, beginning on a
-   lattice. Every disk stays in its row, so that some configurations are
-   never reached. */
+/* Measures the pressure with event chains along x only, starting on a
+   lattice. Every disk stays in its row, so some configurations are never
+   reached. */
 static void study_one_way(struct study *s)
 {
     struct means m;
@@ -632,7 +634,8 @@ static const struct study_entry studies[] = {
                 {"Z_x_error", "1", "its standard error"})},
     {0}};
 
-/* Reads a list of lengths between 0 and `limit`. Returns their number. */
+/* Reads a list of lengths between 0 and `limit` into x[]. Returns the
+   number of lengths. */
 static size_t read_lengths(struct options *o, double x[], double limit)
 {
     const size_t n = options_list(o, x, LIST);

@@ -13,13 +13,14 @@
 
 #define PROGRAM "scene-speed"
 
-/* The numbers to be read lie between 0 and 10 and have equally many digits.
-   One begins every WIDTH bytes. */
+/* The test numbers are between 0 and 10 and all have the same number of
+   digits. They are stored WIDTH bytes apart. */
 enum { NUMBERS = 20000, WIDTH = 32, MOST_DIGITS = 19 };
 
-/* Returns the time to read a number with decimal_read or strtod, s. Counts
-   in ways[] which of its methods decimal_read used. The sum keeps the
-   compiler from removing the reading of values that nobody uses. */
+/* Returns the time to read one number, s, with decimal_read if `ours` is
+   true and with strtod otherwise. Counts in ways[] which method
+   decimal_read chose. The sum is used, so the compiler cannot remove the
+   reading. */
 static double time_numbers(char text[][WIDTH], bool ours, size_t ways[])
 {
     const double start = bench_seconds();
@@ -36,8 +37,8 @@ static double time_numbers(char text[][WIDTH], bool ours, size_t ways[])
     return (bench_seconds() - start) / NUMBERS;
 }
 
-/* Times both readers in turn. The first round fills the caches and is
-   discarded. */
+/* Times decimal_read and strtod alternately. The first round fills the
+   caches and is discarded. */
 static void time_digits(int digits, struct table *out, struct random *r)
 {
     static char text[NUMBERS][WIDTH];
@@ -59,8 +60,8 @@ static void time_digits(int digits, struct table *out, struct random *r)
                 (double)ways[DECIMAL_STRTOD] / NUMBERS);
 }
 
-/* Returns the text of a scene with a gas whose positions and velocities
-   have 17 digits, or NULL if there is no memory. */
+/* Returns the text of a scene with `bodies` bodies whose positions and
+   velocities have 17 digits, or NULL if there is no memory. */
 static char *write_gas(size_t bodies, size_t *length, struct random *r)
 {
     char *text = malloc(256 * bodies), *c = text;
@@ -77,8 +78,8 @@ static char *write_gas(size_t bodies, size_t *length, struct random *r)
     return text;
 }
 
-/* Times the reading of a scene with a gas. The text is in memory, so that
-   the speed of the disk has no influence. */
+/* Times the parsing of a large scene. The text is already in memory, so the
+   speed of the disk does not matter. */
 static void time_scene(size_t bodies, struct table *out, struct random *r)
 {
     double seconds[BENCH_ROUNDS];

@@ -18,7 +18,6 @@ static struct {
     double until; /* duration of --study membranes, s */
 } own = {.until = 40};
 
-/* Ends the program because memory has run out. */
 static _Noreturn void no_memory(void)
 {
     program_give_up("there is no memory");
@@ -31,7 +30,7 @@ struct run {
     struct stepping stepping;
 };
 
-/* Makes the named scene of the gallery with chosen values of its keys. */
+/* Makes a scene of the gallery with the chosen values. */
 static void make(struct scene *s, const char *name,
                  const struct gallery_choice chosen[])
 {
@@ -40,7 +39,6 @@ static void make(struct scene *s, const char *name,
         program_give_up("%s", wrong);
 }
 
-/* Prepares r->scene for steps of dt. */
 static void set_off(struct run *r, const struct stepping_method *method,
                     double dt)
 {
@@ -69,8 +67,8 @@ static double kinetic(const struct scene *s)
     return sum;
 }
 
-/* Returns the energy, J. A fixed body has no weight, since the gravity that
-   the springs keep for it is 0. */
+/* Returns the energy, J. Fixed bodies do not contribute to the
+   gravitational energy, because springs_create sets their gravity to 0. */
 static double energy(const struct run *r)
 {
     const struct scene *s = &r->scene;
@@ -81,9 +79,10 @@ static double energy(const struct run *r)
     return sum;
 }
 
-/* Returns the position by the textbook formulas for the damping g, if m = D
-   = 1 and the motion starts at q = 1 m with v = 0: two exponentials, or a
-   cosine with a phase. */
+/* Returns the position of a damped oscillator with m = D = 1 that starts at
+   rest at q = 1 m. Uses the textbook formulas: two exponentials, or a
+   cosine with a phase. g is the ratio of the damping to critical
+   damping. */
 static double by_the_book(double g, double t)
 {
     const double w = sqrt(fabs(g * g - 1));
@@ -97,9 +96,10 @@ static double by_the_book(double g, double t)
     return exp(-g * t) / w * cos(w * t - atan2(g, w));
 }
 
-/* Returns the position from a power series in y = (w t)^2, valid for weak,
-   critical and strong damping. It converges for all t, but loses digits if
-   many terms alternate in sign, so it is used for short times only. */
+/* Returns the same position as by_the_book, from a power series in y = (w
+   t)^2 that is valid for weak, critical and strong damping. The series
+   converges for all t but loses digits when many terms alternate in sign.
+   Use it for short times only. */
 static double by_series(double g, double t)
 {
     const double y = (1 - g) * (1 + g) * t * t;
@@ -111,8 +111,8 @@ static double by_series(double g, double t)
     return exp(-g * t) * sum;
 }
 
-/* Writes the position of an oscillator with 1 + e and 1 - e times the
-   critical damping; e shrinks by a factor of 10^(1/4) from row to row. */
+/* Writes the position of an oscillator with 1 + e and with 1 - e times the
+   critical damping. Each row divides e by 10^(1/4). */
 static void study_critical(struct study *s)
 {
     const double t = 3;
@@ -136,8 +136,8 @@ enum { DAMPINGS = 4 };
 
 static const double dampings[DAMPINGS] = {0.2, 1, 2, 4}; /* kg/s */
 
-/* Writes the positions of oscillators at four dampings, by leapfrog, and
-   their largest error. */
+/* Writes the positions of leapfrog-stepped oscillators with four dampings,
+   and their largest error. */
 static void study_regimes(struct study *s)
 {
     struct run r[DAMPINGS];
@@ -166,8 +166,8 @@ static void study_regimes(struct study *s)
 
 enum { DUMBBELL_ROWS = 101 };
 
-/* Makes a free dumbbell of two masses of 1 kg along x, stretched by a tenth
-   and rotating about z. */
+/* Makes a free dumbbell of two masses of 1 kg along x. It is stretched by a
+   tenth and rotates about z. */
 static void make_dumbbell(struct scene *s, bool axial)
 {
     if (!scene_create(s, 2) || !scene_add_kind(s, 100, 0.5))
@@ -183,7 +183,7 @@ static void make_dumbbell(struct scene *s, bool axial)
     s->axial = axial;
 }
 
-/* Returns the angular momentum, whose only component is along z. */
+/* Returns the angular momentum along z, kg m^2/s. */
 static double spin(const struct scene *s)
 {
     double sum = 0;
@@ -193,8 +193,8 @@ static double spin(const struct scene *s)
     return sum;
 }
 
-/* Writes the angular momenta and energies of two dumbbells. The first is
-   compared with (10.2, eq:spin-decay), in which c/mu is 1/s here. */
+/* Writes the angular momenta and energies of two dumbbells. Compares the
+   first with (10.2, eq:spin-decay), where c/mu is 1/s here. */
 static void study_spin(struct study *s)
 {
     struct run r[2];
@@ -226,8 +226,8 @@ static void study_spin(struct study *s)
     tidy_up(&r[1]);
 }
 
-/* Writes the path of the double pendulum, by a method and a step that are
-   precise enough for any picture. */
+/* Writes the path of the double pendulum. The method and the step are
+   accurate enough for any figure. */
 static void study_path(struct study *s)
 {
     const double every = 0.02, until = 10;
@@ -248,12 +248,13 @@ static void study_path(struct study *s)
     tidy_up(&r);
 }
 
-/* The coordinates of the double pendulum after 10 s: x1, z1, x2, z2, in m,
+/* The coordinates x1, z1, x2, z2 of the double pendulum after 10 s, m,
    computed by another program in quadruple precision. */
 static const double after_10[4] = {-.156264701442401, .0112096197458345,
                                    -.921375731195946, -1.25031461636596};
 
-/* Returns the largest difference of the four coordinates from place[]. */
+/* Returns the largest difference between the four coordinates and
+   place[]. */
 static double miss(const struct scene *s, const double place[4])
 {
     const double *const x = s->position, *const z = x + 6;
@@ -262,8 +263,8 @@ static double miss(const struct scene *s, const double place[4])
 }
 
 /* Runs the pendulum for 10 s in n steps. Sets row[] to dt, evaluations,
-   error, change of energy and processor time. Returns whether the run was
-   completed with an error below 3 m. */
+   error, energy change and processor time. Returns whether the run finished
+   with an error below 3 m. */
 static bool swing_of(const struct stepping_method *method, uint64_t n,
                      double row[5])
 {
@@ -281,10 +282,10 @@ static bool swing_of(const struct stepping_method *method, uint64_t n,
     return end == STEPPING_DONE && row[2] < 3;
 }
 
-/* Writes the errors of all methods. The step is halved, starting from 0.2
-   s, until the error is near the rounding error or the work becomes too
-   much. Only if timed is true is there a column of processor time: without
-   it the table is the same on all machines. */
+/* Writes the errors of all methods. Halves the step, starting at 0.2 s,
+   until the error is near the rounding error or the work becomes too much.
+   If `timed`, adds a column of processor time; otherwise the table is the
+   same on all machines. */
 static void write_errors(struct study *s, bool timed)
 {
     if (timed)
@@ -345,8 +346,8 @@ static const char *const damping_ways[WAYS] = {"rk4", "leapfrog",
                                                "yoshida4"};
 static const double damping_step = 0.025; /* s */
 
-/* Writes the stretch of the stiff spring, by RK4 and leapfrog with a step
-   near the stability limit of RK4, and by Yoshida's method with a small
+/* Writes the stretch of the stiff spring for RK4 and leapfrog with a step
+   near the stability limit of RK4, and for Yoshida's method with a small
    step. The summary gets its range in the last rows. */
 static void study_silent(struct study *s)
 {
@@ -377,24 +378,25 @@ static void study_silent(struct study *s)
     }
 }
 
-/* A double pendulum with a rod of 1 m between bodies 0 and 1; a[] are the
-   accelerations without the rod, m/s^2, in the order of the scene. */
+/* A double pendulum with a rod of 1 m between bodies 0 and 1. a[] contains
+   the accelerations without the rod, m/s^2, in the order of the scene's
+   coordinates. */
 struct rod {
     struct run run;
     double a[9];
 };
 
-/* Returns the scalar product, in the plane of x and z, of the vector from
-   body 0 to body 1 at the positions r and the velocity a of body 1; body 0
-   is at rest. */
+/* Returns the scalar product, in the x-z plane, of the vector from body 0
+   to body 1 at the positions r with the velocity a of body 1. Body 0 is at
+   rest. */
 static double along(const double r[], const double a[])
 {
     return (r[1] - r[0]) * a[1] + (r[7] - r[6]) * a[7];
 }
 
-/* Returns the fraction of the rod's vector at r by which a free drift from
-   r to x has to be corrected, so that the rod is 1 m long again: the
-   smaller root of (10.6, eq:rod). */
+/* Returns the smaller root of (10.6, eq:rod): the multiple of the rod
+   vector at r that must be subtracted after a free drift from r to x to
+   make the rod 1 m long again. */
 static double shorten(const double r[], const double x[])
 {
     const double dx = x[1] - x[0], dz = x[7] - x[6];
@@ -403,9 +405,9 @@ static double shorten(const double r[], const double x[])
     return c / (b + sqrt(b * b - c));
 }
 
-/* Takes a step of RATTLE: a kick, a drift, a correction of the length, a
-   kick, and a correction of the velocity. The coordinates x and z of body 1
-   have the indices 1 and 7. */
+/* Makes a step of RATTLE: kick, drift, length correction, kick, velocity
+   correction. The coordinates x and z of body 1 have the indices 1 and
+   7. */
 static void rod_step(struct rod *o, double dt)
 {
     double *const x = o->run.scene.position, *const v =
@@ -429,9 +431,9 @@ static void rod_step(struct rod *o, double dt)
     v[7] -= rate * (x[7] - x[6]);
 }
 
-/* Moves the pendulum with a rod for 10 s in n steps, and sets place[] to
-   its coordinates then. The upper spring of the scene has stiffness 0,
-   since the rod replaces it. Returns whether the coordinates are finite. */
+/* Runs the pendulum with a rod for 10 s in n steps and sets place[] to its
+   final coordinates. The upper spring has stiffness 0, because the rod
+   replaces it. Returns whether the coordinates are finite. */
 static bool rod_swing(uint64_t n, double place[4])
 {
     struct rod o = {0};
@@ -447,9 +449,9 @@ static bool rod_swing(uint64_t n, double place[4])
     return isfinite(place[0] + place[1] + place[2] + place[3]);
 }
 
-/* Sets place[] to the coordinates, after 10 s, of the double pendulum whose
-   upper spring has this stiffness (N/m). The stiffer it is, the shorter is
-   the step. */
+/* Sets place[] to the coordinates, after 10 s, of a double pendulum whose
+   upper spring has the given stiffness, N/m. A stiffer spring gets shorter
+   steps. */
 static void spring_swing(double stiffness, double place[4])
 {
     const uint64_t n = (uint64_t)(10 * 100 * sqrt(stiffness / 100)) + 1000;
@@ -489,7 +491,7 @@ static void study_rod(struct study *s)
     table_real(s->summary, "rod_0.5", largest_difference(place, rigid, 4));
 }
 
-/* Makes the double pendulum or a taut membrane, both at rest. */
+/* Makes the double pendulum, or a taut membrane, at rest. */
 static void make_at_rest(struct scene *s, bool pendulum)
 {
     if (!pendulum) {
@@ -504,8 +506,8 @@ static void make_at_rest(struct scene *s, bool pendulum)
     s->position[8] = s->position[7] - 1 - 1.8 / 5;
 }
 
-/* Displaces a scene at rest by 1e-9 times the shape of its fastest mode,
-   and returns the angular frequency of this mode, rad/s. */
+/* Displaces a scene at rest by 1e-9 times the shape of its fastest mode.
+   Returns the angular frequency of this mode, rad/s. */
 static double disturb(struct scene *s)
 {
     struct springs p;
@@ -521,13 +523,13 @@ static double disturb(struct scene *s)
     return fastest;
 }
 
-/* Returns whether a disturbance of 1e-9 m grows within this number of steps
-   with omega dt = phase: to 1 cm, or in the last quarter of the steps to
-   more than 1.5 times its size at the start and in the second quarter. A
-   factor of a thousand instead of 1.5 would give a limit for RK4 that is
-   2e-4 too high, since at 1 + d times the limit the amplitude grows by a
-   factor of only 1 + 7d in a step. With 4000 steps the limit is accurate to
-   3e-5. */
+/* Returns whether a disturbance of 1e-9 m grows within `steps` steps with
+   omega dt = phase. It grows if it reaches 1 cm, or if its maximum in the
+   last quarter of the steps is more than 1.5 times both its initial size
+   and its maximum in the second quarter. A factor of a thousand instead of
+   1.5 would give a limit for RK4 that is 2e-4 too high, because at 1 + d
+   times the limit the amplitude grows by a factor of only 1 + 7d per step.
+   With 4000 steps the limit is accurate to 3e-5. */
 static bool grows(const struct stepping_method *method, bool pendulum,
                   double phase, uint64_t steps)
 {
@@ -556,13 +558,13 @@ static bool grows(const struct stepping_method *method, bool pendulum,
     return !small || far[3] > 1.5 * fmax(start, far[1]);
 }
 
-/* Returns the stability limit of omega dt of a method: 0 if it is unstable
-   even at `low`, INFINITY if it is stable up to 20. The search goes up from
-   `low` by 1 per cent until the method is unstable, and then bisects the
-   interval. Some methods are stable again above their limit, so the strides
-   have to be shorter than the narrowest interval of instability: that of
-   Kahan and Li is from 3.0965 to 3.1401, and strides of 2 per cent stepped
-   over it and gave 5.6. */
+/* Returns the stability limit of omega dt, or 0 if the method is unstable
+   even at `low`, or INFINITY if it is stable up to 20. Increases omega dt
+   from `low` by 1 per cent until the method is unstable, and then bisects.
+   Some methods are stable again above their limit, so the increments must
+   be smaller than the narrowest unstable interval, which is 3.0965 to
+   3.1401 for Kahan and Li. Increments of 2 per cent missed this interval
+   and gave 5.6. */
 static double find_limit(const struct stepping_method *m, bool pendulum,
                          uint64_t steps, double low)
 {
@@ -585,9 +587,9 @@ static double find_limit(const struct stepping_method *m, bool pendulum,
     return low;
 }
 
-/* Sets limit[] to the limits of omega dt of the pendulum and the membrane.
-   The search on the membrane begins just below the pendulum's limit.
-   Implicit methods are tested with one large step only. */
+/* Sets limit[] to the limits of omega dt for the pendulum and the membrane.
+   The search for the membrane starts just below the pendulum's limit.
+   Implicit methods are tested with a single large step length. */
 static void find_limits(const struct stepping_method *m, double limit[2])
 {
     if (m->family == STEPPING_IMPLICIT) {
@@ -611,9 +613,9 @@ static void study_limits(struct study *s)
          m && !progress_signal(); m = stepping_next(m)) {
         double limit[2];
         find_limits(m, limit);
-        /* The divisors are the frequencies of the fastest modes, by (10.5,
-           eq:pendulum-limit) and by (10.9, eq:membrane-dispersion) with D
-           along one axis. */
+        /* The divisors are the frequencies of the fastest modes, from
+           (10.5, eq:pendulum-limit) and from (10.9, eq:membrane-dispersion)
+           with D along one axis. */
         const double dt[2] = {limit[0] / 70.74605996, limit[1] / 15.103518};
         table_print(s->out, "# %s\n", m->name);
         TABLE_ROW(s->out, m->limit, limit[0], dt[0], limit[1], dt[1]);
@@ -622,8 +624,8 @@ static void study_limits(struct study *s)
     }
 }
 
-/* Makes three bodies in a row along x. The middle one can move only along
-   z, and starts at z = a: (10.7, eq:loose). */
+/* Makes three bodies in a row along x (10.7, eq:loose). The middle body
+   moves only along z and starts at z = a. */
 static void put_between(struct scene *s, double a)
 {
     if (!scene_create(s, 3) || !scene_add_kind(s, 50, 0))
@@ -639,9 +641,9 @@ static void put_between(struct scene *s, double a)
     s->position[7] = a;
 }
 
-/* Returns the period of a mass between two springs at rest length, which is
-   displaced sideways by a: the time from its first to its third passage
-   through the middle. */
+/* Returns the period, s, of a mass that is displaced sideways by a between
+   two springs at rest length. The period is the time from the first to the
+   third passage through the middle. */
 static double period(double a)
 {
     const double guess = 0.3 / a;
@@ -675,8 +677,8 @@ static void study_quartic(struct study *s)
 
 /* Returns the amplitude, m, of the mode with r half waves along x and
    `half` along y in the transverse displacement of an n x n membrane. The
-   shapes of the modes are orthogonal on the grid, so a projection on one
-   shape contains no other mode. */
+   mode shapes are orthogonal on the grid, so the projection on one shape
+   contains no other mode. */
 static double amplitude(const struct scene *s, size_t n, size_t r,
                         size_t half)
 {
@@ -689,8 +691,8 @@ static double amplitude(const struct scene *s, size_t n, size_t r,
     return 4 * sum / (double)((n - 1) * (n - 1));
 }
 
-/* Returns the square root of the sum of the squared amplitudes of all modes
-   but the first, divided by a. */
+/* Returns the root of the sum of the squared amplitudes of all modes except
+   the first, divided by a. */
 static double others(const struct scene *s, size_t n, double a)
 {
     const double *const z = s->position + 2 * s->bodies;
@@ -704,8 +706,9 @@ static double others(const struct scene *s, size_t n, double a)
 
 enum { MEMBRANES = 3 };
 
-/* Initial amplitudes, m: of a membrane at rest length that moves along z
-   only, of one that moves along all axes, and of a taut one. */
+/* Initial amplitudes of the three membranes, m: one at rest length that
+   moves along z only, one at rest length that moves along all axes, and a
+   taut one. */
 static const double lifted[MEMBRANES] = {0.1, 0.1, 0.01};
 
 static void study_membranes(struct study *s)
@@ -742,9 +745,9 @@ static void study_membranes(struct study *s)
         tidy_up(&r[k]);
 }
 
-/* Turns the displacement of an n x n membrane from z to another axis.
-   Returns the body with the largest displacement, and sets *home to its
-   coordinate along that axis at rest. */
+/* Moves the displacement of a membrane from z to another axis. Returns the
+   body with the largest displacement and sets *home to the rest position of
+   this body along that axis. */
 static size_t turn_to(struct scene *s, size_t axis, double *home)
 {
     double *const z = s->position + 2 * s->bodies;
@@ -764,8 +767,8 @@ static size_t turn_to(struct scene *s, size_t axis, double *home)
     return body;
 }
 
-/* Returns the time, s, of ten half periods of coordinate `at` about home.
-   The time of a passage is interpolated linearly within a step. */
+/* Returns the duration, s, of ten half periods of coordinate `at` about
+   `home`. Interpolates linearly within a step. */
 static double ten_halves(struct run *r, size_t at, double home)
 {
     double first = 0, before = r->scene.position[at] - home;
@@ -785,7 +788,7 @@ static double ten_halves(struct run *r, size_t at, double home)
 }
 
 /* Returns the measured angular frequency, rad/s, of mode (r, half) of a
-   taut n x n membrane that moves at a small amplitude along this axis. */
+   taut n x n membrane with small displacements along `axis`. */
 static double measured(size_t n, size_t r, size_t half, size_t axis)
 {
     struct run o;
@@ -822,9 +825,9 @@ static void study_dispersion(struct study *s)
     table_real(s->summary, "worst", worst);
 }
 
-/* Returns the sag, m, of the middle of a membrane without tension that
-   friction has brought to rest under the gravity g. Copies the scene to *s
-   if s is not NULL. */
+/* Returns the sag, m, at the middle of a membrane without tension. Friction
+   has brought the membrane to rest under the gravity g. Copies the scene to
+   *s if s is not NULL. */
 static double sag(struct scene *s, double g)
 {
     struct run r;
@@ -864,8 +867,8 @@ static void study_sag(struct study *s)
                   {"ratio", sag(NULL, 0.004) / sag(NULL, 0.0005)});
 }
 
-/* Steps r until friction has brought it to rest. No equation is solved, so
-   that the position of rest is independent of linear theory. */
+/* Steps r until friction has brought it to rest. Solves no equation, so the
+   rest position is independent of linear theory. */
 static void settle(struct run *r)
 {
     for (int i = 0; i < 400; ++i) {
@@ -878,8 +881,8 @@ static void settle(struct run *r)
     }
 }
 
-/* Steps r until the velocity of the body along y changes its sign. Returns
-   the time of this turning point, s, interpolated linearly. */
+/* Steps r until the velocity of `body` along y changes sign. Returns the
+   time of this turning point, s, interpolated linearly. */
 static double fall(struct run *r, size_t body)
 {
     const double *const v = r->scene.velocity + r->scene.bodies + body;
@@ -893,7 +896,8 @@ static double fall(struct run *r, size_t body)
            r->stepping.dt * *v / (*v - before);
 }
 
-/* Writes the positions of a grid of bodies by rows, then by columns. */
+/* Writes the positions of a grid of bodies, row by row and then column by
+   column. */
 static void draw(struct study *s, const struct scene *scene, size_t nx)
 {
     const double *const x = scene->position, *const y = x + scene->bodies;
@@ -907,8 +911,8 @@ static void draw(struct study *s, const struct scene *scene, size_t nx)
     table_print(s->out, "\n");
 }
 
-/* Writes beams with 2, 1 and 0 diagonals, at the turning point and at
-   rest. */
+/* Writes the shapes of beams with 2, 1 and 0 diagonals, at the turning
+   point and at rest. */
 static void study_shapes(struct study *s)
 {
     TABLE_COLUMNS(s->out, {"x", "m", "place of a body"},
@@ -929,8 +933,8 @@ static void study_shapes(struct study *s)
         }
 }
 
-/* A beam: its differences from the usual one, and its results. The
-   deflections linear, still and lowest are in m, the time is in s. */
+/* A beam: its differences from the default beam, and its results. The
+   deflections `linear`, `still` and `lowest` are in m; `time` is in s. */
 struct beam {
     const char *name;
     struct gallery_choice choice[3];
@@ -939,8 +943,8 @@ struct beam {
     size_t loose; /* modes without stiffness */
 };
 
-/* Finds the frequencies of a beam, and by linear theory the deflection of
-   the lower corner of its free end. */
+/* Computes the frequencies of a beam and, from linear theory, the
+   deflection at the lower corner of its free end. */
 static void find_linear(struct beam *b, const struct scene *s, size_t nx)
 {
     struct springs p;
@@ -963,8 +967,9 @@ static void find_linear(struct beam *b, const struct scene *s, size_t nx)
     springs_free(&p);
 }
 
-/* Finds the turning point of a beam, and its deflection at rest, with a
-   friction in proportion to the first frequency. */
+/* Finds the turning point of a beam and its deflection at rest. The
+   friction that brings it to rest is proportional to the first
+   frequency. */
 static void find_turn(struct beam *b)
 {
     struct run r;
@@ -986,7 +991,7 @@ static void find_turn(struct beam *b)
 
 enum { BEAMS = 9 };
 
-/* The usual beam, and eight beams, each with another value of one key. */
+/* The default beam, and eight beams that differ from it in one key each. */
 static struct beam beams[BEAMS] = {
     {.name = "usual"},
     {.name = "mass", .choice = {{"mass", 2}}},
@@ -1022,11 +1027,11 @@ static void study_beams(struct study *s)
                   {"third", beams[0].third}, {"fastest", beams[0].fastest});
 }
 
-/* Adds to f[] the forces of the springs of a band on the bodies at one of
-   their ends, with dashpots as MPPhys prints them: on the bodies of larger
-   index if side is 1, else on the others. In this method, which the bands
-   replaced, each body looks up all its neighbours, so that the force of
-   every spring is computed twice. */
+/* Adds to f[] the forces of a band's springs on the bodies at one end of
+   each spring: those of larger index if side is 1, otherwise the others.
+   Dashpots are as printed by MPPhys. This is the method that the bands
+   replaced. Each body looks up all its neighbours, so every spring force is
+   computed twice. */
 VECTOR_LOOP static void look_up(const struct springs *p,
                                 const struct springs_band *b,
                                 const double *restrict x,
@@ -1050,8 +1055,8 @@ VECTOR_LOOP static void look_up(const struct springs *p,
     }
 }
 
-/* Sets a[] to the accelerations by look_up. In the order of (10.11,
-   eq:gather), the springs to smaller indices come first in each band. */
+/* Sets a[] to the accelerations, computed by look_up. The springs to
+   smaller indices come first in each band, as in (10.11, eq:gather). */
 static void accelerate_twice(void *springs, const double x[],
                              const double v[], double a[])
 {
@@ -1064,12 +1069,12 @@ static void accelerate_twice(void *springs, const double x[],
         a[i] *= p->inverse[i];
 }
 
-/* The ways that are compared: TRIPS is GATHER without sweeps, and TWICE
-   uses look_up. */
+/* The ways that are compared. TRIPS is GATHER without sweeps. TWICE uses
+   look_up. */
 enum { SCATTER, GATHER, TRIPS, TWICE, SPEEDS };
 
-/* Makes a free membrane of n x n bodies with the usual dashpots, for one
-   way of stepping. */
+/* Makes a free membrane of n x n bodies with the default dashpots, stepped
+   in the given way. */
 static void make_fast(struct run *r, size_t n, int way)
 {
     make(&r->scene, "membrane",
@@ -1082,8 +1087,8 @@ static void make_fast(struct run *r, size_t n, int way)
         r->stepping.forces.accelerate = accelerate_twice;
 }
 
-/* Returns the number of steps of one body per second of the given clock,
-   from at least two million such steps. */
+/* Returns the number of bodies stepped per second of the clock `seconds`,
+   measured over at least two million of them. */
 static double speed_of(struct run *r, double (*seconds)(void))
 {
     const uint64_t steps = 2000000 / r->scene.bodies + STEPPING_WATCH;
@@ -1092,7 +1097,6 @@ static double speed_of(struct run *r, double (*seconds)(void))
     return (double)(steps * r->scene.bodies) / (seconds() - start);
 }
 
-/* Measures the speed of each way to step membranes. */
 static void study_speed(struct study *s)
 {
     double most = 0, least = INFINITY;
@@ -1119,9 +1123,9 @@ static void study_speed(struct study *s)
                   {"least_ratio_from_64", least});
 }
 
-/* Writes how many steps of a body one thread and two threads take per
-   second of wall-clock time, and the median of the ratios of the rounds, of
-   which a slow moment of the machine then spoils only one. */
+/* Writes how many bodies one thread and two threads step per second of
+   wall-clock time, and the median ratio of the rounds. A slow moment of the
+   machine spoils only one ratio. */
 static void study_threads(struct study *s)
 {
     bench_machine(s->out);
@@ -1139,7 +1143,8 @@ static void study_threads(struct study *s)
                 no_memory();
         }
         for (int round = -1; round < BENCH_ROUNDS; ++round) {
-            const int at = round < 0 ? 0 : round; /* -1 is a warm-up */
+            const int at =
+                round < 0 ? 0 : round; /* round -1 is the warm-up */
             for (int way = 0; way < 2; ++way)
                 speed[way][at] = speed_of(&r[way], bench_clock);
             ratio[at] = speed[1][at] / speed[0][at];

@@ -14,20 +14,21 @@
 #define PROGRAM "step-studies"
 
 static struct {
-    uint64_t orbits; /* of the planet, for --study energy, rounding */
+    uint64_t orbits; /* orbits of the planet in study_energy and
+                        study_rounding */
 } own = {.orbits = 1000};
 
 enum { CHAIN = 32, MOST = CHAIN };
 
-/* A system of a few coordinates, such as an oscillator, a pendulum, a
-   planet, or a chain of 32 masses and springs between two walls. `friction`
-   points to the coefficient c of a friction -c v, 1/s. */
+/* A small system: an oscillator, a pendulum, a planet, or a chain of CHAIN
+   masses and springs between two walls. `friction` points to the
+   coefficient c, 1/s, of the friction -c v. */
 struct system {
     size_t size;
     void (*accelerate)(void *friction, const double x[], const double v[],
                        double a[]);
     double (*energy)(const double x[], const double v[]);
-    double x[3 * 2], v[2]; /* at the start; missing ones are 0 */
+    double x[3 * 2], v[2]; /* initial values; others are 0 */
 };
 
 static void oscillator_force(void *friction, const double x[],
@@ -41,10 +42,10 @@ static double oscillator_energy(const double x[], const double v[])
     return (v[0] * v[0] + x[0] * x[0]) / 2;
 }
 
-/* Returns the sine, computed with + - * / only. The C library's sine may
-   differ between machines in its last bit, and in the end the tables would
-   differ, too. The angle is reduced to the range from -pi/2 to pi/2, in
-   which twelve terms of the series are sufficient. */
+/* Returns the sine, computed with + - * / only. The last bit of the C
+   library's sine may differ between machines, and eventually the tables
+   would differ, too. The angle is reduced to the range from -pi/2 to pi/2,
+   where twelve terms of the series suffice. */
 static double sine(double x)
 {
     const double pi = 3.14159265358979324;
@@ -61,7 +62,7 @@ static void pendulum_force(void *friction, const double x[],
     a[0] = -sine(x[0]) - *(double *)friction * v[0];
 }
 
-/* Returns v^2/2 + 1 - cos x in the form v^2/2 + 2 sin^2(x/2), which has no
+/* Returns v^2/2 + 1 - cos x, written as v^2/2 + 2 sin^2(x/2) to avoid
    cancellation. */
 static double pendulum_energy(const double x[], const double v[])
 {
@@ -84,7 +85,7 @@ static double orbit_energy(const double x[], const double v[])
            1 / sqrt(x[0] * x[0] + x[1] * x[1]);
 }
 
-/* Computes the accelerations of a harmonic chain, whose highest angular
+/* Computes the accelerations of a harmonic chain. Its highest angular
    frequency is slightly below 2/s. */
 static void chain_force(void *friction, const double x[], const double v[],
                         double a[])
@@ -96,7 +97,7 @@ static void chain_force(void *friction, const double x[], const double v[],
     }
 }
 
-/* Returns the energy, including that of the springs at the walls. */
+/* Returns the energy, including the springs at the walls. */
 static double chain_energy(const double x[], const double v[])
 {
     double sum = x[0] * x[0] + x[CHAIN - 1] * x[CHAIN - 1];
@@ -107,9 +108,9 @@ static double chain_energy(const double x[], const double v[])
     return sum / 2;
 }
 
-/* The orbit starts at the pericentre of an ellipse of eccentricity 1/2 and
-   semi-major axis 1, with the speed sqrt(3). Its energy is -1/2 and its
-   period is 2 pi. The start of the chain is computed in start(). */
+/* The orbit starts at the pericentre of an ellipse with eccentricity 1/2
+   and semi-major axis 1, at speed sqrt(3). Its energy is -1/2 and its
+   period is 2 pi. The initial state of the chain is computed in start(). */
 static const struct system oscillator = {
     1, oscillator_force, oscillator_energy, {1}, {0}};
 static const struct system pendulum = {
@@ -127,7 +128,7 @@ struct run {
     struct stepping s;
 };
 
-/* Sets x and v to the start of a system. The chain is at rest and has been
+/* Sets x and v to the initial state of a system. The chain is at rest and
    plucked at a third of its length. */
 static void start(const struct system *y, double x[MOST], double v[MOST])
 {
@@ -150,14 +151,14 @@ static void begin_or_exit(struct run *c, const struct system *y,
         NULL);
 }
 
-/* Returns the error of the energy relative to the energy at the start. */
+/* Returns the energy error relative to the initial energy. */
 static double energy_error(const struct run *c)
 {
     return (c->system->energy(c->x, c->v) - c->energy) / fabs(c->energy);
 }
 
-/* Returns the largest difference of a coordinate or velocity of the run
-   from the state x, v. */
+/* Returns the largest difference between the run and the state x, v, over
+   all coordinates and velocities. */
 static double distance(const struct run *c, const double x[],
                        const double v[])
 {
@@ -166,16 +167,15 @@ static double distance(const struct run *c, const double x[],
                   largest_difference(c->v, v, n));
 }
 
-/* Returns the number of steps that use this number of evaluations, so that
-   methods can be compared at equal cost. An implicit step is assumed to
-   iterate eight times. */
+/* Returns the number of steps that need `budget` force evaluations. Methods
+   can thus be compared at equal cost. An implicit step is assumed to take
+   eight iterations. */
 static double steps_for(const struct stepping_method *m, double budget)
 {
     const double rounds = m->family == STEPPING_IMPLICIT ? 8 : 1;
     return budget / (double)m->stages / rounds;
 }
 
-/* Writes a table of all methods from their descriptions in methods.c. */
 static void study_methods(struct study *s)
 {
     table_print(s->out, "# method           order  stages  limit  "
@@ -201,7 +201,7 @@ static void study_methods(struct study *s)
 static const char *const four[] = {"euler", "symplectic-euler", "leapfrog",
                                    "rk4"};
 
-/* Writes paths of the pendulum in the phase plane, by four methods and from
+/* Writes paths of the pendulum in the phase plane for four methods, with
    four amplitudes each. */
 static void study_portrait(struct study *s)
 {
@@ -222,8 +222,7 @@ static void study_portrait(struct study *s)
         }
 }
 
-/* Writes the energies of four oscillators, each stepped by a different
-   method. */
+/* Writes the energy of an oscillator after each step of four methods. */
 static void study_laws(struct study *s)
 {
     struct run c[4];
@@ -249,7 +248,6 @@ static void study_laws(struct study *s)
 
 enum { RIM = 2000 };
 
-/* Returns the area of the polygon with the corners p. */
 static double area(double p[RIM][2])
 {
     double sum = 0;
@@ -260,8 +258,8 @@ static double area(double p[RIM][2])
     return fabs(sum) / 2;
 }
 
-/* Moves the points on the rim of a disk in phase space by this number of
-   steps. Each point is the state of a pendulum. */
+/* Advances the points p, each of which is the state of a pendulum, by
+   `steps` steps. */
 static void step_rim(double p[RIM][2], const char *method, uint64_t steps)
 {
     struct run c;
@@ -277,8 +275,8 @@ static void step_rim(double p[RIM][2], const char *method, uint64_t steps)
     stepping_free(&c.s);
 }
 
-/* Writes the rim of a disk in phase space at the start and after three, six
-   and nine steps. The results are ratios of areas. */
+/* Writes the rim of a disk in phase space after 0, 3, 6 and 9 steps. The
+   summary gets the ratio of the final to the initial area. */
 static void study_area(struct study *s)
 {
     static const char *const names[] = {"euler", "leapfrog", "rk4"};
@@ -305,8 +303,8 @@ static void study_area(struct study *s)
 
 enum { BUDGET = 400 }; /* evaluations of the forces per orbit */
 
-/* Writes the largest error of the energy up to each of a series of times;
-   each time is longer than the one before by a tenth. */
+/* Writes the largest energy error so far, at times that increase by at
+   least a tenth. */
 static void record_energy(struct study *s, const struct stepping_method *m)
 {
     struct run c;
@@ -337,8 +335,8 @@ static void study_energy(struct study *s)
         record_energy(s, m);
 }
 
-/* Computes the acceleration of an oscillator. The constants are the squared
-   frequency and the friction. */
+/* Computes the acceleration of an oscillator. `what` points to the squared
+   frequency and the friction coefficient. */
 static void linear_force(void *what, const double x[], const double v[],
                          double a[])
 {
@@ -346,10 +344,10 @@ static void linear_force(void *what, const double x[], const double v[],
     a[0] = -constants[0] * x[0] - constants[1] * v[0];
 }
 
-/* Finds the matrix of a step of length 1 for an oscillator of frequency w
-   with friction c. Column k is the result of a step from the k-th unit
-   vector. The state is x, v and the acceleration kept from the step before,
-   which only leapfrog with friction uses. */
+/* Computes the matrix of a step of length 1 for an oscillator with
+   frequency w and friction c. Column k is the result of a step from the
+   k-th unit vector. The state consists of x, v and the acceleration saved
+   from the previous step, which only leapfrog with friction uses. */
 static void step_matrix(const struct stepping_method *m, double w, double c,
                         double matrix[3][3])
 {
@@ -369,10 +367,10 @@ static void step_matrix(const struct stepping_method *m, double w, double c,
     }
 }
 
-/* Returns the spectral radius of a matrix, the largest modulus of its
-   eigenvalues: the factor by which a step lengthens the state in the long
-   run. It is the 2^30-th root of the norm of the 2^30-th power, which is
-   found by 30 squarings; each result is divided by its largest element. */
+/* Returns the spectral radius of m, the largest modulus of its eigenvalues.
+   In the long run a step multiplies the length of the state by this factor.
+   It is computed as the 2^30-th root of the norm of the 2^30-th power, by
+   30 squarings. Each square is divided by its largest element. */
 static double growth(double m[3][3])
 {
     double exponent = 0;
@@ -393,7 +391,7 @@ static double growth(double m[3][3])
 }
 
 /* Writes the growth per step on a grid in the complex plane of lambda dt,
-   for oscillators with the friction c = -2 Re(lambda) and the frequency w =
+   for oscillators with friction c = -2 Re(lambda) and frequency w =
    |lambda|. */
 static void study_stability(struct study *s)
 {
@@ -416,8 +414,8 @@ static void study_stability(struct study *s)
     }
 }
 
-/* Returns half the trace of the matrix of a step without friction. The
-   method is unstable if its modulus exceeds 1. */
+/* Returns half the trace of the step matrix without friction. The method is
+   unstable if the modulus of this value exceeds 1. */
 static double half_trace(const struct stepping_method *m, double step)
 {
     double matrix[3][3];
@@ -426,8 +424,9 @@ static double half_trace(const struct stepping_method *m, double step)
 }
 
 /* Writes the values of omega dt, up to 6, at which half the trace leaves
-   the interval from -1 to 1, returns to it, and leaves it again. Also
-   writes by how much its modulus exceeds 1 between the first two. */
+   the interval from -1 to 1, returns to the interval, and leaves it again.
+   Also writes the largest excess of its modulus over 1 between the first
+   two values. */
 static void find_edges(const struct study *s,
                        const struct stepping_method *m)
 {
@@ -452,7 +451,8 @@ static void find_edges(const struct study *s,
     table_keyed(s->summary, beyond, "beyond_%s", m->name);
 }
 
-/* Writes half the trace of a step against omega dt for five splittings. */
+/* Writes half the trace of the step matrix against omega dt for five
+   splitting methods. */
 static void study_trace(struct study *s)
 {
     static const char *const names[] = {"leapfrog", "yoshida4", "pefrl",
@@ -470,8 +470,8 @@ static void study_trace(struct study *s)
         find_edges(s, stepping_find(names[k]));
 }
 
-/* Returns the largest difference from x, v after this number of steps to
-   the time `until` with friction c, or INFINITY if the run failed. */
+/* Returns the largest difference from the state x, v after `steps` steps to
+   the time `until`, or INFINITY if the run failed. */
 static double error_of(const struct system *y, const char *method,
                        double until, uint64_t steps, double friction,
                        const double x[], const double v[])
@@ -484,9 +484,9 @@ static double error_of(const struct system *y, const char *method,
     return end == STEPPING_DONE ? error : INFINITY;
 }
 
-/* Returns the order of a method from the errors of two step lengths, one
-   half of the other, and sets *error to the smaller error. The steps are
-   halved as long as the errors are at least a thousand times rounding. */
+/* Returns the order of a method, estimated from the errors with n and 2 n
+   steps, and sets *error to the smaller error. Doubles n while the errors
+   are at least a thousand times the rounding error. */
 static double order_of(const char *method, double friction, double x,
                        double v, double *error)
 {
@@ -501,8 +501,8 @@ static double order_of(const char *method, double friction, double x,
     return order;
 }
 
-/* Finds the pendulum's state after 3 s with friction c, by gauss4 with 4096
-   steps and compensated sums. */
+/* Computes the pendulum's state after 3 s, using gauss4 with 4096 steps and
+   compensated sums. */
 static void reference(double friction, double *x, double *v)
 {
     struct run c;
@@ -514,8 +514,8 @@ static void reference(double friction, double *x, double *v)
     stepping_free(&c.s);
 }
 
-/* Writes the order of each method without and with friction. The results
-   are the errors without friction in 50 steps. */
+/* Writes the order of each method without and with friction. The summary
+   gets the errors without friction for 50 steps. */
 static void study_order(struct study *s)
 {
     double x, v, xc, vc;
@@ -533,9 +533,9 @@ static void study_order(struct study *s)
     }
 }
 
-/* Returns the largest c dt up to which friction does not make the state
-   grow, for an oscillator of frequency w; w = 0 means friction alone. It is
-   found by small increments, then by bisection. */
+/* Returns the largest c dt at which friction does not make the state grow,
+   for an oscillator of frequency w. If w is 0, friction acts alone.
+   Searches in steps of 0.01 and then by bisection. */
 static double friction_limit(const struct stepping_method *m, double w)
 {
     double matrix[3][3], low = 0, high = 0;
@@ -555,8 +555,8 @@ static double friction_limit(const struct stepping_method *m, double w)
     return high < 20 ? low : INFINITY;
 }
 
-/* Returns the sum of |y|: for the drifts of a splitting, the path that it
-   moves forwards and backwards in a step. */
+/* Returns the sum of |y|. For the drifts of a splitting method this is the
+   total length of its forward and backward moves in a step. */
 static double sum_of_moduli(const double y[], size_t n)
 {
     double sum = 0;
@@ -576,8 +576,7 @@ static void study_damping(struct study *s)
 }
 
 /* Writes the factor by which a step changes a velocity under friction
-   alone. The position, whose eigenvalue is 1, is taken out of the
-   matrix. */
+   alone. Removes the position, whose eigenvalue is 1, from the matrix. */
 static void study_friction(struct study *s)
 {
     table_column(s->out, "c dt", "", "friction times step");
@@ -598,9 +597,9 @@ static void study_friction(struct study *s)
     }
 }
 
-/* Records the amplitude of an oscillator of frequency w without friction
-   after each of 60 steps of length 1. If c is not 0, records the modulus of
-   the velocity instead; w is 0 then. */
+/* Records the amplitude of an oscillator with frequency w after each of 60
+   steps of length 1. If c is not 0, w must be 0, and the modulus of the
+   velocity is recorded instead. */
 static void record_size(const char *method, double w, double c,
                         double size[61])
 {
@@ -616,7 +615,8 @@ static void record_size(const char *method, double w, double c,
     stepping_free(&s);
 }
 
-/* Writes amplitudes for steps beyond the limits of their methods. */
+/* Writes amplitudes for steps that exceed the stability limits of their
+   methods. */
 static void study_fails(struct study *s)
 {
     static const struct {
@@ -639,13 +639,13 @@ static void study_fails(struct study *s)
     }
 }
 
-/* The number of orbits, slightly different, over which errors are averaged.
-   The rounding errors of a single orbit are one random walk, which may be
-   small by chance. */
+/* number of slightly different orbits over which errors are averaged; the
+   rounding errors of a single orbit are one random walk, which may be small
+   by chance */
 enum { STARTS = 16 };
 
-/* Continues the orbits up to this number of steps. Returns the root mean
-   square of their energy errors. */
+/* Continues all orbits up to `steps` steps. Returns the root mean square of
+   their energy errors. */
 static double error_after(struct run c[STARTS], uint64_t steps)
 {
     double sum = 0;
@@ -656,7 +656,6 @@ static double error_after(struct run c[STARTS], uint64_t steps)
     return sqrt(sum / STARTS);
 }
 
-/* Writes the energy error of the orbits after 1, 2, 4, ... periods. */
 static void record_rounding(struct study *s, double steps_of_orbit,
                             bool compensated)
 {
@@ -692,19 +691,19 @@ static void study_rounding(struct study *s)
     record_rounding(s, 400, true);
 }
 
-/* The cost and error of a run; seconds of processor time. */
+/* The cost and error of a run. `seconds` is processor time. */
 struct outcome {
     double evaluations, error, seconds;
 };
 
-/* A system, a time, and the exact state at that time. */
+/* A system and its exact state at the time `until`. */
 struct task {
     const struct system *system;
     double until, x[MOST], v[MOST];
 };
 
-/* Runs a task in this number of steps. Only study_cost uses the processor
-   time: tables that every build makes again contain no times. */
+/* Runs a task in `steps` steps. Only study_cost uses the processor time:
+   tables that every build recreates contain no times. */
 static struct outcome work_of(const struct task *k, const char *method,
                               uint64_t steps)
 {
@@ -720,7 +719,6 @@ static struct outcome work_of(const struct task *k, const char *method,
     return o;
 }
 
-/* Runs a task with GSL's rk8pd, in one call. */
 static struct outcome work_of_reference(const struct task *k,
                                         double tolerance)
 {
@@ -742,15 +740,15 @@ static struct outcome work_of_reference(const struct task *k,
     return o;
 }
 
-/* Sets a task of ten orbits, after which the planet is at its start. */
+/* Sets a task of ten orbits, which return the planet to its start. */
 static void set_orbit_task(struct task *k)
 {
     *k = (struct task){.system = &orbit, .until = 10 * period};
     start(&orbit, k->x, k->v);
 }
 
-/* Writes cost and error of an adaptive method for tolerances that decrease
-   by factors of four. Each run is one call. */
+/* Writes cost and error of an adaptive method for tolerances from 0.01 to
+   1e-15, each a quarter of the previous. Each run is a single call. */
 static void record_adaptive(struct study *s, const struct task *k,
                             const char *method)
 {
@@ -769,8 +767,8 @@ static void record_adaptive(struct study *s, const struct task *k,
 }
 
 /* Writes cost and error of all methods. The number of evaluations grows by
-   factors of sqrt(2); rk8pd and adaptive methods get smaller tolerances.
-   Runs with an error above 10 are left out. */
+   factors of sqrt(2). Adaptive methods and rk8pd get smaller and smaller
+   tolerances instead. Runs with an error above 10 are left out. */
 static void record_work(struct study *s, const struct task *k)
 {
     for (const struct stepping_method *m = stepping_next(NULL); m;
@@ -804,7 +802,7 @@ static void study_work(struct study *s)
                   {"error", "", "of the end, largest coordinate"});
     set_orbit_task(&k);
     record_work(s, &k);
-    /* The best method with short steps gives the chain's exact state. */
+    /* kahan-li8 with short steps gives the chain's exact state. */
     struct run c;
     k = (struct task){.system = &chain, .until = 200};
     begin_or_exit(&c, &chain, "kahan-li8", k.until / 4000, 0);
@@ -816,9 +814,9 @@ static void study_work(struct study *s)
     record_work(s, &k);
 }
 
-/* Returns the cost and error of method m with `effort` evaluations, or
-   those of GSL's rk8pd with the tolerance 1 / effort if m is NULL. The time
-   is the mean over runs that take 10 ms together. */
+/* Returns the cost and error of method m with `effort` evaluations, or of
+   GSL's rk8pd with tolerance 1 / effort if m is NULL. The time is the mean
+   over repeated runs, which take 10 ms in total. */
 static struct outcome time_run(const struct task *k,
                                const struct stepping_method *m,
                                double effort)
@@ -835,8 +833,8 @@ static struct outcome time_run(const struct task *k,
     return o;
 }
 
-/* Writes a row with the median time of five runs after a warm-up, unless
-   the error is above 10. */
+/* Writes a row with the median time of BENCH_ROUNDS runs after a warm-up.
+   Writes nothing if the error is above 10. */
 static void record_cost(struct study *s, const struct task *k,
                         const struct stepping_method *m, double effort,
                         int row)
@@ -850,8 +848,8 @@ static void record_cost(struct study *s, const struct task *k,
                   bench_median(seconds, BENCH_ROUNDS), o.error);
 }
 
-/* Times ten orbits. From row to row the number of evaluations is doubled;
-   the tolerance of rk8pd is divided by sixteen. */
+/* Times ten orbits. Each row doubles the number of evaluations, or divides
+   the tolerance of rk8pd by 16. */
 static void study_cost(struct study *s)
 {
     struct task k;
@@ -876,8 +874,8 @@ static void study_cost(struct study *s)
 }
 
 /* The Pythagorean three-body problem: masses of 3, 4 and 5 start at rest at
-   the corners of a triangle whose sides have these lengths. Each mass is
-   opposite to the side of the same number. The energy is -12 49/60. */
+   the corners of a triangle with sides of lengths 3, 4 and 5. Each mass is
+   opposite the side of the same number. The energy is -12 49/60. */
 enum { BODIES = 3 };
 
 static const double masses[BODIES] = {3, 4, 5};
@@ -914,8 +912,8 @@ static double three_energy(const double x[], const double v[])
 static const struct system three = {
     6, three_force, three_energy, {1, -2, 1, 3, -1, -1}, {0}};
 
-/* Computes the accelerations of two oscillators: one on a soft spring, and
-   one on a stiff spring that is almost at rest. */
+/* Computes the accelerations of two oscillators, one with a soft spring and
+   one with a stiff spring. The stiff one starts almost at rest. */
 static void stiff_force(void *friction, const double x[], const double v[],
                         double a[])
 {
@@ -924,9 +922,9 @@ static void stiff_force(void *friction, const double x[], const double v[],
     a[1] = -1e6 * x[1];
 }
 
-/* Computes an acceleration that jumps: it is -1 for positive and 1 for
-   other x. The potential is |x|, so a body released at x = 1/2 returns
-   there every 4 s. */
+/* Computes a discontinuous acceleration: -1 for x > 0 and 1 otherwise. The
+   potential is |x|, so a body released at x = 1/2 returns there every 4
+   s. */
 static void jump_force(void *friction, const double x[], const double v[],
                        double a[])
 {
@@ -943,8 +941,8 @@ static const struct system stiff = {
     2, stiff_force, oscillator_energy, {1, 1e-8}, {0}};
 static const struct system jump = {1, jump_force, jump_energy, {0.5}, {0}};
 
-/* Begins a run with steps of variable length and this tolerance. `tick` is
-   the time, s, between its outputs. */
+/* Begins a run with variable steps. `tick` is the time between outputs,
+   s. */
 static void begin_adaptive(struct run *c, const struct system *y,
                            const char *method, double tick,
                            double tolerance)
@@ -966,8 +964,8 @@ static void record_tracks(struct study *s)
     stepping_free(&c.s);
 }
 
-/* Returns the squared distance of two bodies. Sets at[] to their positions
-   relative to their centre of mass. */
+/* Returns the squared distance of bodies i and j. Sets at[] to their
+   positions relative to their centre of mass. */
 static double relative_to_centre(const struct run *c, int i, int j,
                                  double at[4])
 {
@@ -981,8 +979,9 @@ static double relative_to_centre(const struct run *c, int i, int j,
 }
 
 /* Writes the closest approach of two bodies. The run advances in ticks of
-   50 ns; every fourth state is written. Near its minimum the squared
-   distance is a parabola, which gives the distance and the time. */
+   50 ns and writes every fourth state. The distance and the time of the
+   approach come from a parabola through the squared distances near their
+   minimum. */
 static void record_approach(struct study *s)
 {
     enum { TICKS = 1200 };
@@ -1008,9 +1007,9 @@ static void record_approach(struct study *s)
     stepping_free(&c.s);
 }
 
-/* Writes all steps of a method up to t = 20 and the results of the run. The
-   method takes exactly one step if it is asked for a time just after the
-   end of the last one. */
+/* Writes all steps of a method up to t = 20 and the results of the run. To
+   take exactly one step, the method is asked for a time just after the end
+   of the previous step. */
 static void record_lengths(struct study *s, const char *method,
                            double tolerance)
 {
@@ -1033,7 +1032,7 @@ static void record_lengths(struct study *s, const char *method,
     stepping_free(&c.s);
 }
 
-/* Measures the energy error of steps of equal length for comparison, with
+/* For comparison, measures the energy error of steps of equal length with
    about as many evaluations. */
 static void record_fixed(struct study *s)
 {
@@ -1045,7 +1044,6 @@ static void record_fixed(struct study *s)
     stepping_free(&c.s);
 }
 
-/* Measures the energy error of dopri5 after 100 and 1000 orbits. */
 static void record_drift(struct study *s)
 {
     struct run c;
@@ -1058,8 +1056,8 @@ static void record_drift(struct study *s)
     stepping_free(&c.s);
 }
 
-/* Counts the steps of an adaptive method for an easy system and for two
-   difficult ones, one stiff and one with a jump. */
+/* Counts the steps of an adaptive method for an easy system, a stiff system
+   and a system with a discontinuous force. */
 static void record_trouble(struct study *s)
 {
     static const struct {

@@ -17,26 +17,25 @@
 #define PROGRAM "gravity-studies"
 
 static struct {
-    double orbits;              /* --orbits; 0: the usual number */
-    double factor, moon, mixed; /* keys of the ring */
+    double orbits;              /* --orbits; 0: the study's default */
+    double factor, moon, mixed; /* values for the ring */
     size_t kernel;
 } own = {.factor = 1};
 
-/* Returns the duration of a study in its own unit: --orbits if given,
-   otherwise the usual one. */
+/* Returns the value of --orbits if given, otherwise `usual`. */
 static double duration(double usual)
 {
     return own.orbits > 0 ? own.orbits : usual;
 }
 
-/* A scene, its gravity, and the method that moves it. */
+/* A scene, its gravity, and its integration method. */
 struct sky {
     struct scene scene;
     struct gravity gravity;
     struct stepping stepping;
 };
 
-/* Makes the named scene of chapter 9 with chosen values of its keys. */
+/* Makes a scene of chapter 9 with the chosen values. */
 static void make_scene(struct scene *s, const char *name,
                        const struct gallery_choice chosen[])
 {
@@ -74,8 +73,8 @@ static double energy_of(const struct sky *k)
     return sum / 2 + gravity_potential(&k->gravity, s->position);
 }
 
-/* Sets x[] and v[] to the position and velocity of body i relative to the
-   central body 0. */
+/* Sets x[] and v[] to the position and velocity of body i relative to body
+   0, the central body. */
 static void relative_to_first(const struct scene *s, size_t i, double x[3],
                               double v[3])
 {
@@ -92,9 +91,9 @@ static double length(const double x[3])
 }
 
 /* Measures the Earth's period and the drift of the centre of mass in the
-   paper's example, with its time step. The period is interpolated: at the
-   height y above the axis and with the speed v_y, the Earth crossed the
-   axis y / v_y earlier. */
+   paper's example, with the paper's time step. Interpolates the period: at
+   height y above the axis and speed v_y, the Earth crossed the axis the
+   time y / v_y earlier. */
 static void measure_year(struct study *s)
 {
     struct sky k;
@@ -117,8 +116,9 @@ static void measure_year(struct study *s)
     end_sky(&k);
 }
 
-/* Writes five years of the Earth in steps of two days, by the closed form
-   and by two methods, whose errors are compared with their laws. */
+/* Writes five years of the Earth's motion in steps of two days, from the
+   closed form and from two methods. Compares the errors of the methods with
+   theory. */
 static void study_sun_earth(struct study *s)
 {
     struct sky k[2];
@@ -156,8 +156,8 @@ static void study_sun_earth(struct study *s)
     measure_year(s);
 }
 
-/* Writes solutions of Kepler's equation against the mean anomaly, then
-   positions on an ellipse at 24 equidistant times. */
+/* Writes solutions of Kepler's equation against the mean anomaly, and then
+   positions on an ellipse at 24 equally spaced times. */
 static void study_anomaly(struct study *s)
 {
     static const double e[] = {0.1, 0.5, 0.9, 0.99};
@@ -179,8 +179,8 @@ static void study_anomaly(struct study *s)
     }
 }
 
-/* Returns the distance between the positions of a planet before and after
-   one orbit from the aphelion, in units of the aphelion's distance. */
+/* Returns the distance between a planet's positions before and after one
+   orbit from aphelion to aphelion, in units of the aphelion distance. */
 static double orbit_error(double e, const char *method, double evaluations)
 {
     struct sky k;
@@ -199,8 +199,8 @@ static double orbit_error(double e, const char *method, double evaluations)
     return error;
 }
 
-/* Writes the errors after an orbit of three methods with 1e4 evaluations
-   each, against the eccentricity, and then a path. */
+/* Writes the errors of three methods after one orbit of 1e4 evaluations,
+   against the eccentricity, and then a path. */
 static void study_eccentric(struct study *s)
 {
     static const char *const methods[] = {"leapfrog", "rk4", "kahan-li8"};
@@ -220,8 +220,8 @@ static void study_eccentric(struct study *s)
     TABLE_RESULTS(s->summary,
                   {"leapfrog", orbit_error(.99, methods[0], 1e4)},
                   {"more", orbit_error(.99, methods[0], 1e6)});
-    /* A path that starts at the aphelion, with sqrt(1 - e) times the speed
-       on a circle. */
+    /* Write a path that starts at the aphelion, where the speed is sqrt(1 -
+       e) times the circular speed. */
     struct sky k;
     const double axis = 1 / 1.95;
     const double period = 2 * KEPLER_PI / CELESTIAL_K * axis * sqrt(axis);
@@ -238,11 +238,10 @@ static void study_eccentric(struct study *s)
     end_sky(&k);
 }
 
-/* Moves a planet without mass past the Sun, from 1 AU to 1 AU, on an
-   ellipse of semi-major axis 1 AU and perihelion distance q (AU). Sets
-   *energy to the relative error of the energy, whose potential is softened
-   as in the run, and *place to the error of the position, AU, compared with
-   the orbit without softening. */
+/* Moves a massless planet from 1 AU past the Sun and back to 1 AU, on an
+   ellipse of semi-major axis 1 AU and perihelion distance q, AU. Sets
+   *energy to the relative energy error, including the softening, and *place
+   to the position error, AU, compared with the orbit without softening. */
 static void fly_by(double q, const char *method, double dt,
                    double softening, double *energy, double *place)
 {
@@ -279,9 +278,9 @@ enum { FALLS = 3 };
 static const char *const fall_columns[2 * FALLS] = {"dE_l", "dE_k", "dE_s",
                                                     "dx_l", "dx_k", "dx_s"};
 
-/* Writes the errors of falls past the Sun. The perihelion distance shrinks
-   by a factor of 10^(1/4) from row to row; kahan-li8 takes steps 17 times
-   as long as leapfrog, since it has 17 stages. */
+/* Writes the errors of flights past the Sun. Each row divides the
+   perihelion distance by 10^(1/4). kahan-li8 has 17 stages, so its steps
+   are 17 times as long as those of leapfrog. */
 static void study_encounter(struct study *s)
 {
     const double dt = 0.01;
@@ -320,8 +319,8 @@ static double eccentricity_of(const struct scene *s, size_t i)
     return e;
 }
 
-/* Returns the relative change in a century, by leapfrog, of the energy of
-   all eight planets, with the mass of Jupiter multiplied by a factor. */
+/* Returns the relative energy change of all eight planets in a century of
+   leapfrog, with Jupiter's mass multiplied by `jupiter`. */
 static double century_with_jupiter(double jupiter)
 {
     struct sky k;
@@ -335,7 +334,7 @@ static double century_with_jupiter(double jupiter)
 }
 
 /* Writes the eccentricities of the Earth and of Mars every five years, with
-   the mass of Jupiter multiplied by 1, 30, 100 and 300. */
+   the mass of Jupiter multiplied by each factor of jupiters[]. */
 static void study_planets(struct study *s)
 {
     struct sky k[JUPITERS];
@@ -367,8 +366,8 @@ static void study_planets(struct study *s)
         end_sky(&k[i]);
 }
 
-/* Writes the daily positions of the two stars and of a planet that starts
-   at this distance (AU), for a number of days. */
+/* Writes the daily positions of the two stars and of a planet. The planet
+   starts at `distance`, AU. */
 static void write_paths(struct study *s, double distance, double days)
 {
     struct sky k;
@@ -385,9 +384,9 @@ static void write_paths(struct study *s, double distance, double days)
     end_sky(&k);
 }
 
-/* Writes two paths of a planet of Kepler-16 and, to the summary, the
-   initial velocities and the error of the planet's position after 400 days
-   against one computed in quadruple precision. */
+/* Writes two paths of a planet of Kepler-16. The summary gets the initial
+   velocities and the error of the planet's position after 400 days,
+   compared with a position computed in quadruple precision. */
 static void study_circumbinary(struct study *s)
 {
     struct sky k;
@@ -404,14 +403,16 @@ static void study_circumbinary(struct study *s)
     end_sky(&k);
 }
 
-/* The distance of the stars of Kepler-16, AU, and their period, days. */
+/* The distance between the stars of Kepler-16, AU, and their period,
+   days. */
 static const double binary = 0.2243, binary_period = 41.0808939256;
 
 /* Returns how many of 8 massless planets survive for `periods` periods of
-   the stars. They start at different phases and at this distance, in units
-   of the distance of the stars; those that come within 0.05 of the centre
-   or beyond 5 do not survive. They do not disturb the stars. Leapfrog with
-   100 steps per period is precise enough; every tenth step is examined. */
+   the stars. The planets start at different phases and at `distance`. A
+   planet that comes within 0.05 of the centre or beyond 5 does not survive.
+   The unit of length is the distance between the stars. Leapfrog with 100
+   steps per period is accurate enough. Only every tenth step is
+   examined. */
 static int survivors(double distance, double periods)
 {
     int alive = 0;
@@ -433,8 +434,9 @@ static int survivors(double distance, double periods)
     return alive;
 }
 
-/* Writes the number of survivors against the distance, which grows by 0.04
-   times that of the stars. Finds the distance above which all survive. */
+/* Writes the number of survivors against the distance, in increments of
+   0.04 times the distance between the stars. Finds the distance above which
+   all planets survive. */
 static void study_survival(struct study *s)
 {
     const double periods = duration(1000);
@@ -455,10 +457,10 @@ static void study_survival(struct study *s)
                   {"law", law}, {"law_AU", law * binary});
 }
 
-/* Sets *energy to the largest relative error of the energy in `periods`
-   periods of the stars, with this number of evaluations per period, and
-   *place to the error of the planet's position after 400 days, AU, against
-   one computed in quadruple precision. */
+/* Sets *energy to the largest relative energy error in `periods` periods of
+   the stars, with `evaluations` evaluations per period. Sets *place to the
+   error of the planet's position after 400 days, AU, compared with a
+   position computed in quadruple precision. */
 static void precision(const char *method, double evaluations,
                       double periods, double *energy, double *place)
 {
@@ -480,8 +482,8 @@ static void precision(const char *method, double evaluations,
     end_sky(&k);
 }
 
-/* Writes the errors of seven methods for equal numbers of evaluations. Runs
-   with a relative error of the energy of 1 or more are left out. */
+/* Writes the errors of seven methods at equal numbers of evaluations.
+   Leaves out runs with a relative energy error of 1 or more. */
 static void study_work(struct study *s)
 {
     static const char *const methods[] = {
@@ -508,8 +510,8 @@ static void study_work(struct study *s)
     }
 }
 
-/* Returns the largest relative error of the energy up to the time t, from a
-   thousand samples. Sets *cost to the processor time, s, and frees *k. */
+/* Returns the largest relative energy error up to the time t, from about a
+   thousand samples. Sets *cost to the processor time, s. Frees *k. */
 static double largest_energy_error(struct sky *k, double t, double *cost)
 {
     struct jacobi j = {0};
@@ -534,9 +536,9 @@ static double largest_energy_error(struct sky *k, double t, double *cost)
     return worst;
 }
 
-/* Returns the largest relative error, in a century, of the energy of eight
-   planets whose masses are multiplied by a factor. The time between two
-   kicks is given in days. */
+/* Returns the largest relative energy error in a century of eight planets
+   whose masses are multiplied by `factor`. `days` is the time between two
+   kicks. */
 static double century(const char *method, double days, double factor)
 {
     struct sky k;
@@ -552,8 +554,9 @@ static const char *const along[] = {"leapfrog", "kahan-li8",
                                     "wisdom-holman", "sbab4"};
 enum { ALONG = sizeof along / sizeof *along };
 
-/* Writes the error against the time between two kicks, except errors of 1
-   and more, where a method lost the orbits, and against the masses. */
+/* Writes the error against the time between two kicks and then against the
+   masses. Leaves out errors of 1 and more, where a method lost the
+   orbits. */
 static void study_ellipses(struct study *s)
 {
     TABLE_COLUMNS(s->out, {"d", "d", "from kick to kick"},
@@ -582,14 +585,13 @@ static void study_ellipses(struct study *s)
     }
 }
 
-/* Measures the processor time in which the planet of two suns is moved for
-   1e4 periods of the suns, and the error of the energy, for a table in
-   plots/data. */
+/* Measures the processor time and the energy error of 1e4 periods of the
+   two suns with their planet, for a table in plots/data. */
 static void study_two_suns(struct study *s)
 {
     static const struct {
         const char *method;
-        int steps; /* in a period */
+        int steps; /* steps per period */
     } row[] = {{"leapfrog", 200},     {"kahan-li8", 30},
                {"wisdom-holman", 30}, {"wisdom-holman", 100},
                {"sbab4", 10},         {"sbab4", 30}};
@@ -612,8 +614,8 @@ static void study_two_suns(struct study *s)
 }
 
 /* Returns the difference between the largest and the smallest distance from
-   the centre. The bodies start on a circle of radius 1, disturbed only by
-   rounding errors. */
+   the centre. The bodies start on a circle of radius 1, so at first only
+   rounding errors disturb them. */
 static double deviation(const struct scene *s)
 {
     double least = INFINITY, most = 0;
@@ -627,16 +629,16 @@ static double deviation(const struct scene *s)
 
 enum { PARTS_OF_ORBIT = 20 };
 
-/* The results of a choreography that breaks. The growth rate is the slope
-   of the logarithm of the deviation between 1e-12 and 1e-4. */
+/* The results of a choreography that breaks up. The growth rate is the
+   slope of the logarithm of the deviation between 1e-12 and 1e-4. */
 struct broken {
-    double orbits;       /* until the radii differ by a tenth */
-    double rate;         /* growth rate over the angular velocity */
-    double early, first; /* orbits, deviation: last below 1e-12 */
+    double orbits;       /* orbits until the radii differ by 0.1 */
+    double rate;         /* growth rate / angular velocity */
+    double early, first; /* orbits and deviation, last below 1e-12 */
 };
 
-/* Runs a choreography until its radii differ by a tenth, but at most for
-   twenty orbits. Writes its deviation, and returns the results. */
+/* Runs a choreography until its radii differ by 0.1 or twenty orbits have
+   passed. Writes the deviation over time. Returns the results. */
 static struct broken run_until_broken(struct study *s, size_t count)
 {
     struct sky k;
@@ -663,8 +665,8 @@ static struct broken run_until_broken(struct study *s, size_t count)
     return b;
 }
 
-/* Runs circles of 3 to 10 bodies until they break. Compares the growth
-   rates and times with theory, which assumes an initial deviation of
+/* Runs circles of 3 to 10 bodies until they break up. Compares the growth
+   rates and times with a theory that assumes an initial deviation of
    1e-16. */
 static void study_choreography(struct study *s)
 {
@@ -690,8 +692,8 @@ static void study_choreography(struct study *s)
 
 static const double eight_period = 6.32591398292621167758900033397;
 
-/* Returns the largest change of a coordinate of the three bodies in one
-   period, in which they should return to their start. */
+/* Returns the largest change of a coordinate after one period of the
+   figure-eight, which would be zero without errors. */
 static double closure(const char *method, double steps, bool compensated)
 {
     struct sky k;
@@ -707,8 +709,8 @@ static double closure(const char *method, double steps, bool compensated)
     return worst;
 }
 
-/* Writes the path of the figure-eight, then the errors of three methods
-   with 100 to 1e5 evaluations. */
+/* Writes the path of the figure-eight and then the errors of three methods
+   with 100 to 2e5 evaluations. */
 static void study_eight(struct study *s)
 {
     static const char *const methods[] = {"leapfrog", "rk4", "kahan-li8"};
@@ -736,8 +738,8 @@ static void study_eight(struct study *s)
     table_real(s->summary, "closure", closure("kahan-li8", 2000, true));
 }
 
-/* Writes the speeds of circular orbits near a ring of 0.02 times the mass
-   of the planet, by equations (22) to (24) of the paper. */
+/* Writes the speeds of circular orbits near a ring whose mass is 0.02 times
+   the planet's, from equations (22) to (24) of the paper. */
 static void study_ring_speeds(struct study *s)
 {
     const double sigma = 0.02, inner = 2, outer = 2.5;
@@ -761,12 +763,12 @@ static void study_ring_speeds(struct study *s)
     table_real(s->summary, "per_decade", 2 * log(10) * sigma / area);
 }
 
-/* The numbers of cells of a ring along the radius and the circumference.
-   The cells divide r^2 and the angle evenly, so they have equal areas. */
+/* Numbers of cells of a ring along the radius and the circumference. The
+   cells divide r^2 and the angle evenly, so their areas are equal. */
 enum { RADIAL = 4, AROUND = 96 };
 
-/* Returns the variance of the numbers of particles in the cells divided by
-   their mean, which is 1 for independent positions. */
+/* Returns the variance of the number of particles per cell, divided by its
+   mean. The ratio is 1 for independent positions. */
 static double dispersion(const struct scene *s, size_t particles)
 {
     static double count[RADIAL * AROUND];
@@ -790,9 +792,9 @@ static double dispersion(const struct scene *s, size_t particles)
     return (squares / (RADIAL * AROUND) - mean * mean) / mean;
 }
 
-/* Returns the root mean square of the radial velocities in units of the
-   circular velocity. Since the particles start on circles, this measures
-   how much they disturb each other. */
+/* Returns the root mean square radial velocity in units of the circular
+   velocity. The particles start on circles, so this measures how much they
+   disturb each other. */
 static double stirring(const struct scene *s, size_t particles)
 {
     double sum = 0;
@@ -808,16 +810,15 @@ static double stirring(const struct scene *s, size_t particles)
 
 enum { PARTICLES = 3072 };
 
-/* Runs a ring. Writes all its bodies, and three numbers that describe the
-   quality of the run. Unless --kernel names another, the fastest kernel is
-   used for the 3000 bodies; so the table may differ between processors, and
+/* Runs a ring. Writes all its bodies and three numbers that describe the
+   quality of the run. Uses the fastest kernel for the 3000 bodies unless
+   --kernel names another. So the table may differ between processors, and
    its header names the kernel. */
 static void study_ring(struct study *s)
 {
     const double period = 2 * KEPLER_PI / CELESTIAL_K * 2.25 * sqrt(2.25);
     const double orbits = duration(2);
     struct sky k;
-    /* An orbit in the middle of the ring takes 200 steps. */
     begin_sky(&k, "ring",
               GALLERY_CHOICES({"factor", own.factor}, {"moon", own.moon},
                               {"moon-distance", 2.7}, {"mixed", own.mixed},
@@ -848,9 +849,9 @@ static void study_ring(struct study *s)
 }
 
 /* Returns the angle, rad, by which softening turns an ellipse of
-   eccentricity e in one orbit. At the aphelion, which lies between two
-   steps, r v passes zero; the path there is nearly straight, so the
-   position is extrapolated back along the velocity. */
+   eccentricity e in one orbit. The aphelion, where r v is zero, is between
+   two steps. The path there is nearly straight, so the position is
+   extrapolated back along the velocity. */
 static double precession(double e, double softening)
 {
     struct sky k;
@@ -862,13 +863,14 @@ static double precession(double e, double softening)
               "kahan-li8", period / 400);
     k.gravity.softening = softening;
     now = 0;
-    do { /* until the next aphelion */
+    do {
         stepping_run(&k.stepping, 1);
         relative_to_first(&k.scene, 1, x, v);
         before = now;
         now = x[0] * v[0] + x[1] * v[1];
     } while (!(before > 0 && now <= 0));
-    const double fraction = now / (now - before); /* of the last step */
+    const double fraction =
+        now / (now - before); /* fraction of the last step */
     for (size_t i = 0; i < 3; ++i)
         x[i] = x[i] - fraction * k.stepping.dt * v[i];
     end_sky(&k);
@@ -876,7 +878,7 @@ static double precession(double e, double softening)
 }
 
 /* Writes the angle by which softening turns an ellipse, and the change of a
-   circle's period, which is known in closed form. */
+   circle's period, which has a closed form. */
 static void study_softening(struct study *s)
 {
     TABLE_COLUMNS(s->out, {"eps", "AU", "softening"},
@@ -890,10 +892,10 @@ static void study_softening(struct study *s)
     }
 }
 
-/* Adds to sum[], in single precision, the acceleration of body i along x
-   and y by the bodies first to last - 1. Positions are in double precision,
-   since only the sum is to be tested. If compensation is not NULL, it is
-   used for a compensated sum. */
+/* Adds to sum[], in single precision, the x and y accelerations of body i
+   caused by the bodies first to last - 1. Positions are in double
+   precision, because only the sum is being tested. If compensation is not
+   NULL, makes a compensated sum. */
 static void add_single(const struct scene *s, size_t i, size_t first,
                        size_t last, float sum[2], float compensation[2])
 {
@@ -917,14 +919,13 @@ static void add_single(const struct scene *s, size_t i, size_t first,
 }
 
 /* Accelerations of a body along x and y: by the planet (body 0), by the
-   ring, and the change of that by the ring if each term is rounded to a
-   multiple of the spacing of single-precision numbers near the planet's.
-   This is a model of the error of a sum in single precision. */
+   ring, and the rounding error of the ring's contribution in a model of a
+   single-precision sum. The model rounds each term to a multiple of the
+   spacing of single-precision numbers near the planet's acceleration. */
 struct pulls {
     double planet[2], ring[2], lost[2];
 };
 
-/* Returns the accelerations of body i, summed in double precision. */
 static struct pulls pulls_at(const struct scene *s, size_t i)
 {
     const double *x = s->position, *y = x + s->bodies;
@@ -951,13 +952,13 @@ static struct pulls pulls_at(const struct scene *s, size_t i)
     return p;
 }
 
-/* Three ways to sum: with the planet first, with the planet last, and with
-   the planet first and compensation. */
+/* Three ways to sum: planet first, planet last, and planet first with
+   compensation. */
 enum { FIRST, LAST, CARRIED, ORDERS };
 
-/* Sets row[] to the number of particles of a ring, and the root mean square
-   errors of their acceleration by the three sums and by the model, from
-   about 250 particles, in units of the acceleration by the ring. */
+/* Sets row[] to the number of particles of a ring and the root mean square
+   errors of their acceleration for the three sums and for the model.
+   Samples about 250 particles. The unit is the acceleration by the ring. */
 static void compare_singly(const struct scene *s, double row[2 + ORDERS])
 {
     const size_t every = s->bodies > 256 ? s->bodies / 256 : 1;
@@ -982,14 +983,14 @@ static void compare_singly(const struct scene *s, double row[2 + ORDERS])
         row[1 + k] = sqrt(error[k] / size);
 }
 
-/* Sets a[] to accelerations summed in single precision, for a run that
-   tests whether the energy shows their errors. */
+/* Sets a[] to accelerations summed in single precision, to test whether the
+   energy shows their errors. */
 static void accelerate_single(void *what, const double x[],
                               const double v[], double a[])
 {
     const struct scene *s = what;
     const size_t n = s->bodies;
-    (void)x, (void)v; /* x is s->position */
+    (void)x, (void)v;
     for (size_t i = 0; i < n; ++i) {
         float sum[2] = {0, 0};
         add_single(s, i, 0, n, sum, NULL);
@@ -999,8 +1000,8 @@ static void accelerate_single(void *what, const double x[],
     }
 }
 
-/* Begins a ring with this number of particles. The mass of the ring does
-   not depend on the number. */
+/* Begins a run of a ring. The mass of the ring does not depend on its
+   number of particles. */
 static void begin_single(struct sky *k, double particles)
 {
     const double step = 2 * KEPLER_PI / CELESTIAL_K * 3.375 / 200;
@@ -1010,8 +1011,8 @@ static void begin_single(struct sky *k, double particles)
               "leapfrog", step);
 }
 
-/* Returns the relative change, in 20 steps (a tenth of an orbit), of the
-   energy of a ring of 3072 particles. */
+/* Returns the relative energy change of a ring of 3072 particles in 20
+   steps, a tenth of an orbit. */
 static double energy_singly(bool single)
 {
     struct sky k;
@@ -1027,8 +1028,8 @@ static double energy_singly(bool single)
     return fabs(change);
 }
 
-/* Writes the error of the acceleration by the ring itself against the
-   number of its particles, at a constant mass of the ring. */
+/* Writes the error of the acceleration by the ring against its number of
+   particles, for a ring of constant mass. */
 static void study_single(struct study *s)
 {
     struct sky k;
@@ -1057,9 +1058,9 @@ static void study_single(struct study *s)
 #include <immintrin.h>
 
 /* Performs 20 n operations in each of four lanes, to measure the peak speed
-   of this machine. Fused multiply-adds in ten independent chains occupy all
-   units. The chains stay in registers only if the inner loop is unrolled,
-   as by VECTOR_LONG, the third optimization level of gcc. */
+   of the machine. Ten independent chains of fused multiply-adds keep all
+   units busy. The chains stay in registers only if the inner loop is
+   unrolled, as by VECTOR_LONG, which sets gcc's optimization level 3. */
 VECTOR_LONG
 __attribute__((target("avx2,fma"))) static double peak4(uint64_t n)
 {
@@ -1075,7 +1076,7 @@ __attribute__((target("avx2,fma"))) static double peak4(uint64_t n)
     return _mm256_cvtsd_f64(a[0]);
 }
 
-/* Performs 20 n operations in each of eight lanes, otherwise as peak4. */
+/* Does the same as peak4 in eight lanes. */
 VECTOR_LONG
 __attribute__((target("avx512f"))) static double peak8(uint64_t n)
 {
@@ -1094,7 +1095,8 @@ __attribute__((target("avx512f"))) static double peak8(uint64_t n)
 #endif
 
 /* Performs 20 n operations in plain C, for the portable kernel. The loop is
-   unrolled by hand, for compilers whose level VECTOR_LONG cannot set. */
+   unrolled by hand, because VECTOR_LONG does not work with all
+   compilers. */
 static double peak1(uint64_t n)
 {
     const double m = 0.999, c = 0.001;
@@ -1116,9 +1118,10 @@ static double peak1(uint64_t n)
     return sum;
 }
 
-/* The standard with which a kernel is compared: the kernel's operations for
-   a pair (a fused multiply-add counts as two; a root, a quotient or an
-   estimate as one), and a loop of multiply-adds alone, in `lanes` lanes. */
+/* What a kernel is compared with: a loop of pure multiply-adds in `lanes`
+   lanes. `operations` is the kernel's number of operations per pair, where
+   a fused multiply-add counts as two, and a root, quotient or estimate as
+   one. */
 struct yardstick {
     double operations, lanes;
     double (*peak)(uint64_t n);
@@ -1136,8 +1139,8 @@ static struct yardstick yardstick(enum gravity_kernel kernel)
     return (struct yardstick){operations, 1, peak1};
 }
 
-/* Returns the number of operations per second of the loop. The result of
-   the loop is volatile; otherwise the compiler would remove the loop. */
+/* Returns the operations per second of the loop. The result is volatile,
+   because the compiler would otherwise remove the loop. */
 static double measure_peak(const struct yardstick *y)
 {
     const uint64_t n = 5000000;
@@ -1147,8 +1150,8 @@ static double measure_peak(const struct yardstick *y)
     return (double)n * 20 * y->lanes / (bench_seconds() - begin);
 }
 
-/* Returns the number of ordered pairs per second of a kernel, which is
-   repeated for a tenth of a second of the given clock. */
+/* Returns the ordered pairs per second of a kernel, repeated for 0.1 s of
+   the clock `seconds`. */
 static double measure_pairs(struct gravity *g, double (*seconds)(void),
                             const double x[], double a[])
 {
@@ -1161,9 +1164,9 @@ static double measure_pairs(struct gravity *g, double (*seconds)(void),
     return runs * n * (n - 1) / (seconds() - begin);
 }
 
-/* Returns the largest error of the accelerations along x of every 37th body
-   against a sum in long double, in units of the sum of the absolute values
-   of the terms. */
+/* Returns the largest error of the x accelerations of every 37th body,
+   compared with a long double sum, in units of the sum of the terms'
+   absolute values. */
 static double kernel_error(struct gravity *g, const double x[], double a[])
 {
     const size_t n = g->bodies;
@@ -1186,9 +1189,9 @@ static double kernel_error(struct gravity *g, const double x[], double a[])
     return worst;
 }
 
-/* Runs leapfrog for two bodies in its simplest form, to measure the
-   overhead of the module stepping. Returns a coordinate, so that the
-   compiler does not remove the loop. */
+/* Runs the simplest leapfrog for two bodies, to measure the overhead of the
+   module stepping. Returns a coordinate, which keeps the compiler from
+   removing the loop. */
 static double step_by_hand(double x[6], double v[6], const double m[2],
                            double k2, double h, uint64_t steps)
 {
@@ -1207,9 +1210,8 @@ static double step_by_hand(double x[6], double v[6], const double m[2],
     return x[1];
 }
 
-/* Sets *general and *by_hand to the times, in nanoseconds, of a leapfrog
-   step of the Sun and the Earth by the module stepping and by
-   step_by_hand. */
+/* Sets *general and *by_hand to the times of a leapfrog step of the Sun and
+   the Earth, with the module stepping and with step_by_hand, ns. */
 static void measure_two(double *general, double *by_hand)
 {
     const uint64_t steps = 2000000;
@@ -1227,12 +1229,13 @@ static void measure_two(double *general, double *by_hand)
     end_sky(&k);
 }
 
-/* Measures a kernel, and writes its row with the peak of the machine. */
+/* Measures a kernel and writes its row, which includes the peak speed of
+   the machine. */
 static void measure_kernel(struct study *s, struct sky *k, double a[],
                            enum gravity_kernel kernel)
 {
     const struct yardstick y = yardstick(kernel);
-    double v[2]; /* peak in operations/s, kernel in pairs/s */
+    double v[2]; /* peak, operations/s; kernel, pairs/s */
     k->gravity.kernel = kernel;
     const double error = kernel_error(&k->gravity, k->scene.position, a);
     BENCH_TURNS(way, 2, v,
@@ -1244,7 +1247,7 @@ static void measure_kernel(struct study *s, struct sky *k, double a[],
                 100 * v[1] * y.operations / v[0], error);
 }
 
-/* Measures, on a ring, all kernels of this machine that sum over pairs, and
+/* Measures all kernels of this machine that sum over pairs, on a ring, and
    then the leapfrog step of two bodies. */
 static void study_speed(struct study *s)
 {
@@ -1274,9 +1277,9 @@ static void study_speed(struct study *s)
     end_sky(&k);
 }
 
-/* Writes, for rings of 63 to 4095 particles, the pairs per second by one
-   thread and by two, and the median of the ratios of the rounds, of which a
-   slow moment of the machine then spoils only one. */
+/* Writes the pairs per second with one thread and with two, for rings of 63
+   to 4095 particles, and the median ratio of the rounds. A slow moment of
+   the machine spoils only one ratio. */
 static void study_threads(struct study *s)
 {
     bench_machine(s->out);
@@ -1295,7 +1298,8 @@ static void study_threads(struct study *s)
         program_memory(a, NULL);
         double pairs[2][BENCH_ROUNDS], ratio[BENCH_ROUNDS];
         for (int round = -1; round < BENCH_ROUNDS; ++round) {
-            const int at = round < 0 ? 0 : round; /* -1 is a warm-up */
+            const int at =
+                round < 0 ? 0 : round; /* round -1 is the warm-up */
             for (int way = 0; way < 2; ++way) {
                 k.gravity.threads = way ? 2 : 1;
                 pairs[way][at] = measure_pairs(&k.gravity, bench_clock,
@@ -1314,8 +1318,8 @@ static void study_threads(struct study *s)
 
 enum { DIRECT, LANES, NARROW, WIDE, WAYS };
 
-/* Returns the time in which all forces are computed, ms, and sets a[] to
-   the accelerations. The time of a tree includes its construction. */
+/* Computes all accelerations in a[]. Returns the time, ms, including the
+   construction of a tree. */
 static double time_forces(struct sky *k, int way, double a[])
 {
     struct gravity *g = &k->gravity;
@@ -1328,9 +1332,9 @@ static double time_forces(struct sky *k, int way, double a[])
     return (bench_seconds() - begin) * 1e3;
 }
 
-/* Sets ring[] to the acceleration of body i by the ring alone: a[] without
-   the planet's share, beside which the error of any tree would look
-   small. */
+/* Sets ring[] to the acceleration of body i by the ring alone, which is a[]
+   minus the planet's part. Relative to the planet's part, the error of any
+   tree would look small. */
 static void without_planet(const struct sky *k, size_t i, const double a[],
                            double ring[3])
 {
@@ -1346,8 +1350,8 @@ static void without_planet(const struct sky *k, size_t i, const double a[],
 }
 
 /* Returns the root mean square error of the tree's accelerations a[]
-   against the direct sum b[], in units of the root mean square acceleration
-   by the ring alone. */
+   compared with the direct sum b[], in units of the root mean square
+   acceleration by the ring. */
 static double tree_error(const struct sky *k, const double a[],
                          const double b[])
 {
@@ -1364,8 +1368,8 @@ static double tree_error(const struct sky *k, const double a[],
     return sqrt(error / size);
 }
 
-/* Writes a row: the number of particles, the times of two direct sums, and
-   the times, errors and speed-ups of two trees. */
+/* Writes a row with the number of particles, the times of two direct sums,
+   and the times, errors and speed-ups of two trees. */
 static void compare_tree(struct study *s, size_t particles)
 {
     struct sky k;

@@ -19,13 +19,14 @@
 enum { MOST_RUNS = 1000 };
 
 static struct {
-    uint64_t runs; /* number of runs with different seeds */
-    double until;  /* duration of the run of --study law, s */
+    uint64_t runs; /* runs with different seeds */
+    double until;  /* duration of the run in study_law, s */
 } own = {.runs = 8, .until = 600};
 
-static const double usual_length = 60; /* of runs in other studies, s */
+static const double usual_length =
+    60; /* duration of runs in other studies, s */
 
-/* Makes the named scene of chapter 11 with chosen values of its keys. */
+/* Makes a scene of chapter 11 with the chosen values. */
 static void make_scene(struct scene *s, const char *name,
                        const struct gallery_choice chosen[])
 {
@@ -34,21 +35,21 @@ static void make_scene(struct scene *s, const char *name,
         program_give_up("%s", wrong);
 }
 
-/* The ways to resolve the overlaps after a step: all overlapping pairs
-   collide (as in the paper); only approaching pairs collide; approaching
-   pairs collide and are moved back to the contact. */
+/* The ways to resolve overlaps after a step. PAPER collides all overlapping
+   pairs, as in the paper. APPROACHING collides only approaching pairs. BACK
+   also moves these pairs back to their contact. */
 enum { PAPER, APPROACHING, BACK, WAYS };
 
 static const char *const ways[WAYS] = {"paper", "approaching", "back"};
 
-/* A scene, its contacts, and the step dt (s). */
 struct run {
     struct scene scene;
     struct spheres spheres;
     double dt;
 };
 
-/* Prepares the scene in r for steps of dt that are resolved in this way. */
+/* Prepares the scene in r for steps of dt, after which overlaps are
+   resolved in the given way. */
 static void begin(struct run *r, int way, double dt)
 {
     r->dt = dt;
@@ -66,7 +67,7 @@ static void end(struct run *r)
     scene_free(&r->scene);
 }
 
-/* Steps r for this time. No force acts during a step. */
+/* Steps r for `time` seconds. No force acts during a step. */
 static void steps(struct run *r, double time)
 {
     struct scene *s = &r->scene;
@@ -88,9 +89,9 @@ static double energy(const struct scene *s)
 
 enum { Z_X, Z_Y, RATE, RECEDING, VIRIAL, FOURTH, ENERGY, MEASURED };
 
-static const double warm_time = 20; /* before anything is counted, s */
+static const double warm_time = 20; /* warm-up before counting starts, s */
 
-/* Sets the counts and sums of p that are measured here to zero. */
+/* Resets the counts and sums that these studies read. */
 static void reset_counts(struct spheres *p)
 {
     p->collisions = p->receding = p->wall_collisions = 0;
@@ -111,8 +112,8 @@ static double fourth_power(const struct scene *s)
     return sum / (double)n;
 }
 
-/* Runs a scene of disks by steps, and sets value[] to its results. The
-   energy E is N kT; the mean of v^4 comes from a hundred samples. */
+/* Runs a scene of disks in steps and sets value[] to its results. The
+   energy E is N kT. The mean of v^4 is taken over LOOKS samples. */
 static void gas_by_steps(struct run *r, double until, double value[])
 {
     enum { LOOKS = 100 };
@@ -141,8 +142,8 @@ static void as_disks(struct disks *d, const struct scene *s)
     program_memory(hard_disks(d, s), "for the disks");
 }
 
-/* Sets value[] to the results of a gas, from the sums that the event-driven
-   engine of chapter 7 keeps; RECEDING and FOURTH are set to 0. */
+/* Runs a gas with the event-driven engine of chapter 7 and sets value[] to
+   its results. RECEDING and FOURTH are set to 0. */
 static void gas_by_events(struct disks *d, double until, double value[])
 {
     struct cells c;
@@ -161,9 +162,9 @@ static void gas_by_events(struct disks *d, double until, double value[])
     cells_free(&c);
 }
 
-/* Sets mean[] and error[] to the averages over runs and their standard
-   errors, but mean[ENERGY] to the largest error of the energy. Each run has
-   its own seed, so the runs are independent, and their scatter gives the
+/* Sets mean[] and error[] to the averages over own.runs runs and their
+   standard errors, and mean[ENERGY] to the largest energy error. Each run
+   has its own seed, so the runs are independent and their scatter gives the
    error. If way is WAYS, the runs are event-driven. */
 static void average(const struct study *s, int way, double dt,
                     double mean[], double error[])
@@ -203,13 +204,13 @@ enum { DTS = 7, FITTED = 5 };
 static const double dts[DTS] = {0.0025, 0.005, 0.01, 0.02,
                                 0.04,   0.08,  0.16};
 
-/* The values to which the parabolas are fitted, and their errors. */
+/* Values to be fitted by parabolas, and their errors. */
 struct points {
     double y[3][DTS], error[3][DTS];
 };
 
-/* Writes the row of step dt, or of the events if dt is 0, for all ways.
-   Stores the values to be fitted at index `at` unless points is NULL. */
+/* Writes the row for step dt, or for events if dt is 0, for all ways.
+   Stores the values to be fitted at index `at`, unless points is NULL. */
 static void pressure_row(struct study *s, double dt, int at,
                          struct points points[])
 {
@@ -232,13 +233,12 @@ static void pressure_row(struct study *s, double dt, int at,
     table_row(s->out, n, row);
 }
 
-/* The coefficients a and b of a + b t + c t^2, with their errors. */
 struct parabola {
     double a, b, a_error, b_error;
 };
 
-/* Fits a parabola by weighted least squares. Returns its value and slope at
-   t = 0 with their standard errors. */
+/* Fits the parabola a + b t + c t^2 by weighted least squares. Returns a
+   and b with their standard errors. */
 static struct parabola fit(size_t n, const double t[], const double y[],
                            const double error[])
 {
@@ -262,8 +262,8 @@ static struct parabola fit(size_t n, const double t[], const double y[],
         sqrt(c[3] / det)};
 }
 
-/* Writes the row of the event-driven run (dt = 0), one for each length of
-   step, and the parabolas fitted to them. */
+/* Writes a row for the event-driven run (dt = 0), one row for each step,
+   and the parabolas fitted to them. */
 static void study_pressure(struct study *s)
 {
     static struct points points[WAYS];
@@ -300,8 +300,8 @@ static void study_pressure(struct study *s)
 
 enum { SHELLS = 25, MOST_DISKS = 250 };
 
-/* Adds to each shell[k] the number of pairs whose gap is k to k + 1 per
-   cent of the diameter. */
+/* Adds to shell[k] the number of pairs whose gap is k to k + 1 per cent of
+   the diameter. */
 static void count_pairs(const struct disks *d, double shell[])
 {
     const double touching = 2 * d->disk[0].radius;
@@ -321,8 +321,9 @@ static void count_pairs(const struct disks *d, double shell[])
     }
 }
 
-/* Adds the pairs of a gas by events to the shells ten times a second, which
-   takes longer than the run. Returns Z - 1, from the virial. */
+/* Runs a gas by events and adds its pairs to the shells ten times per
+   second. The counting takes longer than the run. Returns Z - 1 from the
+   virial. */
 static double fill_shells(const struct study *s, double shell[])
 {
     const double seed = (double)s->seed;
@@ -346,9 +347,9 @@ static double fill_shells(const struct study *s, double shell[])
     return virial;
 }
 
-/* Returns the slope d ln g / d ln r at contact, and sets *error to its
-   standard error. A parabola is fitted to the logarithm of the pair
-   density, which is the count in a shell divided by its area. */
+/* Returns the slope d ln g / d ln r at contact and sets *error to its
+   standard error. Fits a parabola to the logarithm of the pair density,
+   which is the count in a shell divided by the shell's area. */
 static double contact_slope(const double shell[], double *error)
 {
     double t[SHELLS], y[SHELLS], e[SHELLS];
@@ -362,8 +363,8 @@ static double contact_slope(const double shell[], double *error)
     return p.b;
 }
 
-/* Writes the terms of the first-order law (11.5, eq:step-law), whose slope
-   is measured. */
+/* Writes the terms of the first-order law (11.5, eq:step-law). The slope in
+   the law is measured. */
 static void study_law(struct study *s)
 {
     const double pi = 3.14159265358979324, eta = 250 * pi * 0.01 / 37.5;
@@ -412,7 +413,8 @@ static const char *const checks[CHECKS] = {"energy", "identity", "speeds",
                                            "rate",   "pressure", "near",
                                            "centre", "spin",     "back"};
 
-/* Returns the sum of m x v, x being measured from the middle of the box. */
+/* Returns the sum of m x v over bodies and axes, where x is measured from
+   the middle of the box. */
 static double moment(const struct scene *s)
 {
     const size_t n = s->bodies;
@@ -440,7 +442,8 @@ static double near_pairs(const struct scene *s)
     return count;
 }
 
-/* Returns the mean number of near pairs in 200 samples, by events. */
+/* Runs by events and returns the mean number of near pairs in 200
+   samples. */
 static double near_by_events(struct run *r)
 {
     struct disks d;
@@ -474,8 +477,8 @@ static double near_by_steps(struct run *r)
     return near;
 }
 
-/* Returns the error of (7.6, eq:gas-walls) after 20 s: the absolute value
-   of all its terms brought to one side, in units of 2 K t. */
+/* Returns the error of (7.6, eq:gas-walls) after 20 s: the absolute
+   difference between its two sides, in units of 2 K t. */
 static double identity(struct run *r)
 {
     const double time = 20, radius = 0.1;
@@ -498,8 +501,8 @@ static void begin_gas(struct run *r, const char *name, uint64_t seed,
     begin(r, way, dt);
 }
 
-/* Returns the mean of x[], weighted by mass: the coordinate of the centre
-   of mass, or its velocity if x[] is a list of velocities. */
+/* Returns the mass-weighted mean of x[]: one coordinate of the centre of
+   mass, or of its velocity. */
 static double centre(const struct scene *s, const double x[])
 {
     double sum = 0, mass = 0;
@@ -510,8 +513,8 @@ static double centre(const struct scene *s, const double x[])
     return sum / mass;
 }
 
-/* Returns the displacement along x, after 2 s in a periodic box, of the
-   centre of mass from its uniform motion, in radii of a light disk. */
+/* Returns how far along x the centre of mass has left its uniform motion
+   after 2 s in a periodic box, in radii of a light disk. */
 static double moved_centre(uint64_t seed, int way, double dt)
 {
     struct run r;
@@ -524,7 +527,6 @@ static double moved_centre(uint64_t seed, int way, double dt)
     return fabs(moved) / 0.1;
 }
 
-/* Returns the angular momentum about the origin. */
 static double spin(const struct scene *s)
 {
     const size_t n = s->bodies;
@@ -535,9 +537,9 @@ static double spin(const struct scene *s)
     return sum;
 }
 
-/* Returns the change of the angular momentum of a gas without a box in 2 s,
-   divided by the diameter and the square root of the number of collisions.
-   The gas expands: the rate of collisions falls to a quarter in 2 s. */
+/* Returns the change of the angular momentum of an open gas in 2 s, divided
+   by the diameter and the square root of the number of collisions. The gas
+   expands, and its collision rate falls to a quarter in 2 s. */
 static double lost_spin(uint64_t seed, int way, double dt)
 {
     struct run r;
@@ -572,7 +574,8 @@ static double missed_way_back(uint64_t seed, int way, double dt)
 }
 
 /* Sets found[] to the results of all checks of one way and step. Results
-   with an exact value are compared with it, the others with events. */
+   are compared with their exact values or, if these are unknown, with
+   event-driven runs. */
 static void do_checks(struct study *s, int way, double dt,
                       const double truth[], double near, double found[])
 {
@@ -595,7 +598,7 @@ static void do_checks(struct study *s, int way, double dt,
     }
 }
 
-/* Checks the ways PAPER and BACK, each with two steps. */
+/* Checks PAPER and BACK with two lengths of step each. */
 static void study_checks(struct study *s)
 {
     double truth[MEASURED], error[MEASURED];
@@ -619,8 +622,8 @@ static void study_checks(struct study *s)
         }
 }
 
-/* Initial states of five balls: the numbers that move at the left and at
-   the right, and the masses (kg) of the first, last and middle ball. */
+/* Initial states of five balls: the numbers of moving balls at the left and
+   at the right, and the masses of the first, last and middle ball, kg. */
 static const struct {
     const char *name;
     double left, right, first, last, middle;
@@ -643,7 +646,6 @@ static void make_row(struct scene *s, int row, double gap,
                    {"restitution", restitution}));
 }
 
-/* Prepares the event-driven engine of chapter 2 for a row. */
 static void begin_events(struct bonkers *b, const struct scene *s)
 {
     struct start start;
@@ -655,9 +657,9 @@ static void begin_events(struct bonkers *b, const struct scene *s)
     start_free(&start);
 }
 
-/* Sets x[] and v[] to the positions and velocities of the balls at the time
-   `until`, by events. Returns the number of collisions. The row has no
-   walls, so that a ball that leaves it does not come back. */
+/* Runs a row by events. Sets x[] and v[] to the positions and velocities at
+   the time `until`. Returns the number of collisions. The row has no walls,
+   so a ball that leaves it does not come back. */
 static uint64_t row_by_events(int row, double gap, double until, double x[],
                               double v[])
 {
@@ -677,15 +679,15 @@ static uint64_t row_by_events(int row, double gap, double until, double x[],
     return collisions;
 }
 
-/* How a row is stepped, with its gaps (m) at the start and dt (s). */
+/* How a row is stepped, with its initial gap, m, and its step, s. */
 struct stepped {
     int way;
     enum spheres_order order;
     double gap, dt;
 };
 
-/* Sets x[] and v[] to the positions and velocities of the balls at the time
-   `until`, by steps. */
+/* Runs a row by steps. Sets x[] and v[] to the positions and velocities at
+   the time `until`. */
 static void row_by_steps(int row, struct stepped how, double until,
                          double x[], double v[])
 {
@@ -701,7 +703,7 @@ static void row_by_steps(int row, struct stepped how, double until,
 }
 
 /* Sets v[] to the velocities after simultaneous collisions at all contacts.
-   The impulses J[c + 1] at contact c solve a tridiagonal system. */
+   The impulses J[c + 1] at the contacts c solve a tridiagonal system. */
 static void row_at_once(int row, double v[])
 {
     struct scene s;
@@ -723,7 +725,6 @@ static void row_at_once(int row, double v[])
     scene_free(&s);
 }
 
-/* Writes the velocities of the five balls to the summary. */
 static void write_velocities(struct study *s, const char *kind, int row,
                              const double v[])
 {
@@ -743,9 +744,10 @@ static const struct {
     {"up", {APPROACHING, SPHERES_ASCENDING, 0, 0.001}},
     {"down", {APPROACHING, SPHERES_DESCENDING, 0, 0.001}}};
 
-/* Sets line[] to the number of the row, its collisions, and the largest
-   velocity error of each kind, the events being exact. Writes all
-   velocities, also those of simultaneous contacts, to the summary. */
+/* Sets line[] to the row's number, its collisions, and the largest velocity
+   error of each kind, compared with events, which are exact. Writes all
+   velocities to the summary, including those after simultaneous
+   collisions. */
 static void compare_row(struct study *s, int row, double line[2 + KINDS])
 {
     double x[BALLS], exact[BALLS], v[BALLS];
@@ -764,9 +766,9 @@ static void compare_row(struct study *s, int row, double line[2 + KINDS])
 }
 
 /* Compares steps with events for nine initial states of the row: with wide
-   gaps, with gaps of a tenth of a ball's path in a step, and without gaps.
-   The summary's largest differences exclude the last state, a special
-   case. */
+   gaps, with gaps of a tenth of the distance a ball moves in a step, and
+   without gaps. The largest differences in the summary exclude the last
+   state, which is a special case. */
 static void study_rows(struct study *s)
 {
     double worst[KINDS] = {0}, line[2 + KINDS];
@@ -785,8 +787,8 @@ static void study_rows(struct study *s)
         table_real(s->summary, kinds[k].name, worst[k]);
 }
 
-/* Writes the errors of the row with the double ball after 3 s, with longer
-   and longer steps. */
+/* Writes the errors, after 3 s, of the row whose first ball has twice the
+   mass, for longer and longer steps. */
 static void study_late(struct study *s)
 {
     const double until = 3;
@@ -809,7 +811,7 @@ static void study_late(struct study *s)
     }
 }
 
-/* Runs a row with a restitution of 0.9 between two walls, by events and by
+/* Runs a row with restitution 0.9 between two walls, by events and by
    steps, and writes the energies every 0.05 s. */
 static void study_rest(struct study *s)
 {
@@ -850,10 +852,10 @@ static void make_break(struct scene *s, double jitter, uint64_t seed)
                GALLERY_CHOICES({"jitter", jitter}, {"seed", (double)seed}));
 }
 
-static const double usual_break = 0.5; /* duration of a break, s */
+static const double usual_break = 0.5;
 
 /* Sets x[] to the positions after the break of a rack of balls, computed in
-   steps that move overlapping balls back (BACK). */
+   steps with BACK. */
 static void break_by_steps(enum spheres_order order, double dt, double x[])
 {
     struct run r;
@@ -865,9 +867,9 @@ static void break_by_steps(enum spheres_order order, double dt, double x[])
     end(&r);
 }
 
-/* Sets x[] to the positions after the break, computed from event to event,
-   in a box so large that its walls have no effect. Positions in the box are
-   measured from its corner, those on the table from the middle. */
+/* Sets x[] to the positions after the break, computed by events in a box so
+   large that its walls have no effect. Converts positions from the corner
+   of the box to the middle of the table. */
 static void break_by_events(double jitter, uint64_t seed, double x[])
 {
     const double far = 50; /* m */
@@ -892,7 +894,8 @@ static void break_by_events(double jitter, uint64_t seed, double x[])
     scene_free(&scene);
 }
 
-/* Returns the largest displacement of a ball between two outcomes. */
+/* Returns the largest distance between the positions of a ball in two
+   outcomes. */
 static double distance(const double x[], const double y[])
 {
     double most = 0;
@@ -901,8 +904,8 @@ static double distance(const double x[], const double y[])
     return most;
 }
 
-/* Returns the number of outcomes that differ by more than a millimetre from
-   every earlier outcome. */
+/* Returns the number of outcomes that differ by more than 1 mm from every
+   earlier outcome. */
 static size_t distinct(double outcome[][2 * RACK], size_t n)
 {
     size_t count = 0;
@@ -915,7 +918,6 @@ static size_t distinct(double outcome[][2 * RACK], size_t n)
     return count;
 }
 
-/* Returns the distance from x to the nearest outcome. */
 static double nearest(const double x[], double outcome[][2 * RACK])
 {
     double least = INFINITY;
@@ -926,7 +928,7 @@ static double nearest(const double x[], double outcome[][2 * RACK])
 
 enum { BREAKS = 4 };
 
-/* Compares four breaks by steps and a hundred breaks by events. */
+/* Compares four breaks by steps with a hundred breaks by events. */
 static void study_break(struct study *s)
 {
     static double stepped[BREAKS][2 * RACK], outcome[OUTCOMES][2 * RACK];
@@ -936,7 +938,7 @@ static void study_break(struct study *s)
     break_by_steps(SPHERES_DEEPEST, 1e-5, stepped[3]);
     for (size_t i = 0; i < OUTCOMES; ++i)
         break_by_events(1e-12, i, outcome[i]);
-    /* The outcomes of three orders of the pairs. */
+    /* Write the outcomes for three orders of the pairs. */
     TABLE_COLUMNS(s->out, {"x", "m", "steps, ascending; then by events"},
                   {"y", "m", ""}, {"x'", "m", "steps, descending"},
                   {"y'", "m", ""}, {"x''", "m", "steps, the deepest first"},
@@ -945,7 +947,7 @@ static void study_break(struct study *s)
         TABLE_ROW(s->out, stepped[0][i], stepped[0][RACK + i],
                   stepped[1][i], stepped[1][RACK + i], stepped[3][i],
                   stepped[3][RACK + i]);
-    /* A cloud of points: the positions after a hundred breaks. */
+    /* Write the positions after all event-driven breaks. */
     table_print(s->out, "\n\n");
     for (size_t k = 0; k < OUTCOMES; ++k)
         for (size_t i = 0; i < RACK; ++i)
@@ -958,7 +960,7 @@ static void study_break(struct study *s)
     table_count(s->summary, "outcomes", distinct(outcome, OUTCOMES));
 }
 
-/* Makes bodies with contacts and gravity, but without walls. */
+/* Makes bodies with contacts and gravity but without walls. */
 static void make_bodies(struct scene *s, size_t bodies, double radius)
 {
     program_memory(scene_create(s, bodies), "for the balls");
@@ -975,7 +977,7 @@ static void set_walls(struct scene *s, size_t k, double low, double high)
     s->high[k] = high;
 }
 
-/* Makes three balls in a box that attract each other if k2 > 0. */
+/* Makes three balls in a box. They attract each other if k2 > 0. */
 static void make_three(struct scene *s, double k2)
 {
     static const double start[] = {-0.6,  0.1, 0.7, 0,  0.05,
@@ -993,8 +995,8 @@ static void make_three(struct scene *s, double k2)
     s->softening = 0.2;
 }
 
-/* Prepares a motion with all forces of a scene. If located is true, its
-   contacts are found inside the steps. */
+/* Prepares a motion with all forces of a scene. If `located`, the times of
+   contacts inside the steps are found. */
 static void move(struct motion *m, struct scene *s, const char *method,
                  double dt, bool located)
 {
@@ -1022,10 +1024,10 @@ static uint64_t move_three(const char *method, double k2, bool located,
     return met;
 }
 
-/* Drops a ball from 1 m above its contact with the floor. If e is 1,
-   returns its largest error up to 2001 s; at a time t after a bounce, the
-   exact height is t (2 - t). Otherwise returns the number of bounces until
-   the ball rests. */
+/* Drops a ball from 1 m above the floor. If e is 1, returns its largest
+   position error up to 2001 s, from the exact height t (2 - t) at the time
+   t after a bounce. Otherwise returns the number of bounces until the ball
+   rests. */
 static double drop_ball(double e)
 {
     struct scene s;
@@ -1050,7 +1052,7 @@ static double drop_ball(double e)
 static const struct {
     const char *name, *method;
     bool located;
-    uint64_t coarse; /* steps of the coarser run that gives its order */
+    uint64_t coarse; /* steps of the coarser run in moment_order */
 } moments[] = {{"stepwise", "leapfrog", false, 64},
                {"leapfrog", "leapfrog", true, 64},
                {"rk4", "rk4", true, 64},
@@ -1065,8 +1067,8 @@ static double moment_error(int way, uint64_t steps, const double exact[9])
     return largest_difference(x, exact, 9);
 }
 
-/* Returns the order of convergence, from the errors at two steps that
-   differ by a factor of 16, or of 8 for the method of order eight. */
+/* Returns the order of convergence, from the errors at two step lengths
+   that differ by a factor of 16, or of 8 for the method of order eight. */
 static double moment_order(int way, const double exact[9])
 {
     const uint64_t n = moments[way].coarse;
@@ -1076,8 +1078,8 @@ static double moment_order(int way, const double exact[9])
     return log2(coarse / fine) / log2(times);
 }
 
-/* Writes, for each way, the errors of three balls after 1 s against the
-   step. Writes to the summary the orders, the errors of three balls without
+/* Writes the errors of three balls after 1 s against the step, for each
+   way. The summary gets the orders, the errors of three balls without
    attraction, and the results of a single ball. */
 static void study_moment(struct study *s)
 {
@@ -1109,8 +1111,8 @@ static void study_moment(struct study *s)
 
 enum { TOUCHING = 3 };
 
-/* Laws of contact: the stiffness is in N/m, or in N/m^1.5 by Hertz's law;
-   the gap between balls is in m. */
+/* Contact laws. The stiffness is in N/m, or in N/m^1.5 for Hertz's law; the
+   gap between balls is in m. */
 static const struct {
     const char *name;
     enum scene_law law;
@@ -1119,9 +1121,10 @@ static const struct {
                          {"hertz", SCENE_HERTZ, 50000, 0},
                          {"gaps", SCENE_LINEAR, 5000, 0.03}};
 
-static const double pair_omega = 100; /* of a linear contact, 1/s */
+static const double pair_omega =
+    100; /* angular frequency of a linear contact, 1/s */
 
-/* Makes a row of balls of 1 kg, the first of which moves at 1 m/s. */
+/* Makes a row of balls of 1 kg. The first ball moves at 1 m/s. */
 static void make_touching(struct scene *s, int way, size_t balls)
 {
     make_bodies(s, balls, 0.1);
@@ -1133,8 +1136,8 @@ static void make_touching(struct scene *s, int way, size_t balls)
     s->velocity[0] = 1;
 }
 
-/* Returns the speed (m/s) at which two balls separate that approached each
-   other at 1 m/s. They start `gap` metres further apart than in the row. */
+/* Returns the speed at which two balls separate after approaching each
+   other at 1 m/s, m/s. `gap` is added to their initial distance, m. */
 static double parting_speed(int way, double dashpot, double gap, double dt)
 {
     struct scene s;
@@ -1150,8 +1153,8 @@ static double parting_speed(int way, double dashpot, double gap, double dt)
     return parting;
 }
 
-/* Returns the duration, in s, of a contact of two balls by Hertz's law. The
-   time at which the gap is zero again is interpolated linearly. */
+/* Returns the duration of a contact of two balls under Hertz's law, s.
+   Interpolates linearly to the time at which the gap is zero again. */
 static double hertz_time(void)
 {
     struct scene s;
@@ -1170,7 +1173,7 @@ static double hertz_time(void)
     return time;
 }
 
-/* Writes the velocities of a row every 0.1/pair_omega. */
+/* Writes the velocities of a row at intervals of 0.1 / pair_omega. */
 static void touch_row(struct study *s, int way)
 {
     struct scene scene;
@@ -1195,8 +1198,9 @@ static void touch_row(struct study *s, int way)
     scene_free(&scene);
 }
 
-/* Sets *least and *most to the range of the fraction of the energy that a
-   contact returns. It depends on the phase of the step at its start. */
+/* Sets *least and *most to the range of the fraction of energy that a
+   contact returns. The fraction depends on the phase of the step at which
+   the contact starts. */
 static void energy_range(double omega_dt, double *least, double *most)
 {
     *least = INFINITY;
@@ -1211,9 +1215,9 @@ static void energy_range(double omega_dt, double *least, double *most)
 }
 
 /* Returns the largest error of the parting speed, which should be e, over
-   contacts of duration `time` (s) in `steps` steps, give or take half a
-   step. In whole steps, contacts would begin and end at the same phase of a
-   step, and errors would cancel that otherwise do not. */
+   contacts whose duration `time`, s, is steps - 1/2 to steps + 1/2 steps.
+   With a whole number of steps, contacts would begin and end at the same
+   phase of a step, and some errors would cancel. */
 static double worst_parting_speed(int way, double dashpot, double time,
                                   int steps, double e)
 {
@@ -1241,7 +1245,7 @@ static void write_worst_speeds(struct study *s, double linear, double hertz,
 }
 
 /* Writes the velocities of rows whose contacts are stiff springs, and the
-   errors of such contacts against the number of steps they take. */
+   errors of such contacts against their number of steps. */
 static void study_touch(struct study *s)
 {
     const double pi = 3.141592653589793, zeta = 0.2;
@@ -1267,18 +1271,18 @@ static void study_touch(struct study *s)
                        exp(-pi * zeta / sqrt(1 - zeta * zeta)));
 }
 
-enum { LOCATED = WAYS + 1 }; /* the way WAYS is by events */
+enum { LOCATED = WAYS + 1 }; /* way WAYS: by events */
 
-/* Returns the duration of a run in this way, s. To locate contacts takes so
-   long that such runs last a fifth as long as the others, and are left out
-   at the packing 0.7. */
+/* Returns the duration of a run, s. Locating contacts is slow, so LOCATED
+   runs last a fifth as long as the others. They are left out at packing
+   0.7. */
 static double length_of(int way, double usual)
 {
     return way == LOCATED ? usual / 5 : usual;
 }
 
-/* Returns Z - 1 of a gas, from its virial, with located contacts. Between
-   contacts there is no force, so that leapfrog is exact. */
+/* Returns Z - 1 of a gas with located contacts, from its virial. No force
+   acts between contacts, so leapfrog is exact. */
 static double gas_located(struct scene *s, double dt, double until)
 {
     struct motion m;
@@ -1294,8 +1298,8 @@ static double gas_located(struct scene *s, double dt, double until)
     return virial;
 }
 
-/* Runs a gas. Sets *seconds to the processor time of the run alone, and
-   returns Z - 1, from the virial. */
+/* Runs a gas. Sets *seconds to the processor time of the run without its
+   preparation. Returns Z - 1 from the virial. */
 static double time_run(struct scene *scene, int way, double dt,
                        double until, double *seconds)
 {
@@ -1318,7 +1322,7 @@ static double time_run(struct scene *scene, int way, double dt,
 }
 
 /* Sets *virial to the average of Z - 1 over runs, and *cost to the median
-   processor time for a second of the gas, including the warm-up. */
+   processor time per simulated second, including the warm-up. */
 static void cost_of(const struct study *s, double packing, int way,
                     double dt, struct blocks_average *virial, double *cost)
 {
@@ -1326,7 +1330,6 @@ static void cost_of(const struct study *s, double packing, int way,
     const double until = length_of(way, usual_length);
     for (uint64_t i = 0; i < own.runs; ++i) {
         struct scene scene;
-        /* The gas starts on a lattice in a box of this packing. */
         const double area = 250 * 3.14159265358979324 * 0.01 / packing;
         const double height = sqrt(area / 1.5);
         make_scene(&scene, "gas",
@@ -1351,10 +1354,9 @@ static const struct {
 
 enum { COSTS = 14 };
 
-/* Completes and writes a row whose event-driven results are given. The
-   error of located contacts does not depend on the step, so the runs that
-   locate them are made only if `all` is true. A row begins with the name by
-   which the book quotes it. */
+/* Completes and writes a row, given its event-driven results. The error of
+   located contacts does not depend on the step, so they are run only if
+   `all` is true. Each row starts with the name that the book cites. */
 static void compare_step(struct study *s, double dt, bool all,
                          double row[COSTS])
 {
@@ -1375,7 +1377,7 @@ static void compare_step(struct study *s, double dt, bool all,
     table_print(s->out, "\n");
 }
 
-/* Writes the error of Z and the cost, at four packings and seven steps. */
+/* Writes the error of Z and the cost for four packings and seven steps. */
 static void study_cost(struct study *s)
 {
     static const double packings[] = {0.1, 0.3, 0.5, 0.7};

@@ -1,4 +1,4 @@
-/* Grades an exercise: judge and sandbox for its tests, then sanitizers. */
+/* Grades one exercise of a student: runs its tests in a sandbox. */
 #include "examiner/grading.h"
 #include "examiner/build.h"
 #include "examiner/process.h"
@@ -52,8 +52,8 @@ static void read_line(struct kit *kit, char *line)
     }
 }
 
-/* Moves the public tests to the front, so that a report that is cut loses
-   the hidden tests first. */
+/* Moves the public tests to the front. If a report is cut short, it then
+   loses hidden tests first. */
 static void public_first(struct kit *kit)
 {
     struct kit_test sorted[MARKS_MOST];
@@ -65,10 +65,10 @@ static void public_first(struct kit *kit)
     memcpy(kit->tests, sorted, (size_t)count * sizeof *sorted);
 }
 
-/* Reads the lists of all exercises. A list without a title or a test is
-   refused: a full disk leaves such lists, and nobody would get a point. An
-   exercise without a list has no remote.c and is not graded, as make has
-   reported. */
+/* Reads the list of tests of each exercise. Exits if a list has no title or
+   no test: a full disk leaves such lists, and with them nobody would get a
+   point. Skips an exercise without a list: it has no remote.c and is not
+   graded, as make has reported. */
 size_t grading_kits(struct kit **kits)
 {
     glob_t found = {0};
@@ -101,16 +101,16 @@ size_t grading_kits(struct kit **kits)
 
 enum {
     MOST_LATE = 3,
-    LATER_SECONDS = 1, /* limit after a test has timed out */
-    SLOW_MS = 200,     /* longer tests keep their full limit */
+    LATER_SECONDS = 1, /* time limit once a test has timed out */
+    SLOW_MS = 200,     /* after a longer test the limit stays */
     MOST_BUILDING = 60,
     PRINTS_KEPT = 4096,
     STORY_KEPT = 8192
 };
 
-/* One exercise of one student being graded. The student's file has the name
-   that he knows (exercises/01a-collide.c), so that messages of the compiler
-   can be looked up. */
+/* One exercise of one student while it is graded. The student's file is
+   copied to its usual path, exercises/01a-collide.c, which messages of the
+   compiler then name. */
 struct job {
     const struct grading *grading;
     const struct kit *kit;
@@ -119,9 +119,9 @@ struct job {
     struct sandbox sandbox;
     bool open;
     int prints;
-    int late, waited;   /* tests timed out; by wall-clock time */
-    bool slow;          /* a test took more than SLOW_MS */
-    int crashed, named; /* tests crashed; with a known mistake */
+    int late, waited;   /* tests that timed out; by wall-clock time */
+    bool slow;          /* a test took SLOW_MS or longer */
+    int crashed, named; /* tests that crashed; with a known mistake */
     int left;           /* tests that wrote outside an output */
     char mistake[64];   /* first known mistake, in brackets */
     char types[8192], judge[4096], name[256], header[64];
@@ -153,8 +153,8 @@ static void enter_new_folder(const struct grading *g, const char *exercise)
                   strerror(errno));
 }
 
-/* Returns the header that the stub includes: exercise.h or another header
-   of the kit. */
+/* Returns the header that the stub includes, "kit/exercise.h" if none is
+   found. */
 static const char *find_header(struct job *job)
 {
     char path[8192], name[48] = "exercise.h";
@@ -207,21 +207,21 @@ static char *read_kit(const struct job *job, const char *name, int line)
     return found;
 }
 
-/* Returns the limit of time, in seconds, for tests after one timed out: a
-   second, since it is nearly always the same endless loop; 0, the usual
-   limit, for a project or if an earlier test took a fifth of a second,
-   which few right answers do: then the program may just be slow, and only
-   late tests lose their points. */
+/* Returns the time limit, in seconds, for the tests after a time-out; 0
+   means the usual limit. Usually these tests run into the same endless
+   loop, so one second is enough. The limit is not lowered for a project, or
+   if an earlier test took 200 ms, as few right answers do: such a program
+   may just be slow, and then only its late tests should fail. */
 static int later_seconds(const struct job *job)
 {
     return *job->kit->exercise == 'P' || job->slow ? 0 : LATER_SECONDS;
 }
 
-/* Counts a test that timed out; after three the remaining tests are not
-   run. Only tests stopped by the limit on wall-clock time are tried again,
-   since only that time passes while other programs run; for a project all
-   late runs are, because there a program of ours has started the late
-   one. */
+/* Counts a test that timed out; after MOST_LATE of them the remaining tests
+   are not run. marks->late asks the grader for a second try. That helps
+   only if the limit on wall-clock time was reached, since only that time
+   passes while other programs run. A project is always tried again: run.c
+   reports both kinds of time-out as SIGXCPU. */
 static void note_late(struct job *job, bool by_the_wall)
 {
     const int later = later_seconds(job);
@@ -233,9 +233,11 @@ static void note_late(struct job *job, bool by_the_wall)
         job->order.seconds = later;
 }
 
-/* Opens a sandbox; returns PASSED or why it is not ready. The driver is
-   called sandbox.suite.o, so that build.c explains a function that the
-   driver lacks as one that the student has renamed. */
+/* Opens a sandbox. Returns PASSED, or the state of the exercise if the
+   sandbox is not ready. In the sandbox the driver is called
+   sandbox.suite.o. If a function is missing, build.c looks for ".suite.o"
+   in the linker's message: if the name is there, the student has renamed a
+   function that the driver calls. */
 static enum state open_box(struct job *job, FILE *story)
 {
     if (ftruncate(job->prints, 0) != 0)
@@ -276,10 +278,10 @@ static void close_box(struct job *job)
     job->open = false;
 }
 
-/* Runs a test as the examiner does, with a judge as the runner. After a
-   time-out, or when the test's process cannot be ended, the sandbox is
-   closed and the next test opens another, so that no test is affected by an
-   earlier one. */
+/* Runs a test as the examiner does, with the judge as its runner. Closes
+   the sandbox after a time-out, or if the test's process cannot be ended.
+   The next test then opens a new sandbox, so that no test affects a later
+   one. */
 static enum state run_test(struct job *job, const struct kit_test *test,
                            FILE *story)
 {
@@ -311,10 +313,11 @@ static enum state run_test(struct job *job, const struct kit_test *test,
     return state;
 }
 
-/* Runs a test, unless its result is known. In a second try tests that ended
-   keep their marks; those that were late run again until one is late again,
-   since then the load was not the cause. Idle tests run again, because
-   their points depend on the others. */
+/* Runs test i, unless its result is known or too many tests have timed out.
+   In a second try (`before` is not NULL), a test that ended in the first
+   try keeps its mark. Tests that timed out run again until one of them
+   times out again: then the load of the machine was not the cause. Idle
+   tests run again, because their points depend on the other tests. */
 static enum state try_test(struct job *job, int i, FILE *story)
 {
     const struct marks *before = job->grading->before;
@@ -332,11 +335,11 @@ static enum state try_test(struct job *job, int i, FILE *story)
                            : state;
 }
 
-/* Replaces the hint of a second mistake by a reference to the first. After
-   one test has recognised a mistake, a later test may, because of it, give
-   the value of another mistake, which was not made. So the first is to be
-   corrected first; for the same reason only the first failure is told in
-   full at home. */
+/* Replaces a hint if it names another mistake than an earlier test did.
+   Because of the first mistake, a later test may give the value of a
+   mistake that the student has not made. So the student is asked to correct
+   the first mistake first. For the same reason the examiner at home
+   explains only the first failure in full. */
 static void name_once(char *mistake, size_t room, char **text, size_t *size)
 {
     char *hint = strstr(*text, "\n  hint "), *end, *name;
@@ -383,9 +386,9 @@ static void keep_mark(struct marks *marks, const struct kit_test *test,
         marks->state = state;
 }
 
-/* Keeps the output of the first test that printed anything; the other
-   tests' output would be the same lines again. Output of hidden tests is
-   not kept, because a program can print its inputs. */
+/* Keeps the output of the first test that printed anything; other tests
+   would print the same lines again. Never called for hidden tests, because
+   a program can print its inputs. */
 static void keep_prints(struct marks *marks)
 {
     struct stat about;
@@ -410,9 +413,9 @@ static void keep_prints(struct marks *marks)
     fclose(file);
 }
 
-/* Takes the points of idle tests away unless another test has passed. They
-   then count as failed, with the reason, so that reports that count tests
-   agree with reports that count points. */
+/* Marks the passed idle tests as failed, with the reason, unless another
+   test has passed. They are not just left without points, because reports
+   that count tests would then disagree with reports that count points. */
 static void settle_idle(const struct kit *kit, struct marks *marks)
 {
     static const char why[] = "  A function that does nothing passes this "
@@ -457,7 +460,6 @@ static void run_tests(struct job *job)
     settle_idle(job->kit, job->marks);
 }
 
-/* Replaces the report on a test by what the sanitizers found in it. */
 static void replace_mark(struct mark *mark, const char *text, size_t size)
 {
     free(mark->story);
@@ -484,8 +486,8 @@ static void ask_about(struct job *job, int i)
     free(text);
 }
 
-/* Sets the state of the exercise: that of the first test that is wrong, as
-   at home. */
+/* Sets the state of the exercise to that of the first wrong test or, if no
+   test is wrong, of the first test that did not pass. */
 static void sum_up(struct marks *marks)
 {
     marks->state = PASSED;
@@ -495,12 +497,11 @@ static void sum_up(struct marks *marks)
             marks->state = marks->marks[i].state;
 }
 
-/* Runs the public tests once more, with sanitizers. Points come from a
-   program without them; but a test in which they find a mistake does not
-   pass, since they also decide at home, and both verdicts must agree. This
-   run is half the cost of a submission. It is left out where a known
-   mistake explains a failure, unless a test crashed or wrote outside of its
-   outputs. */
+/* Runs the public tests once more, with sanitizers. A test in which they
+   find a mistake does not pass: the examiner at home uses sanitizers, and
+   both verdicts must agree. This run is half the cost of grading.
+   grading_run skips it if a known mistake explains a failure, unless a test
+   crashed or wrote outside of an output. */
 static void ask_sanitizers(struct job *job)
 {
     char *text = NULL;
@@ -525,8 +526,8 @@ static void ask_sanitizers(struct job *job)
     sum_up(job->marks);
 }
 
-/* Returns whether the file is the stub. Then nothing is run, and the
-   exercise is not begun, as at home. */
+/* Returns whether the file is the unchanged stub. Then no test is run, and
+   the exercise counts as not begun. */
 static bool is_stub(const struct grading *grading, const struct kit *kit,
                     const char *bytes, size_t length)
 {
@@ -544,8 +545,8 @@ static bool is_stub(const struct grading *grading, const struct kit *kit,
     return stub && c == EOF && at == length;
 }
 
-/* Enters all tests without points, for a file that could not be run: the
-   points that can be earned must not depend on the file. */
+/* Adds all tests as not begun, for a file that could not be run. The points
+   that can be earned must be the same for every student. */
 static void enter_unrun(const struct kit *kit, struct marks *marks,
                         enum state state)
 {
@@ -556,9 +557,9 @@ static void enter_unrun(const struct kit *kit, struct marks *marks,
 
 enum { FIGURE_MOST = 1 << 22, FIGURE_WIDEST = 4000 };
 
-/* Returns the reason why these bytes are no acceptable PNG, or NULL. A
-   person's programs open the figure; SVG and PDF can contain programs, a
-   PNG only points. */
+/* Returns why these bytes are not an acceptable PNG file, or NULL. Only PNG
+   is accepted, because SVG and PDF files can contain programs, and the
+   lecturer will open the figure. */
 static const char *see_png(const unsigned char *png, size_t length)
 {
     static const char head[] = "\x89PNG\r\n\x1a\n\0\0\0\rIHDR";

@@ -8,10 +8,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* A test of an exercise. */
 struct kit_test {
     char *name;
-    int number; /* its number for the judge */
+    int number; /* number of the test in the judge, from 1 */
     int points;
     bool hidden; /* run with the grader's seed */
     bool idle;   /* an empty function passes it */
@@ -31,7 +30,7 @@ struct grading {
     const char *work; /* absolute path for temporary folders */
     enum sandbox_kind kind;
     uint64_t seed;              /* seed of the hidden tests */
-    int seconds;                /* processor time of a test */
+    int seconds;                /* limit of processor time of a test */
     const struct marks *before; /* the marks of the first try, or NULL */
     struct grading_page *page;  /* the figure of a project, or NULL */
 };
@@ -46,13 +45,14 @@ struct grading_page {
     size_t drawn;      /* size of the figure, bytes */
 };
 
-/* Reads the lists in build/grade; returns the number of exercises. Exits
-   with status 2 when the lists are missing or damaged. */
+/* Reads the lists of tests in build/grade into *kits. Returns the number of
+   exercises. Exits with status 2 if a list is damaged or none exists. */
 size_t grading_kits(struct kit **kits);
 
-/* Grades a file, given by its bytes, as an exercise: fills in state, tests,
-   texts and times of the marks. Changes the working folder, so it must be
-   called in a process of its own. */
+/* Grades a student's file as an answer to the exercise `kit`. bytes are the
+   content of the file, or NULL if there is no file. Sets the state, the
+   tests, the texts and the times of *marks. Changes the working folder, so
+   it must be called in a process of its own. */
 void grading_run(const struct grading *grading, const struct kit *kit,
                  const char *bytes, size_t length, struct marks *marks);
 

@@ -7,15 +7,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Each output has a guard on either side, of 512 doubles: an index meant
-   for another array may be off by that much. Without guards an answer that
-   was right and also wrote v[2] had full points, because memory of our own
-   came after v. */
+/* Each output lies between two guards of 512 doubles, since an index meant
+   for another array may be off by that much. Without guards, a function
+   that also wrote beyond the end of an array got full points, because that
+   memory belonged to the kit. */
 enum { GUARD = 4096, MOST = 8 };
 
-/* Returns byte i of a guard. Eight bytes are a NaN as a double, and as a
-   size larger than any index, so that a function that reads them gains
-   nothing. */
+/* Returns byte i of a guard. Eight of these bytes are a NaN as a double,
+   and larger than any index as a size_t. So a function gains nothing by
+   reading them. */
 static unsigned char filling(size_t i)
 {
     static const unsigned char bytes[] = {0xa5, 0xa5, 0xa5, 0xa5,
@@ -23,7 +23,7 @@ static unsigned char filling(size_t i)
     return bytes[i % sizeof bytes];
 }
 
-/* Returns the bytes of an unchanged guard, made once. */
+/* Returns the bytes of an unchanged guard, filled in by the first call. */
 static const unsigned char *untouched(void)
 {
     static unsigned char guard[GUARD];
@@ -43,11 +43,11 @@ static size_t used;
 void __asan_poison_memory_region(const volatile void *x, size_t n) WEAK;
 void __asan_unpoison_memory_region(const volatile void *x, size_t n) WEAK;
 
-/* Tells an address sanitizer, if there is one, that the guards must not be
-   read or written: it notices reads as well, and reports the line. The
-   driver in the sandbox is compiled once for programs with and without a
-   sanitizer, so the names are weak, and zero without a sanitizer; only ELF
-   has weak names. */
+/* Forbids access to the guards of an output, or allows it again if `on` is
+   false. An address sanitizer then notices reads, too, and reports the
+   line. The two functions are weak symbols, which are NULL without a
+   sanitizer, because one object file of the driver serves programs with and
+   without sanitizers. Only ELF has such symbols. */
 static void forbid(const struct place *p, bool on)
 {
     void (*const tell)(const volatile void *x, size_t n) =

@@ -1,4 +1,4 @@
-/* Reads the hints, shows the next, remembers how many were given. */
+/* Shows the next hint for an exercise, and stores how many were shown. */
 #include "examiner/hint.h"
 #include "examiner/text.h"
 #include "toolbox/replace.h"
@@ -7,9 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The file with the number of hints given: not in build/, since make clean
-   must keep it, and not in exercises/, which has only the student's own
-   files. */
+/* The file that stores the numbers of hints given. It is not in build/,
+   because make clean deletes that, and not in exercises/, because that has
+   only the student's own files. */
 static const char path[] = ".progress";
 
 static int given(const char *name)
@@ -25,9 +25,9 @@ static int given(const char *name)
     return count < 0 || count > 1000 ? 0 : count;
 }
 
-/* The number of hints given is stored with the stage of a project, as 100 *
-   stage + number: 302 are two hints of the third stage. An exercise has
-   only the stage 0. */
+/* The stored number is 100 * stage + number of hints given. For example,
+   302 means two hints for the third stage of a project. An exercise has
+   only stage 0. */
 enum { PER_STAGE = 100 };
 
 static int stage_of(const struct exercise *e)
@@ -65,8 +65,8 @@ void hint_forget(const struct exercise *e)
         remember(e->name, 0);
 }
 
-/* Returns the number of hints of a stage; prints the hint with the number
-   `wanted', none for 0. */
+/* Returns the number of hints for a stage. Prints hint number `wanted`;
+   prints none if wanted is 0. */
 static int find_hint(char *text, int stage, int wanted)
 {
     int number = 0;

@@ -4,8 +4,8 @@
 
 #include "examiner/course.h"
 
-/* Shows the next hint and stores its number; exits with 2 if there is
-   none. */
+/* Shows the next hint and stores its number. Exits with status 2 if the
+   exercise has no hints. */
 void hint_show(const struct exercise *e);
 
 /* Forgets which hints of this exercise were given. */

@@ -23,10 +23,10 @@ long syscall(long number, ...);
 enum { ANSWERS = 5, REQUESTS = 6 };
 
 #ifdef __linux__
-/* The system calls that a judge needs: it reads and writes files opened
-   before it started, allocates memory, copies itself and ends. Thus an
-   attacker who took it over by the data he sends would reach no file, no
-   network and no other process. */
+/* The system calls that a judge needs: it reads and writes files that are
+   already open, allocates memory, forks and ends. Even a student's program
+   that took over the judge by the data it sends could not reach a file, the
+   network or another process. */
 static const int allowed[] = {
     SYS_read,         SYS_write,          SYS_writev,
     SYS_pread64,      SYS_ftruncate,      SYS_lseek,
@@ -78,10 +78,10 @@ static void forbid_other_calls(void)
 
 void judge_confine(long user);
 
-/* Gives up the rights that a judge does not need, since it reads data from
-   a sandbox, knows the expected values, and may have been started by root.
-   Rights are kept where the kernel has no filters, or a container not this
-   user. */
+/* Gives up the rights that a judge does not need. A judge knows the
+   expected values, reads data from a sandbox, and may have been started by
+   root. It keeps rights if the kernel has no filters or if a container does
+   not allow this user. */
 void judge_confine(long user)
 {
     if (user > 0 && syscall(SYS_setgroups, 0, NULL) == 0 &&
@@ -91,14 +91,13 @@ void judge_confine(long user)
 }
 #endif
 
-/* Ends this process: the sandbox has ended. */
 void transport_lost(void)
 {
     _exit(EXIT_FAILURE);
 }
 
-/* Ends by the signal or status of the test's process, so that trial.c
-   reports it as at home. */
+/* Ends the judge by the same signal or status as the test's process, so
+   that trial.c reports that end as it does at home. */
 static _Noreturn void end_like(int status)
 {
     if (WIFSIGNALED(status)) {
@@ -110,9 +109,9 @@ static _Noreturn void end_like(int status)
 
 static bool opened, begun, calling;
 
-/* Ends a call without an answer: the suite has left the call by longjmp,
-   but the process in the sandbox is still in the student's function. That
-   process is ended, and the next call starts another. */
+/* Ends a call that got no answer: the suite has left it by longjmp, but the
+   process in the sandbox is still in the student's function. Ends that
+   process; the next call starts a new one. */
 static void break_off(void)
 {
     int how[TRANSPORT_HOW];
@@ -144,8 +143,7 @@ void remote_call(void)
     transport_send(TRANSPORT_CALL);
 }
 
-/* Serves a callback or a message about a guard; anything else ends the
-   test. */
+/* Serves a callback, or reports that the function wrote to a guard. */
 static void serve_message(int word)
 {
     struct check_overrun overrun;

@@ -25,12 +25,12 @@ static void grow(size_t bytes)
     capacity = bytes;
 }
 
-/* Copies bytes into the array of messages, or out of it: data sent by one
-   side are in the array until the other side receives them. So the
-   student's function gets the same arguments, in the same kind of memory,
-   as in the grader. Both sides and the function are one program, in which a
-   name can be defined only once: so the makefile compiles the suite and its
-   side with other names (suite_velocities_after). */
+/* Sends bytes by copying them into `messages`, or receives bytes by copying
+   them out. The student's function thus gets its arguments in the same kind
+   of memory as in the grader. Both sides and the function are linked into
+   one program, in which a name can be defined only once. So the makefile
+   renames the functions of the suite, for example to
+   suite_velocities_after. */
 void transport_move(void *x, size_t bytes)
 {
     if (transport_sending && capacity - sent <= bytes)
@@ -57,7 +57,7 @@ void remote_call(void)
     set_sending(true);
 }
 
-/* Waits for the answer by running the other side. */
+/* Runs the other side, which produces the answer. */
 void remote_wait(void)
 {
     set_sending(false);

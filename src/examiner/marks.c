@@ -1,4 +1,4 @@
-/* Counts marks, writes them to files and reads them. */
+/* Adds up points, and reads and writes files of marks. */
 #include "examiner/marks.h"
 #include "examiner/text.h"
 #include "toolbox/replace.h"
@@ -38,8 +38,8 @@ bool marks_late(const struct marks *marks)
     return false;
 }
 
-/* Shows an escaped byte as two digits, not as a question mark: a student
-   who prints to find an error needs to know the byte. */
+/* Shows an escaped byte as two hexadecimal digits, not as a question mark:
+   a student who prints values to find an error needs to know the byte. */
 char *marks_text(const char *bytes, size_t length, size_t most)
 {
     const size_t kept = length < most ? length : most;
@@ -52,8 +52,8 @@ char *marks_text(const char *bytes, size_t length, size_t most)
     return longer;
 }
 
-/* Returns a test's mark as JSON. A state is written by its name, because
-   the files outlive the program. */
+/* Returns a test's mark as JSON. A state is written by its name, so that a
+   file stays valid if the numbers of the states change. */
 static json_t *json_of_mark(const struct mark *mark)
 {
     return json_pack("{s:s, s:b, s:i, s:s, s:s, s:f}", "name", mark->name,
@@ -97,8 +97,9 @@ static enum state state_of(const char *name)
     return state;
 }
 
-/* Reads a test's mark; returns false if anything is missing, as after a
-   full disk or an edit by hand. Then the exercise is graded anew. */
+/* Reads a test's mark. Returns false if anything is missing, for example
+   after a full disk or an edit by hand. The exercise is then graded again.
+   */
 static bool mark_of_json(struct mark *mark, json_t *json)
 {
     const char *name, *state, *story;

@@ -1,18 +1,20 @@
-/* Explains messages of compilers: a table of what they usually mean. */
+/* Explains compiler messages by a table of their usual meanings. */
 #include "examiner/message.h"
 #include "examiner/text.h"
 
 #include <stddef.h>
 #include <string.h>
 
-/* A row for each mistake, with the words of gcc and of clang. The first row
-   that fits is taken, so special cases come before general ones. NAME
-   stands for the first name that the message quotes; a row without a text
-   is for a name unknown to the compiler. Where an explanation would be a
-   guess there is none: a wrong one is believed and costs more than a
-   missing one. */
+/* One row for each mistake, with words from the messages of gcc and clang.
+   The first matching row is used, so special cases come before general
+   ones. In an explanation, NAME stands for the first name that the message
+   quotes. A row without an explanation is for a name that the compiler does
+   not know. No row explains a message whose meaning would be a guess:
+   students believe a wrong explanation, and that costs more than a missing
+   one. */
 static const struct meaning {
-    const char *gcc, *clang; /* words of the message; clang NULL: as gcc */
+    const char *gcc,
+        *clang; /* words of the message; clang NULL: same as gcc */
     const char *text;
 } meanings[] = {
     {"expected ';'", "expected ',' or ';'",
@@ -90,11 +92,12 @@ static const struct meaning {
     {"lvalue required", "expression is not assignable",
      "On the left of = must stand something that can be changed, and this "
      "is a formula."},
-    /* C allows a function to end without its return: the caller gets the
-       content of a register, perhaps the right number. One wrong answer
-       among the kit's tests passed that way, since clang assumed that the
-       path without a return is never taken. So the makefile makes this
-       warning an error, and two more that newer compilers refuse anyway. */
+    /* C lets a function end without a return. The caller then gets the
+       content of a register, perhaps the right number. One wrong answer in
+       the kit's tests passed that way, because clang assumed that the path
+       without a return is never taken. So the makefile turns this warning
+       into an error, and two others that newer compilers treat as errors
+       anyway. */
     {"reaches end of non-void", "void function does not return a value",
      "There is a way through the function on which it ends without a "
      "return. What is its value then?"},
@@ -114,8 +117,8 @@ static const struct meaning {
     {"value computed is not used", NULL,
      "This line computes something and throws it away. Is an = or a return "
      "missing?"},
-    /* The following rows are about warnings, which are shown only when a
-       test has failed, as its likeliest reason. */
+    /* The remaining rows explain warnings. A warning is shown only if a
+       test has failed, as the likeliest reason. */
     {"uninitialized", NULL,
      "NAME has no value yet when it is used. What should it begin with?"},
     {"integer absolute value", NULL,
@@ -172,7 +175,7 @@ bool message_known(const char *line)
     return meaning_of(copy) != NULL;
 }
 
-/* Copies the first name in quotation marks, which are ASCII, because the
+/* Copies the first quoted name. The quotation marks are ASCII, because the
    compiler runs in the locale C. */
 static void quoted(char name[NAME_ROOM], const char *from)
 {
@@ -193,9 +196,9 @@ static const char *header_of(const char *name)
     return NULL;
 }
 
-/* Explains an unknown name. The header that declares it is looked up before
-   the compiler's proposal is used: for NAN without <math.h> a compiler may
-   propose any other name of three letters. */
+/* Explains an unknown name. Proposes the header that declares the name
+   before it uses the compiler's suggestion: for NAN without <math.h> a
+   compiler may suggest any other name of three letters. */
 static void explain_stranger(FILE *story, const char *line)
 {
     char name[NAME_ROOM], meant[NAME_ROOM], text[LINE_ROOM];
@@ -218,8 +221,8 @@ static void explain_stranger(FILE *story, const char *line)
     text_field(story, "means", text);
 }
 
-/* Writes a sentence with the quoted name in place of NAME, which is no %s
-   because compilers cannot check formats from a table. */
+/* Writes a sentence with the quoted name in place of NAME. The table does
+   not use %s, because compilers cannot check formats from a table. */
 static void explain_known(FILE *story, const char *text, const char *line)
 {
     char name[NAME_ROOM], sentence[LINE_ROOM];

@@ -21,10 +21,10 @@ long syscall(long number, ...);
 
 static volatile sig_atomic_t caught;
 
-/* Stores the signal; a handler may do little else safely. A program in a
-   process group of its own does not get the terminal's Ctrl-C. The examiner
-   gets it, and its loop that waits for the program kills the program. If
-   the examiner ended instead, a student's endless loop would run on
+/* Stores the signal; a handler can do little else safely. Ctrl-C does not
+   reach the tested program, which has a process group of its own. It
+   reaches the examiner, whose loop in wait_for_end then kills the program.
+   If the examiner ended at once, a student's endless loop would run on
    unnoticed. */
 static void catch_signal(int signal)
 {
@@ -44,10 +44,11 @@ int process_signal(void)
     return caught;
 }
 
-/* Lowers a soft limit, unless it is lower already. A program may raise it
-   again, but this guards against accidents. Beyond its time a process gets
-   SIGXCPU, beyond a file's size SIGXFSZ; memory is limited as address
-   space, since every Unix can limit that. */
+/* Lowers the soft limit of a resource to `most`. This guards against
+   accidents; a program can raise the limit again. A process that exceeds
+   its processor time gets SIGXCPU; if it exceeds a file size it gets
+   SIGXFSZ. The limit on memory is one on address space, because every Unix
+   has that. */
 static void restrain(int resource, rlim_t most)
 {
     struct rlimit limit;
@@ -58,8 +59,8 @@ static void restrain(int resource, rlim_t most)
 }
 
 /* Closes all descriptors from `first` on. Linux has had a system call for
-   this since 2020. Elsewhere they are closed one by one, up to 1024, since
-   some machines allow a million open files. */
+   this since 2020. On other systems the loop stops at 1024, since some
+   machines allow a million open files. */
 static void close_from(int first)
 {
 #ifdef SYS_close_range
@@ -72,9 +73,9 @@ static void close_from(int first)
         close(file);
 }
 
-/* Moves the descriptors of the list to 3, 4, ... and returns the next
-   number. They are first copied to high numbers, because the number of one
-   may be the target of another. A copy stays open on exec. */
+/* Moves the descriptors in `kept` to 3, 4, ... and returns the next number.
+   Copies them to high numbers first, because a descriptor may have a number
+   that another one is to get. The copies stay open on exec. */
 static int hand_over(const int kept[6])
 {
     int high[6], count = 0;
@@ -87,11 +88,11 @@ static int hand_over(const int kept[6])
     return 3 + count;
 }
 
-/* Replaces this process, a child just forked, by the command; never
-   returns. Limits, group and descriptors are set before the exec and
-   survive it. Standard input is empty: otherwise an exercise that reads a
-   number would wait for it and seem to hang. All other descriptors are
-   closed, such as the pipe by which make -j limits its jobs. */
+/* Replaces this process, which was just forked, by the command. Never
+   returns. The limits, the process group and the descriptors survive the
+   exec. Standard input is empty; otherwise an exercise that reads a number
+   would wait for it and seem to hang. All other descriptors are closed, for
+   example the pipe by which make -j limits its jobs. */
 static void become(char *const command[], const char *folder,
                    const struct process_files *files,
                    const struct process_limits *limits)
@@ -115,7 +116,6 @@ static void become(char *const command[], const char *folder,
     _exit(127);
 }
 
-/* Returns the time of a clock that cannot be set back during a test. */
 double process_clock(void)
 {
     struct timespec now;
@@ -123,9 +123,9 @@ double process_clock(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/* Returns whether a process has ended, and leaves its status to be
-   collected later: until then no other process can get its number, and its
-   group can be killed safely. A stopped process has not ended. */
+/* Returns whether a process has ended; a stopped process has not. Does not
+   collect the status: until somebody does, no other process can get this
+   process number, and the process group can be killed safely. */
 static bool has_ended(pid_t pid)
 {
     siginfo_t about = {0};
@@ -134,9 +134,10 @@ static bool has_ended(pid_t pid)
            about.si_pid == pid;
 }
 
-/* Returns whether a process uses more memory than `most` bytes (the second
-   number of statm, in pages). This limits a copy of a runner, for which no
-   limit of the kernel fits, since sanitizers map terabytes. */
+/* Returns whether a process uses more memory than `most` bytes. The second
+   number in statm is the memory in use, in pages. Copies of a runner need
+   this check: no limit of the kernel fits, since sanitizers map terabytes.
+   */
 static bool uses_more(pid_t pid, rlim_t most)
 {
     char path[64];
@@ -162,11 +163,12 @@ int process_watch(pid_t pid)
 #endif
 }
 
-/* Waits for a process; kills its group when it is late or too large, or the
-   user interrupts, and again at the end, for the children it leaves.
-   Returns whether it was late. waitpid has no time limit, so this polls:
-   every 20 ms where the kernel reports the end at once (pidfd), otherwise
-   every 2 ms, which adds one on average. */
+/* Waits for a process. Kills its process group if it runs longer than
+   `seconds`, uses more than `memory` bytes, or the user interrupts. Kills
+   the group again at the end, for children left behind. Returns whether the
+   process ran too long. waitpid has no time limit, so this function polls:
+   every 20 ms if the kernel reports the end at once (pidfd), otherwise
+   every 2 ms, which delays a test by 1 ms on average. */
 static bool wait_for_end(pid_t pid, double seconds, rlim_t memory)
 {
     struct pollfd end = {process_watch(pid), POLLIN, 0};
@@ -187,10 +189,10 @@ static bool wait_for_end(pid_t pid, double seconds, rlim_t memory)
 
 enum { MOST_BESIDE = 2 };
 
-static pid_t beside[MOST_BESIDE]; /* processes begun by process_start */
+static pid_t beside[MOST_BESIDE]; /* started by process_start */
 static int besides;
 
-/* Returns whether process_start has not started this child. */
+/* Returns whether process_start did not start this child. */
 static bool is_stray(int child)
 {
     for (int i = 0; i < besides; ++i)
@@ -199,10 +201,11 @@ static bool is_stray(int child)
     return child > 0;
 }
 
-/* Returns a child that nothing here has started, or 0. A process may leave
-   its group by setsid; on Linux such orphans become our children
-   (PR_SET_CHILD_SUBREAPER), and a file lists our children. On other systems
-   they escape, but no program does that by accident. */
+/* Returns a child that process_start did not start, or 0. A program's child
+   can leave its process group by setsid. On Linux it becomes a child of
+   this process when its parent ends (PR_SET_CHILD_SUBREAPER), and a file in
+   /proc lists all children. On other systems it escapes, but no program
+   does this by accident. */
 static int find_stray(void)
 {
     int child = 0;
@@ -229,8 +232,8 @@ static void kill_strays(void)
     }
 }
 
-/* Waits, and fills in how a process ended. Whether it was late is stored,
-   because the kernel also sends SIGKILL when memory has run out. */
+/* Waits for a process and fills in how it ended. SIGKILL alone does not
+   prove a time-out, since the kernel also sends it when memory runs out. */
 static void collect(pid_t pid, double seconds, rlim_t memory,
                     struct process_end *end)
 {
@@ -243,11 +246,12 @@ static void collect(pid_t pid, double seconds, rlim_t memory,
     kill_strays();
 }
 
-/* Starts a command. Buffers are flushed first, or the copy would print
-   their text again. Parent and child both set the group, since either may
-   run first; the parent's call fails if the child is already in exec. A
-   shell with timeout and ulimit would not do: it cannot tell a segmentation
-   fault from exit(139), and timeout does not kill children. */
+/* Starts a command in a new process. Flushes all buffers first, because the
+   new process would print their content again. Parent and child both set
+   the process group, since either may run first; the parent's call fails if
+   the child is already in exec. A shell with timeout and ulimit could not
+   replace this: it cannot tell a segmentation fault from exit(139), and
+   timeout does not kill children. */
 static pid_t launch(char *const command[], const char *folder,
                     const struct process_files *files,
                     const struct process_limits *limits)
@@ -298,8 +302,8 @@ struct process_end process_stop(void)
     return end;
 }
 
-/* Sends the order to the process that copies itself, and reads from its
-   answer the number of the copy, which no other process learns. */
+/* Sends the order. The answer is the process number of the copy, which no
+   other process learns. */
 bool process_copy(int orders, const void *order, size_t length, int seconds,
                   rlim_t memory_bytes, struct process_end *end)
 {

@@ -7,14 +7,14 @@
 #include <sys/resource.h>
 #include <sys/types.h>
 
-/* The limits of a program; RLIM_INFINITY means none. An endless loop is
-   stopped when its processor time is used up, which is fair on a busy
-   machine; a program that sleeps or waits uses no processor time, so it is
-   stopped after twice that wall-clock time. */
+/* The limits of a program; RLIM_INFINITY means no limit. The limit on
+   processor time stops an endless loop and is fair on a busy machine. A
+   program that sleeps uses no processor time, so it is stopped after twice
+   that time by the wall clock. */
 struct process_limits {
-    int seconds;         /* processor time; half the wall-clock limit */
+    int seconds;         /* processor time, s; wall-clock time: twice */
     rlim_t memory_bytes; /* address space, bytes */
-    rlim_t file_bytes;   /* bytes of each file written */
+    rlim_t file_bytes;   /* size of each file written, bytes */
     rlim_t processes;    /* processes and threads of the user */
 };
 
@@ -26,52 +26,54 @@ struct process_files {
     void (*enter)(void); /* called in the new process; NULL: none */
 };
 
-/* The end of a program. */
+/* How a program ended. */
 struct process_end {
-    int status;     /* status as from waitpid */
+    int status;     /* status from waitpid */
     bool timed_out; /* a limit on time was reached */
-    bool waited;    /* it was the limit on wall-clock time */
+    bool waited;    /* that limit was on wall-clock time */
 };
 
-/* Runs a command (a NULL-terminated list, the program looked up in PATH)
-   in a folder and a process group of its own, with empty input, these
-   descriptors and limits, and no core files. Returns when it has ended and
-   everything in its group is killed; false when no process could be
-   started (errno says why). */
+/* Runs a command, a NULL-terminated list, in the given folder. Its first
+   word is looked up in PATH. The command gets a process group of its own,
+   empty input, these descriptors and limits, and makes no core file.
+   Returns after it has ended and its process group is killed. Returns false
+   if no process could be started; errno says why. */
 bool process_run(char *const command[], const char *folder,
                  const struct process_files *files,
                  const struct process_limits *limits,
                  struct process_end *end);
 
-/* Starts a command as process_run does, but returns at once; two may run at
-   a time. The caller has to enforce the limit on wall-clock time, which is
-   the only one not enforced. Returns false when no process could be
+/* Starts a command as process_run does, but returns at once. At most two
+   such commands may run at a time. The limit on wall-clock time is not
+   enforced; the caller must do that. Returns false if no process could be
    started. */
 bool process_start(char *const command[], const char *folder,
                    const struct process_files *files,
                    const struct process_limits *limits);
 
-/* Makes the process that process_start has started copy itself, and sends
-   the copy an order, both through the socket `orders'. The copy is our
-   child, in a group of its own: this waits for it as process_run does, for
-   twice this number of seconds, and also kills it when it uses more than
-   memory_bytes. Returns false when there was no copy. */
+/* Sends an order through the socket `orders` to a process that was started
+   by process_start, which copies itself and answers with the number of the
+   copy. The copy is a child of this process and has a process group of its
+   own. Waits for the copy at most 2 * seconds, and kills it if it uses more
+   than memory_bytes. Returns false if there was no copy. */
 bool process_copy(int orders, const void *order, size_t length, int seconds,
                   rlim_t memory_bytes, struct process_end *end);
 
-/* Kills the process that process_start started last, with its group, and
-   returns how it ended; does nothing when there is none. */
+/* Kills the process that was last started by process_start, with its
+   process group, and returns how it ended. Does nothing if there is none.
+   */
 struct process_end process_stop(void);
 
-/* Returns a descriptor that becomes readable when the child has ended, or
-   -1. */
+/* Returns a descriptor that becomes readable when the child ends, or -1 if
+   the system has no such descriptors. */
 int process_watch(pid_t pid);
 
-/* Returns seconds of the monotonic clock. */
+/* Returns the time of the monotonic clock, s. This clock cannot be set back
+   during a test. */
 double process_clock(void);
 
-/* Makes SIGINT, SIGTERM and SIGHUP end the running program, not this
-   one. */
+/* Makes SIGINT, SIGTERM and SIGHUP end the program that is being run, not
+   this process. */
 void process_catch_signals(void);
 
 /* Returns the signal that was caught, or 0. */

@@ -1,4 +1,5 @@
-/* Checks tables, refusals and remarks, for the suites of projects. */
+/* Checks tables, error messages and remarks of projects, for their suites.
+ */
 #include "examiner/project.h"
 
 #include <math.h>
@@ -91,10 +92,10 @@ static void leap(project_pull *pull, const void *of, int n, long double x[],
     }
 }
 
-/* Solves an equation of motion to rounding. A leapfrog is symmetric, so its
-   error has only even powers of the step; from its results with 1, 2, ...,
-   8 steps the limit of infinitely many follows, with an error in the
-   sixteenth power (Richardson). */
+/* Extrapolates from leapfrog runs with 1, 2, ..., 8 steps to infinitely
+   many steps (Richardson). A leapfrog is symmetric, so its error has only
+   even powers of the step. The error of the result has the sixteenth power.
+   */
 void project_exactly(project_pull *pull, const void *of, int n,
                      long double x[], long double v[], double t, int parts)
 {

@@ -5,30 +5,32 @@
 #include "examiner/check.h"
 #include "examiner/run.h"
 
-/* Draws as check_draw does, but differently for each year of a course, and
-   with the grader's seed when marks are given. */
+/* Returns a number between low and high, drawn as by check_draw but
+   different for each year of a course. Under the grader's seed it is
+   different again. */
 double project_draw(int year, double low, double high);
 
-/* Checks that the program ended with status 0 and printed this many rows
-   and columns. If the columns differ, the student is asked the question. */
+/* Checks that the program ended with status 0 and printed `rows` rows of
+   `columns` numbers. If the number of columns is wrong, the report asks the
+   student the question. */
 bool project_form(const struct run *run, const char *input, size_t rows,
                   size_t columns, const char *question);
 
 /* Checks that the program refuses this input with status 2 and a line on
-   standard error. */
+   standard error. `what` describes the mistake in the input. */
 bool project_refuses(const struct run_order *order, const char *what);
 
-/* Returns the number after these words in a remark. If there is none,
-   returns NAN and replaces *question by one about the missing remark. */
+/* Returns the number that follows `words` in a remark. If there is no such
+   remark, returns NAN and sets *question to a question about it. */
 double project_remark(const struct run *run, const char *words,
                       const char **question);
 
-/* Returns x as it would be read after printing it in this format. */
+/* Returns x after printing it in this format and reading it back. */
 double project_cut(const char *format, double x);
 
-/* Solves x'' = a(x) for n coordinates x with velocities v over the time t
-   to rounding; `pull` computes a from x and `of'. The time is cut into
-   `parts' pieces, in each of which the path must bend little. */
+/* Solves x'' = a(x) for n coordinates x with velocities v over the time t,
+   exact to rounding. `pull` computes a from x and `of`. The time is divided
+   into `parts` pieces; in each piece the path must bend little. */
 typedef void project_pull(const void *of, const long double x[],
                           long double a[]);
 enum { PROJECT_PLACES = 16 };

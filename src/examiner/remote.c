@@ -1,4 +1,5 @@
-/* Sends and receives numbers of each type, the same code for both sides. */
+/* Sends and receives numbers of each type, with the same code on both
+   sides. */
 #include "examiner/remote.h"
 #include "examiner/transport.h"
 
@@ -35,9 +36,9 @@ void remote_unsigneds(unsigned x[], size_t count)
     transport_move(x, remote_bytes(count, sizeof *x));
 }
 
-/* Sends or receives truth values. They travel as ints, because a bool
-   whose byte is neither 0 nor 1 may be true in one place and false in the
-   next. For doubles any eight bytes will do. */
+/* Sends or receives bools as ints: a bool whose byte is neither 0 nor 1 may
+   be true in one place and false in the next. Doubles need no such care,
+   since any eight bytes are a double. */
 void remote_bools(bool x[], size_t count)
 {
     for (size_t i = 0; i < count; ++i) {

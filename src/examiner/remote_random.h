@@ -6,8 +6,9 @@
 
 double uniform(void);
 
-/* Numbers in a block. Single numbers would need thousands of round trips.
-   Blocks of 64 took a tenth longer; larger ones than 128 save nothing. */
+/* The number of random numbers in a block. Sending single numbers would
+   take thousands of round trips. Blocks of 64 numbers took a tenth longer;
+   blocks of more than 128 save nothing. */
 enum { BLOCK = 128 };
 
 #ifdef REMOTE_SERVER
@@ -16,9 +17,9 @@ static struct {
     size_t left;
 } block;
 
-/* Receives a block. With its answer the sandbox sends how many numbers of
-   the last block are left: the judge has only looked ahead, and then draws
-   those that were used. */
+/* Receives a block. The judge has only looked ahead at these numbers. With
+   its answer the sandbox sends how many of the last block are left; the
+   judge then draws those that were used. */
 static void take_block(void)
 {
     remote_doubles(block.u, BLOCK);
@@ -35,8 +36,8 @@ double uniform(void)
     return block.u[BLOCK - block.left--];
 }
 #else
-/* Copies the numbers that uniform() will return next; defined by the
-   suite. */
+/* Copies the next count numbers of uniform() to u without drawing them. The
+   suite defines it. */
 void uniform_ahead(double u[], size_t count);
 
 static void give_block(void)
@@ -52,8 +53,8 @@ static void use_up(size_t left)
         (void)uniform();
 }
 
-/* Draws the last block, since all of it was used, and sends the next
-   one. */
+/* Draws the numbers of the last block, all of which were used, and sends
+   the next block. */
 void remote_serve_callback(int which)
 {
     (void)which;

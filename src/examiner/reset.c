@@ -12,7 +12,7 @@
 #include <time.h>
 #include <unistd.h>
 
-/* Copies a file to an open descriptor, which it closes. */
+/* Copies a file to the open descriptor `out` and closes `out`. */
 static bool copy(const char *from, int out)
 {
     char block[1 << 12];
@@ -39,10 +39,10 @@ static bool copy_to(const char *from, const char *to)
 
 enum { KEPT = COURSE_PATH + 64 };
 
-/* Gives the student's file a second name, with the date at its end; a name
-   in .c would be taken for an answer. A link is made at once, and fails
-   when the name is taken. The stub then replaces the first name, so that at
-   no moment anything is lost. */
+/* Gives the student's file a second name that ends with the date; a name in
+   .c would be taken for an answer. A link is made in a single step, and
+   fails if the name is taken. The stub replaces the first name only
+   afterwards, so nothing is ever lost. */
 static bool save(const char *file, char kept[KEPT])
 {
     char date[32];
@@ -82,8 +82,8 @@ _Noreturn static void give_up(const char *file, const char *kept)
               strerror(why));
 }
 
-/* Resets an exercise and the count of its hints. Only this command changes
-   anything in exercises/. */
+/* Resets an exercise and the number of hints given for it. No other command
+   changes anything in exercises/. */
 void reset_exercise(struct exercise *e)
 {
     char kept[KEPT] = "";

@@ -5,7 +5,7 @@
 #include "examiner/course.h"
 
 /* Saves the student's file under a dated name beside it and puts the stub
-   in its place. Exits with 2, with nothing changed, when that fails. */
+   in its place. On failure, exits with status 2 and changes nothing. */
 void reset_exercise(struct exercise *e);
 
 #endif

@@ -1,4 +1,4 @@
-/* Prints lines, stories, the next step and bars of progress. */
+/* Prints results, reports, the next step and bars of progress. */
 #include "examiner/round.h"
 #include "examiner/build.h"
 #include "examiner/process.h"
@@ -8,9 +8,9 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Returns the escape sequence for a state's colour, or "" with NO_COLOR or
-   for a file. The word suffices without it: one student in twelve cannot
-   tell red from green. */
+/* Returns the escape sequence for a state's colour, or "" if NO_COLOR is
+   set or the output is a file. The state is printed as a word, too, since
+   one student in twelve cannot tell red from green. */
 static const char *colour(enum state state)
 {
     if (state == NOT_BEGUN || !isatty(STDOUT_FILENO) || getenv("NO_COLOR"))
@@ -18,8 +18,8 @@ static const char *colour(enum state state)
     return state_wrong(state) ? "\033[31m" : "\033[32m";
 }
 
-/* Prints the line of an exercise at once, so that a long round shows its
-   progress. The kit's tests read its columns. */
+/* Flushes the output, so that a long round shows its progress. The kit's
+   tests read these columns. */
 void round_line(const struct exercise *e)
 {
     const char *code = colour(e->state);
@@ -50,8 +50,9 @@ void round_solution(const struct exercise *e)
                e->name, e->name);
 }
 
-/* Returns how urgent an exercise is: one that was asked for comes before
-   any other, a failure before a gap, a gap before one not begun. */
+/* Returns the urgency of an exercise, 0 if it passes. Exercises that were
+   asked for come first; among them, and among the others, a failure comes
+   before a gap, and a gap before an exercise not begun. */
 static int urgency(const struct exercise *e)
 {
     if (e->judged && e->state == PASSED)
@@ -60,7 +61,8 @@ static int urgency(const struct exercise *e)
     return kind + (e->chosen ? 3 : 0);
 }
 
-/* Returns the most urgent exercise; one not judged counts as not begun. */
+/* Returns the most urgent exercise. An exercise that was not judged counts
+   as not begun. */
 const struct exercise *round_current(const struct course *course)
 {
     const struct exercise *current = NULL;
@@ -89,8 +91,8 @@ static bool any_touched(const struct course *course)
     return false;
 }
 
-/* Prints the file to open. A missing file is to be restored by make reset:
-   the student must not edit the stub itself. */
+/* Prints the name of the file to open. If it is missing, proposes make
+   reset: the student must not edit the stub itself. */
 static void invite(const struct course *course, const struct exercise *e)
 {
     if (e->gap)
@@ -130,9 +132,10 @@ void round_learn(struct course *course, const struct verdict_rules *rules)
     }
 }
 
-/* Prints explanations: in a full round those of the first failure and of
-   missing files; otherwise those of the exercises that were named. Without
-   sanitizers a pass is less certain, and a line says so. */
+/* Prints the reports on exercises: in a full round, those on the first
+   failure and on missing files; otherwise, those on the exercises that were
+   named. If the compiler has no sanitizers, says that a pass is less
+   certain. */
 static void tell_stories(const struct course *course, bool named)
 {
     bool told = false, run = false;
@@ -152,8 +155,8 @@ static void tell_stories(const struct course *course, bool named)
                "pass unseen.\n");
 }
 
-/* Judges the chosen exercises. A signal ends the program before the present
-   exercise gets a state, because its test was killed. */
+/* After a signal, exits before the present exercise is printed, because its
+   test was killed. */
 bool round_check(struct course *course, const struct verdict_rules *rules,
                  bool named)
 {
@@ -179,8 +182,8 @@ bool round_check(struct course *course, const struct verdict_rules *rules,
 
 enum { BAR = 24 };
 
-/* Draws a bar of progress. The division rounds down, so that a full bar
-   means all points. */
+/* Draws a bar of progress. Rounds down, so that only all points fill the
+   bar. */
 static void draw_bar(char bar[BAR + 1], int earned, int points)
 {
     const int full = points > 0 ? BAR * earned / points : 0;

@@ -1,12 +1,14 @@
-/* Checks the exercises one after the other, and names the next step. */
+/* Judges exercises one after the other, and prints results and the next
+   step. */
 #ifndef ROUND_H
 #define ROUND_H
 
 #include "examiner/verdict.h"
 
-/* Judges the chosen exercises, prints a line for each, then the first
-   failure (or a report on each exercise that was named). Returns whether
-   all exercises begun pass; exits with status 2 after a signal. */
+/* Judges the chosen exercises and prints a line for each. Then prints the
+   report on the first failure or, if `named`, on every exercise that was
+   named. Returns whether all exercises begun pass. Exits with status 2
+   after a signal. */
 bool round_check(struct course *course, const struct verdict_rules *rules,
                  bool named);
 

@@ -11,14 +11,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* Returns the name of the project, "P1", from its suite's file. */
 static const char *project(void)
 {
     return check_text("%.2s", check_suite.file);
 }
 
-/* Returns the command of a run, with its files, in one line, so that a
-   student can repeat a run that failed. */
 const char *run_text(const struct run_order *o)
 {
     static char text[400];
@@ -47,7 +44,6 @@ const char *run_text(const struct run_order *o)
     return text;
 }
 
-/* Sends a text, as its length and its bytes. */
 static void send_text(const char *text)
 {
     size_t length = strlen(text);
@@ -77,8 +73,8 @@ static void send_order(const struct run_order *o)
     }
 }
 
-/* Reads a row of numbers; returns their number, or 0 if anything else is in
-   the line. */
+/* Reads at most `most` numbers from a line into x. Returns how many numbers
+   the line has, or 0 if it has anything else. */
 static size_t read_row(const char *line, double x[], size_t most)
 {
     size_t count = 0;
@@ -97,7 +93,7 @@ static size_t read_row(const char *line, double x[], size_t most)
 static void add_row(struct run *r, const char *line)
 {
     static size_t room;
-    double row[320]; /* room for 64 bodies in the plane and the time: 258 */
+    double row[320]; /* enough for 64 bodies in the plane */
     const size_t count = read_row(line, row, 320);
     if (count == 0 || count > 320 || (r->rows > 0 && count != r->columns)) {
         r->broken = line;
@@ -115,8 +111,8 @@ static void add_row(struct run *r, const char *line)
     memcpy(r->numbers + r->rows++ * count, row, count * sizeof *row);
 }
 
-/* Reads rows and remarks from the program's output. Remarks are moved to
-   the front of the text, over rows that have been read. */
+/* Reads the rows and remarks in the program's output. Moves the remarks to
+   the front of the text, over rows that were already read. */
 static void read_table(struct run *r, char *text)
 {
     char *rest = text, *remarks = text;
@@ -168,8 +164,9 @@ static void tell_run(const struct run_order *o, bool late)
         check_tell("question", o->late);
 }
 
-/* Ends the test by the program's signal if it crashed or was stopped, so
-   that the examiner reports it as it reports a function's. */
+/* Ends the test if the program crashed or was stopped. Uses the program's
+   signal, so that the examiner reports the crash like that of a function.
+   */
 static void end_like(const struct run_order *o, int status, bool late)
 {
     const bool sane =
@@ -187,7 +184,7 @@ static void end_like(const struct run_order *o, int status, bool late)
 }
 
 /* Receives the result in the order in which run_server.c sends it. Ends the
-   test if the sandbox announces more than it may print. */
+   test if the sandbox announces more output than is allowed. */
 const struct run *run_program(const struct run_order *order)
 {
     static struct run r;

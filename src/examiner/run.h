@@ -12,26 +12,28 @@ enum {
     RUN_COMPLAINT = 1 << 14 /* bytes kept of standard error */
 };
 
-/* The way to count the calls of the function that a project is given. */
+/* How to count the calls of the function that the kit gives to a project.
+ */
 enum run_count {
     RUN_UNCOUNTED,
     RUN_INSIDE, /* by the function itself, in shared memory */
-    RUN_OUTSIDE /* by another process, which alone knows the law's constant,
-                   so that the program must ask it for each value */
+    RUN_OUTSIDE /* by another process: only that process knows the constant
+                   of the law, so the program must ask it for each value */
 };
 
 enum {
-    RUN_COUNTER = 3, /* descriptor of that memory, or of that process */
+    RUN_COUNTER = 3, /* descriptor of the shared memory, or of the socket to
+                        the other process */
     RUN_BODIES = 64  /* most bodies in a call */
 };
 
-/* An order to run `P1 ARGUMENTS`, or another project, in a folder with only
-   these files. */
+/* An order to run a project, as `P1 ARGUMENTS`, in a folder that contains
+   only these files. */
 struct run_order {
     const char *arguments[RUN_WORDS]; /* ends with NULL */
     struct run_file {
         const char *name, *text;
-    } files[RUN_FILES]; /* unused ones have no name */
+    } files[RUN_FILES]; /* an unused entry has no name */
     int given;          /* number of the function to link */
     enum run_count count;
     double constant;  /* constant of the law, with RUN_OUTSIDE */
@@ -39,40 +41,41 @@ struct run_order {
     const char *late; /* question after a time-out */
 };
 
-/* The table that a program printed, and how it ended. A table is rows of
-   equally many numbers and remarks, lines that begin with #; any other line
-   breaks it, and the suite shows the first such line. */
+/* The table that a program printed, and how the program ended. A table
+   consists of rows, which have equally many numbers, and of remarks, which
+   begin with #. Any other line is an error. */
 struct run {
     int status;   /* exit status */
     bool flooded; /* more than RUN_PRINTS was printed */
     size_t rows, columns;
     double *numbers;    /* all rows, one after the other */
-    const char *broken; /* the first line that breaks it, or "" */
+    const char *broken; /* the first line in error, or "" */
     char *remarks;      /* the lines that begin with a # */
-    char *complaint;    /* its output on standard error */
+    char *complaint;    /* output on standard error */
     double calls;       /* calls of the function; -1: unknown */
 };
 
-/* Runs the program. The result is valid until the next call. A program
-   that crashes, or does not end in time, ends the test. */
+/* Runs the program. The result is valid until the next call. Ends the test
+   if the program crashes or does not end in time. */
 const struct run *run_program(const struct run_order *order);
 
-/* Returns the command and its files in one line, for CHECK_NEAR's
-   .input. */
+/* Returns the command and its files in one line, for CHECK_NEAR's .input,
+   so that a student can repeat a run that failed. */
 const char *run_text(const struct run_order *order);
 
-/* Finds the remark that begins with these words and reads up to count
-   numbers after them; returns how many it has read. */
+/* Finds the remark that begins with `words` and reads up to count numbers
+   after them into x. Returns how many it has read. */
 int run_remark(const struct run *run, const char *words, double x[],
                int count);
 
-/* Sets the forces on n bodies by law number `which`; defined, with
-   REMOTE_SERVER, by a project whose calls are counted outside. */
+/* Sets f to the forces on n bodies with masses m and positions x, by law
+   number `which` with this constant. A project whose calls are counted
+   outside defines it, with REMOTE_SERVER. */
 void run_law(int which, double constant, int n, const double m[],
              const double x[], double f[]);
 
-/* Receives an order, runs it, and sends the result; on the server's
-   side. */
+/* Receives an order, runs it, and sends the result. Called in the sandbox.
+ */
 void remote_serve(void);
 
 #endif

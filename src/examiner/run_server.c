@@ -19,8 +19,8 @@
 
 enum { TEXT_MOST = 1 << 20 };
 
-/* Receives one string of an order. Its length is limited, although only the
-   judge sends orders. */
+/* Receives one string of an order. Refuses a string longer than TEXT_MOST,
+   although only the judge sends orders. */
 static char *take_text(void)
 {
     size_t length;
@@ -62,7 +62,7 @@ struct order {
 };
 
 /* Receives an order and writes its files into a new folder. Stores the
-   arguments and the names, by which clean_up removes the files. */
+   arguments and the names of the files for clean_up. */
 static struct order take_order(void)
 {
     struct order order;
@@ -89,11 +89,12 @@ static struct order take_order(void)
 
 int __lsan_do_recoverable_leak_check(void) __attribute__((weak));
 
-/* Replaces this process by the program, in a process group, with the
-   standard descriptors and the counter, in an otherwise empty folder,
-   without environment (except options of a sanitizer). It is started
-   through a link with the project's name, to hide the number of the
-   function that it is linked with. */
+/* Replaces this process by the program. The program gets a process group of
+   its own, the standard descriptors, the counter, and a folder that
+   contains only the files of the order. Its environment is empty, except
+   for options of a sanitizer. It is started through a link named after the
+   project, which hides the number of the function that it is linked with.
+   */
 static _Noreturn void become(int given, int out, int complain, int counter)
 {
     char program[32], *none[] = {NULL, NULL, NULL};
@@ -125,15 +126,15 @@ static _Noreturn void become(int given, int out, int complain, int counter)
 }
 
 struct stream {
-    int file; /* -1 when it is closed */
+    int file; /* -1 if closed */
     char *text;
     size_t length, most;
     bool more; /* the text was cut after `most' bytes */
 };
 
-/* Reads new output of the program; returns whether there was any. Output
-   goes through pipes that are read while the program runs: no file of 16
-   MiB is needed, and a child that continues to print is not waited for. */
+/* Reads new output of the program. Returns whether there was any. Output
+   goes through pipes, which are read while the program runs: so no file of
+   16 MB is needed, and a child that keeps printing delays nobody. */
 static bool take_down(struct stream *s)
 {
     static char spill[1 << 16];
@@ -170,10 +171,11 @@ static double seconds_allowed(void)
     return 5.0;
 }
 
-/* Reads the program's output until it ends or exceeds a wall-clock time of
-   1.8 times its limit on processor time, since a program that sleeps uses
-   none. If it printed too much, only that is reported, whatever killed it.
- */
+/* Reads the program's output until it ends. Kills the program if it prints
+   too much, or after a wall-clock time of 1.8 times its limit on processor
+   time, since a program that sleeps uses none. Sets how[0] to the status,
+   how[1] to whether it ran too long, and how[2] to whether it printed too
+   much; then how[0] and how[1] are 0. */
 static void watch(pid_t pid, struct stream s[2], int how[3])
 {
     const double allowed = seconds_allowed(), start = now();
@@ -199,8 +201,8 @@ static void watch(pid_t pid, struct stream s[2], int how[3])
         how[0] = how[1] = 0;
 }
 
-/* Starts the program and watches it. Reading the pipes does not block, or
-   it would wait for children that the program leaves. */
+/* Starts the program and watches it. Reading the pipes does not block;
+   otherwise it would wait for children that the program leaves behind. */
 static void run(int given, struct stream s[2], int how[3], int counter)
 {
     int out[2], complain[2];
@@ -225,10 +227,10 @@ static void run(int given, struct stream s[2], int how[3], int counter)
             close(s[i].file);
 }
 
-/* A count of the calls of the given function: in shared memory, or by a
-   process that answers them. */
+/* Counts calls of the given function: in shared memory, or by a process
+   that answers them. */
 struct counter {
-    int program, ours; /* both ends of a socket, or a file twice */
+    int program, ours; /* two ends of a socket, or one file twice */
     int told;          /* pipe from the process that counts, or -1 */
     pid_t pid;
 };
@@ -237,10 +239,10 @@ struct counter {
 void run_law(int which, double constant, int n, const double m[],
              const double x[], double f[]) __attribute__((weak));
 
-/* Answers each request with the forces, until the other end is closed or
-   there have been too many requests; then sends the number of requests. It
-   runs in a process apart from the student's program, which therefore
-   cannot read the constant of the law. */
+/* Answers each request with the forces, until the other end is closed, a
+   request is malformed, or there are too many requests. Then sends the
+   number of requests. This runs in a process of its own, so that the
+   student's program cannot read the constant of the law. */
 static _Noreturn void answer_questions(const struct order *order, int ear,
                                        int told)
 {
@@ -260,7 +262,7 @@ static _Noreturn void answer_questions(const struct order *order, int ear,
         if (send(ear, f, 2 * masses, MSG_NOSIGNAL) < 0)
             break;
     }
-    shutdown(ear, SHUT_RDWR); /* other processes have it open */
+    shutdown(ear, SHUT_RDWR); /* unlike close, ends it for all processes */
     _exit(write(told, &calls, sizeof calls) == sizeof calls ? EXIT_SUCCESS
                                                             : EXIT_FAILURE);
 }
@@ -295,8 +297,8 @@ static bool count_outside(const struct order *order, struct counter *c)
 }
 #endif
 
-/* Makes the shared memory for the count: a file that is unlinked before
-   the program starts. */
+/* Makes the shared memory for the count. It is a file that is unlinked
+   before the program starts. */
 static void count_inside(struct counter *c)
 {
     char path[] = "count.XXXXXX";
@@ -323,7 +325,8 @@ static double take_calls(const struct counter *c)
         return -1.0;
     if (c->told >= 0) {
         close(c->program);
-        shutdown(c->ours, SHUT_RDWR); /* wakes all at the other end */
+        shutdown(c->ours,
+                 SHUT_RDWR); /* wakes every reader at the other end */
         if (read(c->told, &calls, sizeof calls) != sizeof calls)
             calls = -1;
         close(c->told);
@@ -353,8 +356,8 @@ static void clean_up(void)
         free(words[i]);
 }
 
-/* Copies the program's standard error to ours, after its command, since a
-   test may run it many times. */
+/* Copies the program's standard error to ours. Prints the command first,
+   since a test may run the program many times. */
 static void tell_complaint(const struct stream *s)
 {
     if (s->length == 0)

@@ -1,4 +1,4 @@
-/* Namespaces, limits and a shell inside, made with bubblewrap. */
+/* Builds and runs programs in sandboxes, which bubblewrap makes. */
 #include "examiner/sandbox.h"
 #include "examiner/folder.h"
 #include "examiner/process.h"
@@ -29,12 +29,12 @@ long syscall(long number, ...);
 
 #define MEMORY_KIB 524288     /* address space of each process, KiB */
 #define DISK_BYTES "33554432" /* size of the sandbox's folder, bytes */
-#define DISK_FILES "2000"     /* most files in it */
-#define OUTER_WORK "/mnt"     /* the folder's mount point outside */
+#define DISK_FILES "2000"     /* most files in that folder */
+#define OUTER_WORK "/mnt"     /* mount point of that folder outside */
 
 enum {
     BUILD_MS = 45000, /* wall-clock time to compile and link */
-    START_MS = 5000,  /* wall-clock time from there to its main */
+    START_MS = 5000,  /* wall-clock time from there to main */
     SETTLE_MS = 2000, /* wall-clock time to end a test's process */
     DRAW_MS = 30000   /* wall-clock time to draw a figure */
 };
@@ -64,7 +64,8 @@ static const char *number(struct words *w, long long x)
     return text;
 }
 
-/* Returns the first unused id of user, user + 2, user + 4, ... */
+/* Returns the first of the user ids user, user + 2, user + 4, ... that
+   nobody has. */
 static long free_user(long user)
 {
     while (getpwuid((uid_t)user))
@@ -72,12 +73,13 @@ static long free_user(long user)
     return user;
 }
 
-/* Returns the user id for this process's sandboxes: an even number; judges
-   have odd ones. The kernel counts processes by user, so a fork bomb in one
-   sandbox would keep others of the same user from forking. The id is made
-   from our process number, so that two graders on one machine use different
-   ids. Only root can give a sandbox another user; for others Linux counts
-   the processes of each user namespace apart since 5.14. */
+/* Returns the user id for the sandboxes of this process. It is an even
+   number; judges have odd numbers. The kernel counts processes by user, so
+   a fork bomb in one sandbox would keep other sandboxes of the same user
+   from forking. The id depends on our process number, so that two graders
+   on one machine use different ids. Only root can give a sandbox another
+   user. For other users Linux, since 5.14, counts the processes of each
+   user namespace separately. */
 static long sandbox_user(void)
 {
     return free_user(20000 + 2 * ((long)getpid() % 20000));
@@ -99,13 +101,13 @@ static void add_user(struct words *w)
 }
 
 static bool bounded; /* whether mount_disk works; set by sandbox_probe */
-/* Settings of enter(), in which a new process changes its user, empties its
-   environment and mounts a folder before it becomes bubblewrap. Commands
-   for these steps (setpriv, env, unshare, mount) took longer to start than
-   bubblewrap itself. */
+/* Settings for enter(). A new process calls enter() before it becomes
+   bubblewrap: it empties its environment, changes its user and mounts a
+   folder. The commands for these steps (setpriv, env, unshare, mount) took
+   longer to start than bubblewrap itself. */
 static long new_user; /* user of the next sandbox; 0: our user */
 static bool new_view; /* make a new user namespace */
-static bool own_disk; /* call mount_disk for a folder to write in */
+static bool own_disk; /* mount a writable folder by mount_disk */
 
 static void give_up(const char *what)
 {
@@ -116,9 +118,9 @@ static void give_up(const char *what)
 
 extern char **environ;
 
-/* Empties the environment before bubblewrap starts: bubblewrap is a process
-   in the sandbox, and /proc shows the environment of a process, in which a
-   server that grades may keep keys. */
+/* Removes everything but PATH from the environment before bubblewrap
+   starts. bubblewrap is a process in the sandbox, where /proc shows its
+   environment, and a server that grades may keep secret keys there. */
 static void forget_environment(void)
 {
     static char path[4096], *only[] = {path, NULL};
@@ -150,9 +152,9 @@ static void put(const char *path, const char *text)
     close(file);
 }
 
-/* Enters new namespaces of users and mounts, in which this process is root
-   over its own mounts only. A machine may allow this to bubblewrap only;
-   then the folder has a limit on bytes but none on files. */
+/* Enters new user and mount namespaces, in which this process is root, but
+   only over its own mounts. Some machines allow this only to bubblewrap.
+   There the writable folder has a limit on bytes, but none on files. */
 static void become_root_of_a_view(void)
 {
     char users[32], groups[32];
@@ -166,9 +168,8 @@ static void become_root_of_a_view(void)
     put("/proc/self/gid_map", groups);
 }
 
-/* Mounts the writable folder, with limits on bytes and on files, because a
-   million empty files fill the memory as well. bubblewrap can only limit
-   the bytes. */
+/* Mounts the writable folder, with limits on bytes and on files: a million
+   empty files fill the memory, too. bubblewrap can limit only the bytes. */
 static void mount_disk(void)
 {
     if (new_view)
@@ -206,7 +207,7 @@ static void plan_entry(enum sandbox_kind kind)
 
 /* Adds the files that the program can see: the compiler, its libraries, and
    one writable folder. /dev and the root are file systems in memory without
-   a limit, so they are made read-only at the end; otherwise a program could
+   a limit. They are made read-only at the end; otherwise a program could
    fill / and write its own /etc. */
 static void add_system(struct words *w)
 {
@@ -225,8 +226,9 @@ static void add_system(struct words *w)
         "/exercises");
 }
 
-/* Adds copies of the order's files, made from descriptors: so the sandbox's
-   user needs no right to enter our folders, and has no path to them. */
+/* Adds copies of the order's files, made from open descriptors. The
+   sandbox's user then needs no access to our folders and learns no path to
+   them. */
 static void add_copies(struct words *w, const struct sandbox_order *order)
 {
     static char source[256], header[80];
@@ -239,9 +241,9 @@ static void add_copies(struct words *w, const struct sandbox_order *order)
     ADD(w, "--seccomp", "8", "--remount-ro", "/");
 }
 
-/* Adds bubblewrap's options for namespaces. A new session has no terminal
-   into which a program could type (TIOCSTI). The sandbox has none of root's
-   capabilities, and dies when we die. */
+/* Adds bubblewrap's options for namespaces. A new session has no terminal,
+   so a program cannot type into one (TIOCSTI). The sandbox has none of
+   root's capabilities, and is killed when this process ends. */
 static void add_namespaces(struct words *w, enum sandbox_kind kind)
 {
     ADD(w, "bwrap", "--unshare-ipc", "--unshare-pid", "--unshare-net",
@@ -272,10 +274,10 @@ static void add_walls(struct words *w, enum sandbox_kind kind,
 }
 
 #if defined(__linux__) && (defined(__x86_64__) || defined(__aarch64__))
-/* System calls that are refused with EPERM. The first few give memory that
-   belongs to no process, so that no limit counts it; with them a few lines
-   could take all memory. The others serve to attack the kernel, not to
-   compute. Sanitizers need ptrace to search for leaks. */
+/* System calls that fail with EPERM. shmget and memfd_create give memory
+   that belongs to no process and that no limit counts; a few lines could
+   take all memory. The others help to attack the kernel and are not needed
+   to compute. Sanitizers need ptrace to search for leaks. */
 static const int forbidden[] = {
     SYS_ptrace, /* must be first: allowed for sanitizers */
     SYS_shmget,      SYS_memfd_create,    SYS_unshare,
@@ -285,7 +287,7 @@ static const int forbidden[] = {
 
 enum { FORBIDDEN = sizeof forbidden / sizeof forbidden[0] };
 #ifdef __x86_64__
-enum { LAST_CALL = 0x3fffffff }; /* x32's calls have higher numbers */
+enum { LAST_CALL = 0x3fffffff }; /* calls of x32 have higher numbers */
 static const unsigned OUR_CALLS = AUDIT_ARCH_X86_64;
 #else
 enum { LAST_CALL = 0x7fffffff };
@@ -297,10 +299,11 @@ static const unsigned OUR_CALLS = AUDIT_ARCH_AARCH64;
     code[n++] =                                                            \
         (struct sock_filter)BPF_JUMP(BPF_JMP | c | BPF_K, value, yes, no)
 
-/* Returns a pipe with the filter of system calls, a program for the
-   kernel's simple machine with one register: it loads the call's number and
-   compares. x86 has three sets of call numbers; a call of another set ends
-   the program. On other processors the filter is empty. */
+/* Returns a pipe that contains the filter of system calls, a BPF program.
+   It loads the number of the call and compares it with the forbidden
+   numbers. x86 has three sets of call numbers; a call from another set ends
+   the program. On processors other than x86-64 and ARM64 the filter is
+   empty. */
 static int open_filter(bool sanitized)
 {
     struct sock_filter code[2 * FORBIDDEN + 8];
@@ -363,9 +366,9 @@ static bool try_disks(enum sandbox_kind kind)
     return bounded || try_kind(kind, ":");
 }
 
-/* Returns the best kind of sandbox in which a command can be started, after
-   a trial of the compiler in it: without a compiler no student's program
-   would build, and only the marks would show it. */
+/* Returns the best kind of sandbox in which a command can be started. Also
+   tries the compiler in it: without a compiler no student's program would
+   build, and only the marks would show it. */
 enum sandbox_kind sandbox_probe(const char *compiler)
 {
     enum sandbox_kind kind = SANDBOX_SEALED;
@@ -387,29 +390,30 @@ const char *sandbox_name(enum sandbox_kind kind)
     return names[kind];
 }
 
-/* The script that the shell in the sandbox runs: it compiles, hides the
-   symbols of the student's file, links, and becomes the program.
+/* The script that the shell in the sandbox runs. It compiles the student's
+   file, hides its symbols, links, and becomes the program.
 
    objcopy makes all of the student's symbols local, except the functions of
-   the exercise, so that a malloc, write or main of his own cannot replace
-   those of the driver. It also removes .interp, which a file may have and
-   which Linux would start inside gold's programs. A project keeps main: the
-   driver is a program without anything of the student's, and his program is
-   linked once for each version of the function that it calls, with
-   sanitizers only for the first.
+   the exercise. A student's malloc, write or main then cannot replace the
+   driver's. objcopy also removes a section .interp: programs linked by gold
+   would contain it, and Linux would start the interpreter that it names. A
+   project keeps its main. There the driver is a program without any code of
+   the student's, and the student's program is linked once for each version
+   of the function that it calls. With sanitizers it is linked only for the
+   first version.
 
-   Limits are hard ones, and differ for the compiler and the program. When
-   memory runs out the kernel kills this process first. The pipes are closed
-   while the compiler runs, so that a file that includes /proc/self/fd/3
-   includes nothing. gcc took 28 s to print twenty thousand warnings with
-   their source lines; so messages are first made without lines and kept,
-   and only if the compiler fails is it run again with lines, and without
+   The limits are hard limits, different for the compiler and the program.
+   If memory runs out, the kernel kills this process first. The pipes are
+   closed while the compiler runs, so that a file that includes
+   /proc/self/fd/3 gets nothing. gcc took 28 s to print twenty thousand
+   warnings with their source lines. So the compiler first runs without
+   source lines. Only if it fails does it run again with them, or without
    warnings if there were many.
 
-   Symbols and line numbers are left out, unless sanitizers or a linker that
-   failed need them; then the file is compiled again with them. gold needs a
-   third of the usual linker's time with sanitizers and three quarters
-   without. */
+   Symbols and line numbers are left out, except with sanitizers. If the
+   linker fails the file is compiled again with them, for its message. gold
+   takes a third of the usual linker's time with sanitizers, and three
+   quarters without. */
 static const char script[] =
     "root=$1 name=$2 compiler=$3 keep=$4 seconds=$5 memory=$6 terse=$7\n"
     "lean=$8 linker=$9 declared=${10} types= cpu=20\n"
@@ -525,8 +529,8 @@ static void copy(int from, const char *name)
     close(to);
 }
 
-/* Makes the folder that replaces a sandbox under --unsafe. Root gives it to
-   another user, or the program would have root's rights. */
+/* Makes the folder that replaces the sandbox with --unsafe. Root gives it
+   to another user; otherwise the program would have root's rights. */
 static void furnish_folder(const struct sandbox_order *order)
 {
     static const char *const folders[] = {"kit", "exercises", "work"};
@@ -579,9 +583,9 @@ static void start(const struct sandbox_order *order, int requests,
     close(filter);
 }
 
-/* Waits until the program has reached its main. The shell sends a byte when
-   the program is built, the driver another when it starts; a program gains
-   nothing if it sends the second byte itself. */
+/* Waits until the program has reached main. The shell sends a byte when the
+   program is built, and the driver sends another when it starts. A program
+   gains nothing by sending the second byte itself. */
 static enum sandbox_stage wait_for_main(struct sandbox *sandbox,
                                         int seconds)
 {
@@ -599,8 +603,8 @@ static enum sandbox_stage wait_for_main(struct sandbox *sandbox,
 }
 
 /* Starts a sandbox and waits until its program is ready or has failed.
-   Closes our copies of its ends of the pipes, or we should not notice that
-   it has ended. */
+   Closes our copies of the sandbox's ends of the pipes; otherwise we would
+   not notice its end. */
 enum sandbox_stage sandbox_open(struct sandbox *sandbox,
                                 const struct sandbox_order *order,
                                 int prints)
@@ -617,8 +621,8 @@ enum sandbox_stage sandbox_open(struct sandbox *sandbox,
     return wait_for_main(sandbox, order->seconds);
 }
 
-/* Sends a byte, unless the program has filled the pipe; returns whether it
-   was sent. */
+/* Sends a byte, unless the program has filled the pipe. Returns whether the
+   byte was sent. */
 static bool send_byte(int file, char byte)
 {
     struct pollfd room = {.fd = file, .events = POLLOUT};
@@ -626,9 +630,9 @@ static bool send_byte(int file, char byte)
            write(file, &byte, 1) == 1;
 }
 
-/* Ends the test's process; returns whether the driver has confirmed it.
-   Each step has a limit of time, since the student's code may have replaced
-   the driver. */
+/* Ends the test's process. Returns whether the driver has confirmed the
+   end. Each step has a time limit, since the student's code may have
+   replaced the driver. */
 static bool end_test(struct sandbox *sandbox)
 {
     unsigned char how[TRANSPORT_HOW * sizeof(int)];
@@ -647,12 +651,12 @@ static bool end_test(struct sandbox *sandbox)
     return whole;
 }
 
-/* Returns whether the sandbox is fit for the next test. A program that
-   never stops writing could pass end_test, because nine of its bytes look
-   like a status; and an empty pipe does not prove that it has stopped: of
-   400 such programs 8 had just been suspended. So the driver is sent a byte
-   that it must return; a program that wrote before that has written
-   something else. */
+/* Returns whether the sandbox can run the next test. end_test is not
+   enough: nine bytes from a program that never stops writing may look like
+   a status. An empty pipe does not prove that such a program has stopped:
+   of 400 such programs, 8 had just been suspended. So the driver must also
+   return a byte that is sent to it. A program that keeps writing has
+   written something else before it. */
 bool sandbox_settle(struct sandbox *sandbox)
 {
     sandbox->test_ms = 0;
@@ -662,9 +666,9 @@ bool sandbox_settle(struct sandbox *sandbox)
            wait_for_byte(sandbox->answers, 0) == LATE;
 }
 
-/* Kills the processes of a sandbox under --unsafe and removes its folder.
-   If root called kill with -1 it would kill all processes; the sandbox's
-   user kills only its own. */
+/* Kills the processes of a sandbox with --unsafe and removes its folder.
+   `kill -1` runs as the sandbox's user and kills only that user's
+   processes. Run by root it would kill all processes. */
 static void sweep_folder(void)
 {
     char command[256];
@@ -679,8 +683,8 @@ static void sweep_folder(void)
     furnished = false;
 }
 
-/* Ends the sandbox: killing bubblewrap ends the sandbox's first process,
-   and then the kernel kills all others in its namespace. */
+/* Ends the sandbox. Killing bubblewrap ends the sandbox's first process;
+   the kernel then kills all others in its namespace. */
 void sandbox_close(struct sandbox *sandbox)
 {
     close(sandbox->requests);
@@ -705,9 +709,9 @@ static bool take_figure(int file, char *figure, size_t room, size_t *length)
     return true;
 }
 
-/* Draws a project's figure. A gnuplot script can call the shell, and
-   should, since its tables come from the student's program; so it runs in a
-   sandbox with that program in it. Only a picture of at most four megabytes
+/* Draws a project's figure. A gnuplot script can call the shell, and is
+   meant to, since its tables come from the student's program. So it runs in
+   a sandbox with that program. Only a picture of at most four megabytes
    leaves the sandbox. */
 enum sandbox_drawing sandbox_draw(const struct sandbox_order *order,
                                   int script, int prints, char *figure,

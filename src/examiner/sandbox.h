@@ -1,25 +1,25 @@
-/* Sandboxes, in which students' programs are built and run. */
+/* Builds and runs students' programs in sandboxes. */
 #ifndef SANDBOX_H
 #define SANDBOX_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-/* The kinds of sandboxes, best first, in the order in which they are tried:
-   a container may refuse new namespaces, an older kernel cannot keep a
-   program from making further ones, and only root can give a program
-   another user. Without any of them only limits protect the machine, and a
-   lecturer has to ask for that with --unsafe. */
+/* The kinds of sandboxes, best first; sandbox_probe tries them in this
+   order. A container may refuse new namespaces. An older kernel cannot keep
+   a program from making more of them. Only root can give a program another
+   user. If none of the three works, only limits protect the machine, and a
+   lecturer must ask for that with --unsafe. */
 enum sandbox_kind {
     SANDBOX_SEALED, /* own namespaces; the program can make no others */
     SANDBOX_USER,   /* own namespaces; the program could make others */
-    SANDBOX_ROOT,   /* made by root: users may make none */
+    SANDBOX_ROOT,   /* made by root, where users may make none */
     SANDBOX_NONE    /* no sandbox: limits only */
 };
 
-/* An order to build and run a program in a sandbox. The descriptors are
-   open files, which each sandbox reads from the beginning; the program
-   itself does not get them. */
+/* An order to build and run a program in a sandbox. The descriptors
+   `source`, `header` and `inside` are open files, which each sandbox reads
+   from the beginning. The program itself does not get them. */
 struct sandbox_order {
     enum sandbox_kind kind;
     const char *name;     /* name of the file, "exercises/01a-x.c" */
@@ -59,16 +59,16 @@ enum sandbox_stage {
  */
 enum sandbox_kind sandbox_probe(const char *compiler);
 
-/* Returns an unused user id, which the judges of this process take, or 0 if
-   we are not root and they keep ours. */
+/* Returns an unused user id for the judges of this process. Returns 0 if we
+   are not root: then judges keep our user id. */
 long sandbox_judge(void);
 
 /* Returns a description of a kind, for the lecturer. */
 const char *sandbox_name(enum sandbox_kind kind);
 
-/* Builds and starts a program in a new sandbox; prints is an empty file,
-   opened to append. Only one sandbox may be open. Exits with status 2 when
-   no process can be started. */
+/* Builds and starts a program in a new sandbox. Its output is appended to
+   `prints`, an empty file opened to append. Only one sandbox may be open.
+   Exits with status 2 if no process can be started. */
 enum sandbox_stage sandbox_open(struct sandbox *sandbox,
                                 const struct sandbox_order *order,
                                 int prints);
@@ -80,7 +80,7 @@ bool sandbox_settle(struct sandbox *sandbox);
 /* Kills all processes in the sandbox and removes it. */
 void sandbox_close(struct sandbox *sandbox);
 
-/* The end of the drawing of a figure. */
+/* How the drawing of a figure ended. */
 enum sandbox_drawing {
     SANDBOX_DRAWN,      /* gnuplot has ended, perhaps without a figure */
     SANDBOX_NO_PROGRAM, /* the compiler or the linker refused */
@@ -90,8 +90,8 @@ enum sandbox_drawing {
 
 /* Builds the project of the order in a new sandbox and runs a gnuplot
    script, an open file, in a folder with the program. Copies at most `room`
-   bytes of the figure P1.png and sets *length to their number. prints is as
-   for sandbox_open. */
+   bytes of the figure, such as P1.png, to `figure` and sets *length to
+   their number. `prints` is as for sandbox_open. */
 enum sandbox_drawing sandbox_draw(const struct sandbox_order *order,
                                   int script, int prints, char *figure,
                                   size_t room, size_t *length);

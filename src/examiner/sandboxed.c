@@ -1,4 +1,4 @@
-/* The program in the sandbox, which calls the student's function. */
+/* Calls the student's function in the sandbox, on orders of the judge. */
 #include "examiner/remote.h"
 #include "examiner/exercise.h"
 #include "examiner/endless.h"
@@ -18,14 +18,13 @@
 
 enum { REQUESTS = 3, ANSWERS = 4, MEMORY_MORE = 1 << 29 };
 
-/* Ends this process: the judge has ended. */
 void transport_lost(void)
 {
     _exit(EXIT_FAILURE);
 }
 
-/* Begins the answer, after a message if a guard was changed. A student who
-   forges it gains nothing: it only hides an overrun. */
+/* Begins the answer. First sends a message if a guard was changed. A
+   student who forges the answer gains nothing: it only hides an overrun. */
 void remote_reply(void)
 {
     struct check_overrun overrun;
@@ -42,8 +41,8 @@ void remote_callback(int which)
     remote_ints(&which, 1);
 }
 
-/* Waits for the answer to a callback. A suite whose callback was called
-   too often leaves the call by longjmp; then another message comes, and
+/* Waits for the answer to a callback. If a callback was called too often,
+   the suite leaves the call by longjmp. Another message then comes, and
    this process ends. */
 void remote_callback_wait(void)
 {
@@ -71,8 +70,8 @@ int __sanitizer_install_malloc_and_free_hooks(
 static unsigned long blocks;
 
 /* Counts allocated blocks. A search for leaks goes through all memory and
-   takes longer than most tests; it is left out if only arguments were
-   allocated. */
+   takes longer than most tests. It is skipped if only the kit has allocated
+   memory. */
 static void count_taken(const volatile void *block, size_t bytes)
 {
     (void)block, (void)bytes;
@@ -113,7 +112,8 @@ static double children_seconds(void)
 }
 
 /* Returns a status, with SIGXCPU in place of SIGKILL if the time was used
-   up: the kernel also sends SIGKILL when memory runs out. */
+   up. SIGKILL alone is ambiguous: the kernel also sends it when memory runs
+   out. */
 static int name_clock(int status, double seconds)
 {
     struct rlimit limit;
@@ -125,10 +125,10 @@ static int name_clock(int status, double seconds)
 }
 
 /* Runs a test in a child process, which is far cheaper than a new sandbox
-   and begins with fresh static variables. Its process group is killed at
-   the end, with any children it has left. The message about its end comes
-   from the sandbox and proves nothing; a student who forges it only claims
-   a crash of his own. */
+   and begins with fresh static variables. Kills its process group at the
+   end, for any children left behind. The message about the end comes from
+   the sandbox and proves nothing, but a student who forges it only claims
+   to have crashed. */
 static void run_test(void)
 {
     char message[1 + TRANSPORT_HOW * sizeof(int)] = {TRANSPORT_ENDED};
@@ -150,8 +150,8 @@ static void run_test(void)
         exit(EXIT_FAILURE);
 }
 
-/* Limits the address space to 512 MiB more than is mapped. With sanitizers
-   terabytes are mapped before main, so the limit can only be set here. */
+/* Limits the address space to 512 MiB more than is mapped. An earlier limit
+   is impossible, since sanitizers map terabytes before main. */
 static void limit_addresses(void)
 {
     struct rlimit limit;
@@ -168,11 +168,11 @@ static void limit_addresses(void)
         fclose(map);
 }
 
-/* Waits for tests and runs each in a child. It reads without stdio, whose
-   buffer would also take bytes meant for the child. A byte that does not
-   begin a test is sent back, which tells the judge that no child was there
-   to read it. PR_SET_DUMPABLE keeps children, which run as the same user,
-   from writing to the memory of this process through /proc. */
+/* Waits for tests and runs each in a child. Reads without stdio, whose
+   buffer would also take bytes meant for the child. Sends back a byte that
+   does not begin a test; this tells the judge that no child was there to
+   read it. PR_SET_DUMPABLE prevents children, which run as the same user,
+   from writing to this process's memory through /proc. */
 int main(void)
 {
     char word = TRANSPORT_READY;

@@ -8,8 +8,8 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Shows a file, on a terminal through a pager. The shell gets the name
-   from the environment, not as part of the command. */
+/* Prints a file, through a pager if the output is a terminal. The shell
+   gets the file's name from the environment, not as part of the command. */
 static void put_on_screen(const char *path)
 {
     putchar('\n');

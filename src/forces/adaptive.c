@@ -13,21 +13,22 @@ enum { STAGES = 7, MOST_ROUNDS = 12 };
 
 /* Weights computed from a method's coefficients, for a step of length 1. */
 struct adaptive_weights {
-    /* of a pair: row sums of a; a, error and dense multiplied by a */
+    /* Of a pair: c has the row sums of a; a2, error2 and dense2 are a,
+       error and dense multiplied by the matrix a. */
     double c[STAGES], a2[STAGES][STAGES];
     double error2[STAGES], dense2[STAGES];
-    /* of Radau's method, for g_k = 1: displacement at node i over c_i^2,
-       and change of velocity there over c_i */
+    /* Of Radau's method. If g_(k+1) is 1 and all others are 0, x[i][k] is
+       the displacement at node i + 1 divided by the node's square, and
+       v[i][k] is the change of velocity divided by the node. */
     double x[STAGES][STAGES], v[STAGES][STAGES];
-    double gap[STAGES][STAGES]; /* 1 / (c_i - c_j); c_0 = 0 */
-    double last[STAGES];        /* 1 / (1 - c_j), j = 1 .. 7 */
+    double gap[STAGES][STAGES]; /* 1 / (c_(i+1) - c_j) */
+    double last[STAGES];        /* 1 / (1 - c_(j+1)) */
     double amplified; /* largest change of g_8 if each force changes by 1 */
-    double power[STAGES][STAGES];  /* coefficient of s^(m+1) in N_k+1 */
-    double newton[STAGES][STAGES]; /* coefficient of N_k+1 in s^(m+1) */
+    double power[STAGES][STAGES];  /* coefficient of s^(m+1) in N_(k+1) */
+    double newton[STAGES][STAGES]; /* coefficient of N_(m+1) in s^(k+1) */
     double binomial[STAGES][STAGES];
 };
 
-/* Returns the n-th power of z. */
 static double power_of(double z, int n)
 {
     double power = 1;
@@ -37,9 +38,10 @@ static double power_of(double z, int n)
 }
 
 /* Returns the n-th root of z > 0, with a relative error of a few millionths
-   at most. The last bit of a library's root depends on the machine, and so
-   would all later steps. Newton's method uses only + - * /; it starts above
-   the root and decreases towards it. */
+   at most. Newton's method uses only + - * /, so the result is the same on
+   every machine. The last bit of a library's root is not, and it would
+   change all later steps. The iteration starts above the root and decreases
+   towards it. */
 static double root(double z, int n)
 {
     double y = z > 1 ? z : 1, down;
@@ -54,9 +56,9 @@ static double root(double z, int n)
 #define LEAST 0.2
 #define MOST 5.0
 
-/* Returns the ratio of the next step to the last one, whose error was
-   `error` times the allowed one and grows with the n-th power of the step:
-   (8.16, eq:stretch). */
+/* Returns the ratio of the next step to the last one: (8.16, eq:stretch).
+   `error` is the error of the last step in units of the allowed error. It
+   grows with the n-th power of the step. */
 static double stretch(double error, int n)
 {
     if (error <= power_of(SAFETY / MOST, n))
@@ -79,8 +81,8 @@ static bool is_free(const struct adaptive *s)
     return s->tolerance > 0;
 }
 
-/* Sets to = from + by by compensated summation: `carry` has the rounding
-   errors so far, `owed` gets the new ones. When steps are few and large,
+/* Sets `to` to the compensated sum from + by. `carry` has the rounding
+   errors so far, and `owed` gets the new ones. If steps are few and large,
    these sums are the main source of rounding errors. */
 static void add(double *restrict to, double *restrict owed,
                 const double *restrict from, const double *restrict carry,
@@ -93,13 +95,13 @@ static void add(double *restrict to, double *restrict owed,
     }
 }
 
-/* Computes the end of a trial step from the displacements in place and
-   speed. The result overwrites the beginning of the last step, which is not
-   needed once later times are requested. */
+/* Computes the end of a trial step from the changes in place[] and speed[].
+   The result overwrites s->from, the beginning of the last step, which is
+   not needed once a time after that step is requested. */
 static void arrive(struct adaptive *s)
 {
     const size_t n = s->forces.size;
-    struct adaptive_state *const end = &s->from; /* to be overwritten */
+    struct adaptive_state *const end = &s->from;
     add(end->x, end->carry, s->to.x, s->to.carry, s->place, n);
     add(end->v, end->carry + n, s->to.v, s->to.carry + n, s->speed, n);
 }
@@ -120,8 +122,8 @@ static void measure_pair(struct adaptive *s)
         }
 }
 
-/* Returns the sum of the accelerations of coordinate k at the first
-   `stages` stages, weighted with by[]. */
+/* Returns the sum, weighted with by[], of the accelerations of coordinate k
+   at the first `stages` stages. */
 static double mix(const struct adaptive *s, const double by[],
                   size_t stages, size_t k)
 {
@@ -131,8 +133,8 @@ static double mix(const struct adaptive *s, const double by[],
     return sum;
 }
 
-/* Computes the displacements and the changes of velocity between the
-   beginning of a step of length h and its stage i: (8.10, eq:stage). */
+/* Computes the displacements and the changes of velocity from the beginning
+   of a step of length h to its stage i: (8.10, eq:stage). */
 static void move_to_stage(struct adaptive *s, size_t i, double h)
 {
     const struct adaptive_weights *const w = s->weights;
@@ -144,8 +146,9 @@ static void move_to_stage(struct adaptive *s, size_t i, double h)
     }
 }
 
-/* Returns the estimated error of a trial step, (8.15, eq:embedded), as a
-   fraction of the largest coordinate or velocity. */
+/* Returns the estimated relative error of a trial step, (8.15,
+   eq:embedded), of the positions or of the velocities, whichever is
+   larger. */
 static double error_of_pair(const struct adaptive *s, double h)
 {
     const size_t n = s->forces.size, stages = s->method->stages;
@@ -159,9 +162,9 @@ static double error_of_pair(const struct adaptive *s, double h)
     return larger(dx == 0 ? 0 : h * h * dx / x, dv == 0 ? 0 : h * dv / v);
 }
 
-/* Tries a step of length h. Its first stage is the end of the last step,
-   and its last stage is its own end. Returns the error in units of the
-   tolerance. */
+/* Tries a step of length h and returns its error in units of the tolerance.
+   The first stage is the end of the last step. The last stage is the end of
+   the new step. */
 static double try_pair(struct adaptive *s, double h)
 {
     const size_t n = s->forces.size, last = s->method->stages - 1;
@@ -181,10 +184,10 @@ static double try_pair(struct adaptive *s, double h)
     return error_of_pair(s, h) / s->tolerance;
 }
 
-/* Returns the value of a coordinate at the fraction r of a step, (8.17,
-   eq:dense): p and q are its values at the ends of the step, dp and dq its
-   derivatives there times the step length, and mixed is the contribution of
-   the stages. */
+/* Returns the value of a coordinate at the fraction r of a step: (8.17,
+   eq:dense). p and q are the values at the two ends of the step, dp and dq
+   the derivatives there times the step length. `mixed` is the contribution
+   of the stages. */
 static double look_between(double r, double p, double q, double dp,
                            double dq, double mixed)
 {
@@ -208,21 +211,20 @@ static void look_in_pair(const struct adaptive *s, double r, double x[],
     }
 }
 
-/* Returns the node c_i, as a fraction of the step: c_0 is 0, and the method
+/* Returns node c_i as a fraction of the step. c_0 is 0, and the method
    lists c_1 to c_7. Radau's method writes the acceleration in a step as a_0
-   + sum g_k N_k(s), where s is the fraction of the step and N_k = s (s -
-   c_1) ... (s - c_(k-1)), k = 1 to 7, are Newton's polynomials. N_k is zero
-   at all nodes before the k-th, so the force at node k determines g_k
-   without changing the values at earlier nodes. */
+   + sum g_k N_k(s), k = 1 to 7, where s is the fraction of the step. N_k =
+   s (s - c_1) ... (s - c_(k-1)) is a Newton polynomial. It is zero at all
+   nodes before node k, so the force at node k determines g_k without
+   changing the values at earlier nodes. */
 static double node(const struct adaptive *s, size_t i)
 {
     return i > 0 ? s->method->node[i - 1] : 0;
 }
 
-/* Computes the coefficients of each N_k in powers of s, from N_(k+1) = (s -
-   c_k) N_k, and those of each power in terms of the N_k, from s N_k =
-   N_(k+1) + c_k N_k. Also sets binomial[k][m] to the binomial coefficient
-   of k + 1 and m + 1. */
+/* Computes power[][] from N_(k+1) = (s - c_k) N_k, and newton[][] from s
+   N_k = N_(k+1) + c_k N_k. Sets binomial[k][m] to the binomial coefficient
+   "k + 1 choose m + 1". */
 static void measure_polynomials(struct adaptive *s)
 {
     struct adaptive_weights *const w = s->weights;
@@ -243,8 +245,8 @@ static void measure_polynomials(struct adaptive *s)
                                              (double)(m + 1);
 }
 
-/* Returns the product of the distances of node i from all other nodes, of
-   which node 8 is the end of the step. If the force at node i changes by d,
+/* Returns the product of the distances of node i from all other nodes,
+   where node 8 is the end of the step. If the force at node i changes by d,
    g_8 changes by d divided by this product. */
 static double product_of_gaps(const struct adaptive *s, size_t i)
 {
@@ -257,8 +259,8 @@ static double product_of_gaps(const struct adaptive *s, size_t i)
 }
 
 /* Computes the weights of Radau's method. Each N_k is integrated once and
-   twice from 0 to each node, power by power: s^(m+1) becomes s^(m+2) /
-   (m+2) and s^(m+3) / ((m+2) (m+3)). */
+   twice from 0 to each node. A term s^(m+1) becomes s^(m+2) / (m+2) and
+   then s^(m+3) / ((m+2) (m+3)). */
 static void measure_radau(struct adaptive *s)
 {
     struct adaptive_weights *const w = s->weights;
@@ -282,19 +284,20 @@ static void measure_radau(struct adaptive *s)
         w->amplified += 1 / product_of_gaps(s, i);
 }
 
-/* Returns the displacement in the time `part` of a body with the initial
-   velocity v and acceleration a, if the change of the acceleration,
-   integrated twice, is change * part^2. Small terms are summed first; a
-   rounded constant c^2/2 would cause the same error in all steps. */
+/* Returns the displacement of a body in the time `part`. v and a are the
+   velocity and the acceleration at the beginning. change * part^2 is the
+   change of the acceleration, integrated twice. Small terms are summed
+   first. A rounded constant c^2/2 would cause the same error in all
+   steps. */
 static inline double way(double part, double v, double a, double change)
 {
     return part * (v + part * (a / 2 + change));
 }
 
-/* Computes from g the displacements and the changes of velocity in a part
-   of a step. A run of a membrane of 81 nodes spent nine tenths of its time
-   in these sums when they were computed for one coordinate after the other;
-   with vector code a step takes less than half the time. */
+/* Computes the displacements and the changes of velocity in a part of a
+   step from g. When one coordinate was computed after the other, a run of a
+   membrane of 81 nodes spent nine tenths of its time in these sums. With
+   vector code a step takes less than half the time. */
 VECTOR_LOOP static void lead(double *restrict place, double *restrict speed,
                              const double *restrict g,
                              const struct adaptive_state *start,
@@ -315,14 +318,15 @@ VECTOR_LOOP static void lead(double *restrict place, double *restrict speed,
     }
 }
 
-/* Computes the displacements at node i from the present values of g. */
+/* Computes the displacements and the changes of velocity at node i from
+   g. */
 static void move_to_node(struct adaptive *s, size_t i, double h)
 {
     lead(s->place, s->speed, s->g, &s->to, s->weights->x[i],
          s->weights->v[i], h * node(s, i + 1), s->forces.size);
 }
 
-/* Sets by = from + (owed + by), where owed has the rounding errors of the
+/* Sets by = from + (owed + by). `owed` has the rounding errors of the
    compensated sums. Without them all forces of a step would be computed at
    rounded positions. */
 VECTOR_LOOP static void start_from(double *restrict by,
@@ -333,7 +337,7 @@ VECTOR_LOOP static void start_from(double *restrict by,
         by[k] = from[k] + (owed[k] + by[k]);
 }
 
-/* Sets d = (d - g) gap: one step of a table of divided differences. */
+/* Sets d = (d - g) * gap, one step of a table of divided differences. */
 VECTOR_LOOP static void divide(double *restrict d, const double *restrict g,
                                double gap, size_t n)
 {
@@ -341,9 +345,9 @@ VECTOR_LOOP static void divide(double *restrict d, const double *restrict g,
         d[k] = (d[k] - g[k]) * gap;
 }
 
-/* Computes the forces at node i and, from the divided differences of all
-   forces up to this node, its coefficients in g. Returns the largest change
-   of these coefficients. */
+/* Computes the forces at node i. Sets the coefficients of node i in g from
+   the divided differences of all forces up to this node. Returns the
+   largest change of a coefficient. */
 static double correct_node(struct adaptive *s, size_t i)
 {
     const double *const gap = s->weights->gap[i];
@@ -362,8 +366,8 @@ static double correct_node(struct adaptive *s, size_t i)
     return most;
 }
 
-/* Sets `to` to coefficient m of a polynomial in a new basis: the sum of the
-   old coefficients k >= m, weighted with by[k][m]. */
+/* Sets `to` to coefficient m of a polynomial in a new basis: the sum, over
+   all k >= m, of the old coefficient k times by[k][m]. */
 VECTOR_LOOP static void turn_one(double *restrict to,
                                  const double *restrict from,
                                  double by[STAGES][STAGES], size_t m,
@@ -396,10 +400,10 @@ VECTOR_LOOP static void guess_one(double *restrict new_b,
 }
 
 /* Guesses the force in the next step, of length h, by extrapolating the
-   polynomial of the last step. If q is the ratio of the two lengths, the
-   fraction s of the new step is the fraction 1 + q s of the old one, so s^m
-   has the coefficient q^m sum_k binomial(k, m) b_k. The error of the last
-   guess is added, since the new one is likely to have a similar error. */
+   polynomial of the last step. q is the ratio of the two lengths. The
+   fraction s of the new step is the fraction 1 + q s of the old step, so
+   the new coefficient of s^m is q^m sum_k binomial(k, m) b_k. The error of
+   the last guess is added because the new error is likely to be similar. */
 static void guess_force(struct adaptive *s, double h)
 {
     const size_t n = s->forces.size;
@@ -416,20 +420,20 @@ static void guess_force(struct adaptive *s, double h)
 
 #define RADAU_SCALE 50 /* calibrated, not derived */
 
-/* Returns whether the iteration may end: if the change of g_7 is less than
-   the tolerance or no longer decreases. A seventh difference amplifies
-   changes of the force some thousand times; a change below 1e-11 is due to
-   rounding. */
+/* Returns whether the iteration may end: the change of g_7 is less than the
+   tolerance or has stopped decreasing. A seventh difference amplifies
+   changes of the force about a thousand times, so a change below 1e-11 is
+   due to rounding. */
 static bool settled(const struct adaptive *s, double change, double last)
 {
     return change <= 1e-11 + s->tolerance || !(change < last);
 }
 
-/* Sets *to to from + by + small, and *owed to the rounding error. `small`,
-   the contribution of the tails of the weights, is less than the last digit
-   of the sum and would be lost in every step. It is therefore first added
-   to the exact rounding error of from + by, which is computed here by a
-   formula that is valid whichever term is larger. */
+/* Sets *to to from + by + small, and *owed to the rounding error. `small`
+   is the contribution of the tails of the weights. It is less than the last
+   digit of the sum and would be lost in every step, so it is first added to
+   the rounding error of from + by. The formula for this error is exact
+   whichever term is larger. */
 static void add_tail(double *to, double *owed, double from, double by,
                      double small)
 {
@@ -441,7 +445,7 @@ static void add_tail(double *to, double *owed, double from, double by,
 
 /* Computes the end of the whole step from the weighted sums of the forces.
    With a tolerance of 1e-14, a step of the circumbinary planet then changes
-   its energy by some 1e-19 on average; the random part of the change,
+   its energy by about 1e-19 on average. The random part of the change,
    1.5e-16, is due to the rounding of the forces. */
 static void move_to_end(struct adaptive *s, double h)
 {
@@ -464,8 +468,8 @@ static void move_to_end(struct adaptive *s, double h)
 }
 
 /* Returns the acceleration by which a difference is divided: the largest at
-   the start of the step or, if it is almost zero there, as in the middle of
-   an oscillation, the largest along the step. */
+   the start of the step. If that is almost zero, as in the middle of an
+   oscillation, returns the largest along the step. */
 static double scale_of(double start, double along)
 {
     const double scale = start > 1e-6 * along ? start : along;
@@ -473,10 +477,11 @@ static double scale_of(double start, double along)
 }
 
 /* Returns the largest g_8, for which the end of the step is an eighth node.
-   The seventh node is at 0.977 of the step. If the force jumps after it, as
-   does that of a spring whose ends pass through each other, the nodes of
-   this step and of the next do not show the jump; this happened at one of
-   some fifty jumps. In a smooth step g_8 is smaller than g_7. */
+   The seventh node is at 0.977 of the step. The force of a spring jumps
+   when its ends pass through each other. If it jumps after the seventh
+   node, the nodes of this step and of the next step may miss the jump. This
+   happened at one of about fifty jumps. In a smooth step g_8 is smaller
+   than g_7. */
 static double beyond(struct adaptive *s)
 {
     const size_t n = s->forces.size;
@@ -488,8 +493,8 @@ static double beyond(struct adaptive *s)
     return largest(d, n);
 }
 
-/* Tries a step of length h, usually in three iterations. Returns its error
-   in units of the largest one that the tolerance allows; if the tolerance
+/* Tries a step of length h, usually in three iterations. Returns the error
+   in units of the largest error that the tolerance allows. If the tolerance
    is 0, the value has no meaning. */
 static double try_radau(struct adaptive *s, double h)
 {
@@ -516,17 +521,18 @@ static double try_radau(struct adaptive *s, double h)
     return (off - s->noise) / scale / (RADAU_SCALE * sqrt(s->tolerance));
 }
 
-/* Measures, at every sixteenth step, the contribution of rounding to g_8.
+/* Measures the contribution of rounding to g_8, at every sixteenth step.
    The force of a stiff spring that is hardly stretched is its stiffness
-   times the difference of two positions: with 5e7 N/m and a total
+   times the difference of two positions. With 5e7 N/m and a total
    acceleration of 10 m/s^2, the last bit of a position makes 1e-9 of the
-   force, and seven differences amplify that a thousand times. Shorter steps
-   would not reduce this error, and step control would shorten them without
-   end. So the forces are computed once more with the last bits of positions
-   and velocities changed up and down in turn, which costs less than half a
-   per cent of all evaluations. The noise is an acceleration, not a fraction
-   of the total: for a body at rest on its spring that fraction would be
-   large, and steps that are too long would make the body oscillate. */
+   force, and seven differences amplify this a thousand times. Shorter steps
+   do not reduce this error, so step control would shorten them without end.
+   The forces are therefore computed once more, with the last bits of
+   positions and velocities changed up and down in turn. This costs less
+   than half a per cent of all evaluations. The noise is an acceleration,
+   not a fraction of the total acceleration. For a body at rest on its
+   spring the fraction would be large. The steps would then be too long, and
+   the body would oscillate. */
 static void measure_noise(struct adaptive *s)
 {
     const size_t n = s->forces.size;
@@ -543,11 +549,11 @@ static void measure_noise(struct adaptive *s)
                largest_difference(s->difference, s->to.a, n);
 }
 
-/* Returns whether a step that exceeds the tolerance although it is as short
-   as the clock allows may be accepted: if the forces change the velocities
-   in it by at most 1e-9 of the largest velocity. Then a force jumps here,
-   and the step may cross the jump. Where two bodies fall into each other,
-   the change is larger, and the run ends. */
+/* Returns whether a step that exceeds the tolerance may be accepted because
+   it cannot be shorter. Its forces must change the velocities by at most
+   1e-9 of the largest velocity. A force then jumps here, and the step may
+   cross the jump. Where two bodies fall into each other, the change is
+   larger, and the run ends. */
 static bool is_edge(const struct adaptive *s, double h)
 {
     const size_t n = s->forces.size;
@@ -582,9 +588,9 @@ static void swap(double **a, double **b)
     *b = other;
 }
 
-/* Accepts a trial step of length h as the last step. The time is also a
-   compensated sum, so that rounding errors do not add up in many short
-   steps near a star. */
+/* Accepts a trial step of length h as the last step. The time is a
+   compensated sum, too: otherwise rounding errors would add up in many
+   short steps near a star. */
 static void accept(struct adaptive *s, double h)
 {
     const struct adaptive_state end = s->from;
@@ -607,14 +613,14 @@ static void accept(struct adaptive *s, double h)
 
 /* Limits the next step to `most`, s. Neither this limit nor the first step
    depends on the tolerance, so two runs with different tolerances might
-   take equal steps. In a comparison, one of them therefore sets slack. */
+   take equal steps. If they are to be compared, one of them sets slack. */
 static void bound(struct adaptive *s, double most)
 {
     s->next = fmin(s->next, (1 - s->slack) * most);
 }
 
 /* Takes a step. Returns false if even the shortest step that changes t
-   exceeds the tolerance, or if there were too many evaluations before. */
+   exceeds the tolerance, or if s->evaluations already exceeds s->most. */
 static bool step(struct adaptive *s)
 {
     const bool radau = s->method->family == STEPPING_RADAU,
@@ -711,7 +717,7 @@ void adaptive_begin(struct adaptive *s, double tolerance, double dt,
     memset(s->guess, 0, all * sizeof *x);
 }
 
-enum { NOTED = 14 }; /* how many numbers of a note precede the arrays */
+enum { NOTED = 14 }; /* numbers of a note before its arrays */
 
 size_t adaptive_notes(const struct adaptive *s)
 {
@@ -720,17 +726,17 @@ size_t adaptive_notes(const struct adaptive *s)
 }
 
 /* Copies n numbers from own to note or, if back is true, from note to own.
-   Returns the address behind these numbers in note. */
+   Returns the address after these numbers in note. */
 static double *pass(double *note, double *own, size_t n, bool back)
 {
     memcpy(back ? own : note, back ? note : own, n * sizeof *note);
     return note + n;
 }
 
-/* Copies the arrays of the state to note or, if back is true, from it: both
-   ends of the last step, since the next requested time may lie within it,
-   and the stages of a pair, or Radau's polynomial and its guess, from which
-   the next polynomial is guessed. */
+/* Copies the arrays of the state to note or, if back is true, from note.
+   These are both ends of the last step, since the next requested time may
+   lie within it, and either the stages of a pair, or Radau's polynomial and
+   its guess. Both are needed to guess the next polynomial. */
 static void pass_lists(const struct adaptive *s, double *note, bool back)
 {
     const size_t n = s->forces.size, all = n * s->method->stages;
@@ -785,7 +791,6 @@ static struct adaptive_state take_state(double **next, size_t n)
                                    take(next, n), take(next, 2 * n)};
 }
 
-/* Divides one block of memory into the arrays of *s. */
 static void divide_memory(struct adaptive *s, double *next)
 {
     const size_t n = s->forces.size, all = n * s->method->stages;
@@ -840,9 +845,9 @@ bool adaptive_step(struct adaptive *s, double most)
 }
 
 /* Writes the control points q[] of the path of coordinate i along a step of
-   Radau's method, a sum of powers of the fraction u of the step. u^m
-   contributes to the control points j >= m, with the weight binomial(j, m)
-   / binomial(9, m). */
+   Radau's method. The path is a sum of powers of the fraction u of the
+   step. u^m contributes to the control points j >= m, with the weight
+   binomial(j, m) / binomial(9, m). */
 static void path_of_radau(const struct adaptive *s, size_t i, double q[])
 {
     enum { DEGREE = ADAPTIVE_DEGREE };
@@ -867,9 +872,9 @@ static void path_of_radau(const struct adaptive *s, size_t i, double q[])
 }
 
 /* Writes the control points q[] of the path of coordinate i along a step of
-   an embedded pair: Hermite's cubic, raised to degree 4, whose middle
-   control point is corrected by the weights for dense output: (8.17,
-   eq:dense). */
+   an embedded pair: (8.17, eq:dense). The path is Hermite's cubic, raised
+   to degree 4. The weights for dense output correct its middle control
+   point. */
 static void path_of_pair(const struct adaptive *s, size_t i, double q[])
 {
     const double h = s->h, *weights = s->weights->dense2;
@@ -896,8 +901,7 @@ size_t adaptive_path(const struct adaptive *s, double control[])
     return radau ? ADAPTIVE_DEGREE : 4;
 }
 
-/* Exchanges the ends of the last step, so that it can be repeated from its
-   beginning. */
+/* Exchanges the ends of the last step, to repeat it from its beginning. */
 static void turn_round(struct adaptive *s)
 {
     const struct adaptive_state end = s->to;
@@ -905,7 +909,7 @@ static void turn_round(struct adaptive *s)
     s->from = end;
 }
 
-/* Copies one end of the last step to the other: a step of length 0. */
+/* Copies s->to to s->from, as after a step of length 0. */
 static void stay(struct adaptive *s)
 {
     const size_t size = s->forces.size * sizeof *s->to.x;
@@ -933,9 +937,9 @@ void adaptive_again(struct adaptive *s, double h, double x[], double v[])
     memcpy(v, s->to.v, s->forces.size * sizeof *v);
 }
 
-/* Starts again from x and v, since after a jump in velocity the force of
-   the last step cannot be extrapolated, but keeps the proposed length of
-   the next step. */
+/* Starts again from x and v, but keeps the proposed length of the next
+   step. After a jump in velocity, the force of the last step cannot be
+   extrapolated. */
 void adaptive_turn(struct adaptive *s, const double x[], const double v[])
 {
     const double t = s->t, next = s->next;

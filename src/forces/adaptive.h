@@ -32,10 +32,11 @@ struct adaptive {
     double *place, *speed, /* [size] displacements, or state, at a stage */
         *stage;            /* [stages * size] accelerations at all stages */
     double *difference;    /* [size] scratch */
-    double *g,             /* [stages * size] coefficients of Radau's force
-                              for Newton's polynomials */
-        *b,                /* [stages * size] coefficients for powers */
-        *guess;            /* [stages * size] b as it was guessed */
+    double *g,             /* [stages * size] g_k, Radau's force in Newton
+                              polynomials */
+        *b,                /* [stages * size] the same force in powers of
+                              s */
+        *guess;            /* [stages * size] b as guessed */
     double *new_b, *new_guess; /* b and guess of a trial step */
     struct adaptive_weights *weights;
     double *work;
@@ -45,22 +46,24 @@ struct adaptive {
     double (*longest)(void *with, const double x[], const double v[],
                       const double a[]);
     void *with;
-    double slack;  /* fraction by which the first step, and those limited by
-                      `longest`, are shortened */
-    uint64_t most; /* a step fails after more evaluations; 0: no limit */
+    double slack;  /* fraction by which the first step and limited steps are
+                      shortened */
+    uint64_t most; /* steps fail after more evaluations; 0: no limit */
 };
 
-/* Returns the data for runs by an adaptive method m, or NULL if memory runs
-   out. m and what the forces point to must outlive the data. */
+/* Creates the data for runs by the adaptive method m with the forces f.
+   Returns NULL if memory runs out. m and the data that f points to must
+   outlive the result. */
 struct adaptive *adaptive_create(const struct stepping_method *m,
                                  struct stepping_forces f);
 
 /* Begins a run at the time t, s, with positions x, m, and velocities v,
-   m/s. A pair keeps the estimated error of a coordinate in each step below
-   `tolerance` times the largest coordinate, and likewise for velocities.
-   For Radau's method `tolerance` does not bound the error: g_7 and g_8,
-   divided by the largest acceleration, are kept below 50 times the square
-   root of `tolerance`. With tolerance 0 all steps have the length dt, s. */
+   m/s. In each step an embedded pair keeps the estimated error of a
+   coordinate below `tolerance` times the largest coordinate, and likewise
+   for velocities. For Radau's method `tolerance` does not bound the error:
+   g_7 and g_8, divided by the largest acceleration, are kept below 50 times
+   the square root of `tolerance`. With tolerance 0 all steps have the
+   length dt, s. */
 void adaptive_begin(struct adaptive *s, double tolerance, double dt,
                     double t, const double x[], const double v[]);
 
@@ -85,18 +88,18 @@ void adaptive_free(struct adaptive *s);
 
 enum { ADAPTIVE_DEGREE = 9 }; /* highest degree of a path */
 
-/* Takes one step, which is no longer than `most`, s; with tolerance 0 its
-   length is dt. Returns false in the cases in which adaptive_reach does. */
+/* Takes one step of at most `most`, s. With tolerance 0 the length is dt.
+   Returns false in the same cases as adaptive_reach. */
 bool adaptive_step(struct adaptive *s, double most);
 
 /* Writes the control points of each coordinate's path along the last step,
-   (11.8, eq:gap-control), and returns the degree of the paths. A coordinate
-   has ADAPTIVE_DEGREE + 1 numbers in control[], m, of which the first
-   degree + 1 are used. */
+   (11.8, eq:gap-control), and returns the degree of the paths. Each
+   coordinate has ADAPTIVE_DEGREE + 1 numbers in control[], m. The first
+   degree + 1 of them are used. */
 size_t adaptive_path(const struct adaptive *s, double control[]);
 
-/* Replaces the last step by one of length h, s, at most that of the last
-   step, and sets x, m, and v, m/s, to the state at its end. The error is
+/* Replaces the last step by a step of length h, s, at most as long as the
+   last step. Sets x, m, and v, m/s, to the state at its end. The error is
    not checked. */
 void adaptive_again(struct adaptive *s, double h, double x[], double v[]);
 

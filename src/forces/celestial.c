@@ -35,8 +35,8 @@ static void balance(double value[], const double mass[], size_t n)
 }
 
 /* Shifts positions and velocities so that the centre of mass is at rest at
-   the origin. Most scenes are first described relative to a central body,
-   as if that body were at rest there. */
+   the origin. Most scenes are first described relative to a central body at
+   rest. */
 static void centre(struct scene *s)
 {
     for (size_t k = 0; k < 3; ++k) {
@@ -45,7 +45,8 @@ static void centre(struct scene *s)
     }
 }
 
-/* Gives body i a radius and a colour, which are used for drawing only. */
+/* Sets the radius and the colour of body i, which are used only for
+   drawing. */
 static void paint(struct scene *s, size_t i, double radius, double red,
                   double green, double blue)
 {
@@ -55,9 +56,9 @@ static void paint(struct scene *s, size_t i, double radius, double red,
     s->colour[2 * s->bodies + i] = blue;
 }
 
-/* Builds the scene of the first listing of the MPPhys paper, with the
-   paper's k and the Sun at rest, so that our runs can be compared with its
-   figures. */
+/* Builds the scene of the first listing of the MPPhys paper. Uses the
+   paper's k and puts the Sun at rest, so that our results can be compared
+   with the paper's figures. */
 static const char *build_sun_earth(struct scene *s, const double value[])
 {
     const double mass = value[0], speed = value[1];
@@ -69,23 +70,23 @@ static const char *build_sun_earth(struct scene *s, const double value[])
     paint(s, 1, 0.03, 0.3, 0.3, 1);
     if (value[2] != 0)
         centre(s);
-    s->freedom[4] = s->freedom[5] = 0; /* in the plane, as in the listing */
+    s->freedom[4] = s->freedom[5] = 0; /* plane motion, as in the listing */
     s->k2 = CELESTIAL_K2;
     s->dt = value[3];
     return NULL;
 }
 
-/* A planet: the Sun's mass divided by the planet's, and its elements in AU
-   and degrees. The mean longitude and the longitude of the perihelion are
-   measured from the equinox. */
+/* The data of a planet: the Sun's mass divided by the planet's mass, and
+   elements in AU and degrees. The mean longitude and the longitude of the
+   perihelion are measured from the equinox. */
 struct planet {
     double sun, axis, eccentricity, inclination, longitude, perihelion,
         node;
 };
 
-/* Elements of 1 January 2000, 12 h: E. M. Standish, Keplerian elements
-   for approximate positions of the major planets (JPL), 1800 to 2050.
-   Masses: IAU 2009 system of constants; the Earth's with the Moon's. */
+/* Elements of 1 January 2000, 12 h: E. M. Standish, Keplerian elements for
+   approximate positions of the major planets (JPL), 1800 to 2050. Masses:
+   IAU 2009 system of constants. The Earth's mass includes the Moon's. */
 static const struct planet planets[] = {
     {6.0236e6, 0.38709927, 0.20563593, 7.00497902, 252.25032350,
      77.45779628, 48.33076593},
@@ -105,9 +106,9 @@ static const struct planet planets[] = {
      44.96476227, 131.78422574}};
 
 /* Puts planet number i (1 is Mercury), with this mass, at its position on 1
-   January 2000, relative to the Sun at the origin. kepler_elements measures
-   the perihelion from the node and the anomaly from the perihelion, so that
-   differences of the longitudes in the table are needed. */
+   January 2000 relative to the Sun at the origin. kepler_elements measures
+   the perihelion from the node and the anomaly from the perihelion, so the
+   angles are differences of the longitudes in the table. */
 static void put_planet(struct scene *s, size_t i, double mass)
 {
     const struct planet *p = &planets[i - 1];
@@ -131,7 +132,7 @@ static void put_planet(struct scene *s, size_t i, double mass)
 
 static const char *build_solar_system(struct scene *s, const double value[])
 {
-    const double k = 0.01720209895; /* Gauss */
+    const double k = 0.01720209895; /* Gauss's value, AU^(3/2) per day */
     const size_t count = (size_t)value[1];
     if (!scene_create(s, 1 + count))
         return no_memory;
@@ -149,8 +150,8 @@ static const char *build_solar_system(struct scene *s, const double value[])
    their separation, AU. */
 static const double star_a = 0.6897, star_b = 0.2026, separation = 0.2243;
 
-/* Builds two stars, and a planet on a circle around them. Stars on an
-   eccentric orbit start where they are slowest and farthest apart. */
+/* Builds two stars and a planet on a circle around them. Stars on an
+   eccentric orbit start where they are farthest apart and slowest. */
 static const char *build_circumbinary(struct scene *s, const double value[])
 {
     const double r = value[0], e = value[1], mass = value[3];
@@ -183,8 +184,8 @@ double celestial_choreography(size_t count)
     return sum / sqrt(2);
 }
 
-/* Builds equal bodies on a circle. The key kick displaces the first one, so
-   that the bodies leave the circle sooner. */
+/* Builds equal bodies on a circle. The key kick displaces the first body,
+   so the bodies leave the circle sooner. */
 static const char *build_choreography(struct scene *s, const double value[])
 {
     const size_t count = (size_t)value[0];
@@ -205,7 +206,7 @@ static const char *build_choreography(struct scene *s, const double value[])
 }
 
 /* Returns P_m, the sum of (1 - cos(m phi)) / |1 - e^(i phi)|^3 over the
-   other bodies at the angles phi: (9.12, eq:choreography-modes). */
+   angles phi of the other bodies: (9.12, eq:choreography-modes). */
 static double stiffness(size_t count, size_t m)
 {
     double sum = 0, c, s, cm, sm;
@@ -218,9 +219,9 @@ static double stiffness(size_t count, size_t m)
     return sum;
 }
 
-/* Returns the largest of the imaginary parts of the four roots of w^4 +
-   c[2] w^2 + c[1] w + c[0]. All roots are improved in turn, each as though
-   the others were exact (Weierstrass's method). */
+/* Returns the largest imaginary part of the four roots of w^4 + c[2] w^2 +
+   c[1] w + c[0]. Weierstrass's method improves one root after another, each
+   as if the other roots were exact. */
 static double largest_imaginary(const double c[3])
 {
     const double complex begin = 0.4 + 0.9 * I;
@@ -273,9 +274,10 @@ static const char *build_figure_eight(struct scene *s, const double value[])
     return NULL;
 }
 
-/* Builds Burrau's problem: with G = 1, masses of 3, 4 and 5 at rest at the
-   corners of a triangle, each opposite the side of length 3, 4 or 5. The
-   centre of mass is the origin. */
+/* Builds Burrau's problem with G = 1: masses of 3, 4 and 5 at rest at the
+   corners of a triangle with sides of length 3, 4 and 5. Each mass is
+   opposite the side of the same number. The centre of mass is the
+   origin. */
 static const char *build_pythagorean(struct scene *s, const double value[])
 {
     if (!scene_create(s, 3))
@@ -309,8 +311,8 @@ static double elliptic_difference(double q)
     return KEPLER_PI / (2 * a) * sum;
 }
 
-/* Returns the inward acceleration at r, with k2 = 1, due to a disk of
-   radius a with mass 1 per unit of area: (9.13, eq:disk-field). */
+/* Returns the inward acceleration, with k2 = 1, at the radius r due to a
+   disk of radius a with mass 1 per unit area: (9.13, eq:disk-field). */
 static double disk_pull(double a, double r)
 {
     if (r == 0)
@@ -334,8 +336,9 @@ struct ring {
     int decades;
 };
 
-/* Returns the speed on a circle of radius r around the planet and its ring,
-   or NaN where the outward pull of the ring exceeds that of the planet. */
+/* Returns the speed on a circle of radius r around the planet and its ring.
+   Returns NaN where the ring pulls outwards more than the planet pulls
+   inwards. */
 static double ring_speed(const struct ring *g, double r)
 {
     const double s = r * r + g->softening * g->softening;
@@ -346,8 +349,8 @@ static double ring_speed(const struct ring *g, double r)
     return sqrt(CELESTIAL_K2 * r * pull);
 }
 
-/* Puts body i at a random position in the ring. Equal areas are equally
-   likely, so r^2 is uniformly distributed between the edges. */
+/* Puts body i at a random position in the ring. r^2 is uniformly
+   distributed between the edges, so equal areas are equally likely. */
 static void put_random(struct scene *s, size_t i, const struct ring *g,
                        struct random *random)
 {
@@ -360,8 +363,8 @@ static void put_random(struct scene *s, size_t i, const struct ring *g,
     paint(s, i, 0.005, 0.6, 0.6, 0.6);
 }
 
-/* Draws masses that are uniformly distributed on a logarithmic scale, and
-   scales them to the sum of the old masses. */
+/* Gives the particles random masses, uniformly distributed on a logarithmic
+   scale. The total mass stays the same. */
 static void mix_masses(struct scene *s, const struct ring *g,
                        struct random *random)
 {
@@ -374,8 +377,8 @@ static void mix_masses(struct scene *s, const struct ring *g,
         s->mass[i] *= g->mass * (double)g->particles / sum;
 }
 
-/* Builds a planet (body 0), its ring, and, unless its mass is 0, a moon
-   (the last body). Returns an error if the ring is too heavy for orbits. */
+/* Builds a planet (body 0), its ring, and a moon (the last body) if its
+   mass is not 0. Returns an error if the ring is too heavy for orbits. */
 static const char *build_ring(struct scene *s, const double value[])
 {
     const struct ring g = {(size_t)value[0], value[1] * value[2],

@@ -21,9 +21,10 @@ double celestial_choreography(size_t count);
    (9.12, eq:choreography-modes). */
 double celestial_growth(size_t count);
 
-/* Returns the inward acceleration due to a flat ring of this mass between
-   the radii inner and outer, in its plane at the distance r from its
-   centre, with k2 = 1: (9.13, eq:disk-field). r must not be at an edge. */
+/* Returns the inward acceleration, with k2 = 1, due to a flat ring of this
+   mass between the radii inner and outer: (9.13, eq:disk-field). r is the
+   distance from the centre in the plane of the ring. It must differ from
+   inner and outer. */
 double celestial_ring_pull(double mass, double inner, double outer,
                            double r);
 

@@ -12,9 +12,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* Returns false for a pipe, a terminal and files under /dev or /proc, even
-   if the name leads to a regular file, as that of /dev/stdout may. Files in
-   /dev/shm, a folder in memory, are allowed. */
+/* Returns false for a pipe, a terminal, and files under /dev or /proc, even
+   if the name leads to a regular file, as /dev/stdout may. Allows files in
+   the memory folder /dev/shm. */
 bool checkpoint_possible(const char *output)
 {
     struct stat file;
@@ -27,7 +27,7 @@ bool checkpoint_possible(const char *output)
     return stat(output, &file) != 0 || S_ISREG(file.st_mode);
 }
 
-/* Returns b appended to a, to be freed, or NULL if memory runs out. */
+/* Returns a followed by b, to be freed, or NULL if memory runs out. */
 static char *join(const char *a, const char *b)
 {
     const size_t size = strlen(a) + strlen(b) + 1;
@@ -45,8 +45,8 @@ bool checkpoint_exists(const char *output)
     return there;
 }
 
-/* Prints an error message unless one was printed before: on a full disk
-   every further row would repeat it. Returns false. */
+/* Prints an error message unless one was printed before, and returns false.
+   On a full disk every further row would repeat the message. */
 static bool complain(struct checkpoint *c, const char *path,
                      const char *reason)
 {
@@ -57,17 +57,18 @@ static bool complain(struct checkpoint *c, const char *path,
 }
 
 /* Reports an error in writing rows, and returns false. On a full disk part
-   of a row may have been written, and the C library drops the rest. So no
-   further checkpoint is written: the previous one, if any, is the last that
-   has complete rows. */
+   of a row may have been written, and the C library drops the rest. No
+   further checkpoint is then written: the previous checkpoint, if any, is
+   the last one whose rows are complete. */
 static bool lose(struct checkpoint *c)
 {
     c->lost = true;
     return complain(c, c->rows_path, strerror(errno));
 }
 
-/* Returns a checksum from which --resume can tell that a scene has changed
-   since its run began; 0 for a pipe, which can be read only once. */
+/* --resume compares this checksum to see whether a scene has changed since
+   its run began. The checksum is 0 for a pipe, which can be read only
+   once. */
 double checkpoint_sum(const char *path)
 {
     static char piece[65536];
@@ -95,9 +96,9 @@ static bool name_files(struct checkpoint *c, const char *program,
                                    : complain(c, output, "no memory");
 }
 
-/* Removes the checkpoint before the rows, since a checkpoint without rows
-   would be an error, while rows without a checkpoint are harmless. Both
-   files are also removed if a run ends before its first checkpoint. */
+/* Removes the checkpoint before the rows: a checkpoint without rows would
+   be an error, but rows without a checkpoint are harmless. Also removes
+   both files if a run ends before its first checkpoint. */
 void checkpoint_end(struct checkpoint *c, bool keep)
 {
     const bool locked = c->locked;
@@ -113,16 +114,17 @@ void checkpoint_end(struct checkpoint *c, bool keep)
     *c = (struct checkpoint){.locked = locked};
 }
 
-/* The first lines of the two files. A file that has such a name but begins
-   with another line is not ours and is left unchanged. */
+/* The first lines of the two files. A file of the same name with another
+   first line is not ours and stays unchanged. */
 static const char rows_begin[] = "# rows of step\n";
 static const char checkpoint_begins[] =
     "# a checkpoint, and a scene: --resume goes on\n";
 
-/* Opens the file of rows and locks it until the run ends: two runs writing
-   the same table would mix their rows without an error. Another run that
-   has just ended may have removed the name after we opened the file; so the
-   inodes of the open file and of the name are compared. */
+/* Opens the file of rows and locks it until the run ends. Without the lock,
+   two runs that write the same table would mix their rows without an error.
+   Another run that has just ended may have removed the name after we opened
+   the file. Therefore the inodes of the open file and of the name are
+   compared. */
 static bool take_rows(struct checkpoint *c, int flags)
 {
     struct flock whole = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
@@ -141,7 +143,7 @@ static bool take_rows(struct checkpoint *c, int flags)
 }
 
 /* Returns whether a file does not exist, is empty, or begins with the line
-   `beginning`; if not, prints an error. */
+   `beginning`. Otherwise prints an error. */
 static bool is_ours(struct checkpoint *c, const char *path,
                     const char *beginning)
 {
@@ -155,8 +157,8 @@ static bool is_ours(struct checkpoint *c, const char *path,
            complain(c, path, "is not step's and stays: another -o will do");
 }
 
-/* Writes the first line of the file of rows, after removing the checkpoint
-   of an older run, whose rows are now lost. */
+/* Removes the checkpoint of an older run, whose rows are lost, and writes
+   the first line of the file of rows. */
 static bool start_rows(struct checkpoint *c)
 {
     unlink(c->path);
@@ -194,8 +196,8 @@ bool checkpoint_row(struct checkpoint *c, size_t n, const double values[])
     return !ferror(c->rows) || lose(c);
 }
 
-/* Writes out all buffered rows and moves to the end of the file, before the
-   rows are counted or copied. */
+/* Writes out all buffered rows and moves to the end of the file. Called
+   before the rows are counted or copied. */
 static bool flush_rows(struct checkpoint *c)
 {
     if (c->lost || fflush(c->rows) != 0 || fseek(c->rows, 0, SEEK_END) != 0)
@@ -203,8 +205,8 @@ static bool flush_rows(struct checkpoint *c)
     return true;
 }
 
-/* Computes the checksum of the rows again while copying them: the caller
-   keeps the table only if it is unchanged. */
+/* Copies the rows and computes their checksum again. The caller keeps the
+   table only if the checksum is unchanged. */
 bool checkpoint_copy(struct checkpoint *c, struct table *t)
 {
     static char piece[65536];
@@ -222,12 +224,12 @@ bool checkpoint_copy(struct checkpoint *c, struct table *t)
            complain(c, c->rows_path, "has other rows than were written");
 }
 
-/* The names of the numbers of a checkpoint, for writing and reading. */
+/* The names of the numbers in a checkpoint, for writing and reading. */
 #define PLACE(field) #field, offsetof(struct checkpoint_numbers, field)
 static const struct {
     const char *name;
     size_t offset;
-    bool count; /* a whole number, not negative */
+    bool count; /* must be a whole number >= 0 */
 } numbers[] = {{PLACE(start), false},     {PLACE(steps), true},
                {PLACE(collisions), true}, {PLACE(evaluations), true},
                {PLACE(rows), true},       {PLACE(energy), false},
@@ -242,8 +244,8 @@ static double *number(struct checkpoint_numbers *n, size_t k)
     return (double *)(void *)((char *)n + numbers[k].offset);
 }
 
-/* Saves the state of the adaptive method of m, if it has one, in *c.
-   Returns false if memory runs out. */
+/* Saves the state of m's adaptive method, if it has one, in *c. Returns
+   false if memory runs out. */
 static bool note_own(struct checkpoint *c, const struct motion *m)
 {
     const struct adaptive *const own = m->stepping.own;
@@ -255,9 +257,9 @@ static bool note_own(struct checkpoint *c, const struct motion *m)
     return !c->own == !own;
 }
 
-/* Flushes the rows before the checkpoint that refers to them is written.
-   The last line of the checkpoint is the checksum of all lines before it: a
-   truncated file has no such line, and a changed file another checksum. */
+/* Flushes the rows before writing the checkpoint that refers to them. The
+   last line of the checkpoint is the checksum of all lines before it, and
+   shows whether the file was truncated or changed. */
 bool checkpoint_write(struct checkpoint *c, struct motion *m,
                       struct checkpoint_numbers n)
 {
@@ -289,18 +291,18 @@ bool checkpoint_write(struct checkpoint *c, struct motion *m,
 
 enum { COUNTS = 3 }; /* lines with the keys length, sum and end */
 
-/* The contents of the lines "#= KEY VALUE" of a checkpoint. All are
-   checked, and a file that has been edited is refused. */
+/* The contents of the lines "#= KEY VALUE" of a checkpoint. All of them are
+   checked, so an edited file is refused. */
 struct head {
     char *line;           /* buffer of getline, of the size `room` */
-    size_t room, found;   /* found: number of lines with numbers, counts */
-    bool command, end;    /* this line was found, and its value is right */
+    size_t room, found;   /* found: how many numbers and counts were read */
+    bool command, end;    /* the line was found and its value is right */
     uint64_t length, sum; /* length and checksum of the rows */
     uint64_t own;         /* checksum of the lines read so far */
 };
 
-/* Returns the value in a line, given without its "#= ", or NULL if the line
-   has another key. */
+/* Returns the value in a line, given without its "#= ", if the line has
+   this key. Returns NULL if it has another key. */
 static const char *after(const char *line, const char *key)
 {
     const size_t n = strlen(key);
@@ -325,8 +327,8 @@ static bool take_number(const char *value, bool count, double *number)
                        *number == floor(*number)));
 }
 
-/* Appends a number of an adaptive method to c->own, which is doubled in
-   size when it is full, since the file does not tell how many follow. */
+/* Appends a number of an adaptive method to c->own. Doubles the array when
+   it is full, since the file does not say how many numbers follow. */
 static bool take_own(struct checkpoint *c, const char *value)
 {
     if ((c->owned & (c->owned - 1)) == 0) { /* 0, 1, 2, 4, 8 ...: full */
@@ -349,8 +351,8 @@ bool checkpoint_recall(const struct checkpoint *c, struct motion *m)
     return true;
 }
 
-/* Reads a line of the head. Returns false if a value is wrong or the key is
-   unknown: then a later version or another program wrote the line. */
+/* Reads a line of the head. Returns false if the value is wrong or the key
+   is unknown, as in a file from a later version or another program. */
 static bool take_line(struct checkpoint *c, struct head *h,
                       struct checkpoint_numbers *n, const char *line)
 {
@@ -373,9 +375,9 @@ static bool take_line(struct checkpoint *c, struct head *h,
     return h->end = value && take_count(h, value, &own) && own == h->own;
 }
 
-/* Reads the lines of the head up to the last one, whose key is end, and
-   skips the lines of the scene between them. Returns false, after an error
-   message, if a line is missing or wrong. */
+/* Reads the head up to its last line, whose key is end, and skips the lines
+   of the scene. Returns false, after an error message, if a line is missing
+   or wrong. */
 static bool read_head(struct checkpoint *c, struct head *h,
                       struct checkpoint_numbers *n)
 {
@@ -403,8 +405,8 @@ static bool read_head(struct checkpoint *c, struct head *h,
                           "begins anew");
 }
 
-/* Adds the next `length` bytes of the rows to the checksum. Returns how
-   many bytes were read. */
+/* Adds the next `length` bytes of the rows to the checksum. Returns the
+   number of bytes read. */
 static uint64_t read_rows(struct checkpoint *c, uint64_t length)
 {
     static char piece[65536];
@@ -420,8 +422,8 @@ static uint64_t read_rows(struct checkpoint *c, uint64_t length)
     return done;
 }
 
-/* Checks that the file has all rows to which the checkpoint refers,
-   unchanged, and removes later rows, which will be computed again. */
+/* Checks that the file has all rows that the checkpoint counts, unchanged.
+   Removes later rows, which will be computed again. */
 static bool open_rows(struct checkpoint *c, const struct head *h)
 {
     if (read_rows(c, h->length) < h->length)

@@ -1,4 +1,5 @@
-/* Checkpoints, from which a killed run continues as if not interrupted. */
+/* Checkpoints, from which a killed run continues as if never
+   interrupted. */
 #ifndef CHECKPOINT_H
 #define CHECKPOINT_H
 
@@ -14,9 +15,9 @@
 /* The state of a run, without its scene. */
 struct checkpoint_numbers {
     double start; /* time at the start of the run, s */
-    double steps, collisions, evaluations, rows; /* whole numbers so far */
+    double steps, collisions, evaluations, rows; /* counts so far */
     double energy,                               /* at the start, J */
-        depth,     /* of the deepest potential of a row, J */
+        depth,     /* largest depth of the potential in a row, J */
         worst;     /* largest deviation from `energy` in a row, J */
     double passed, /* number of pairs that passed through each other */
         overlap;   /* largest overlap at the start, m */
@@ -24,8 +25,8 @@ struct checkpoint_numbers {
     double scene;  /* checkpoint_sum of the scene's file */
 };
 
-/* A run that can be resumed: the rows of its unfinished table are in
-   FILE.rows, its state is in FILE.checkpoint. All members are private. */
+/* A run that can be resumed. FILE.rows has the rows of the unfinished
+   table, and FILE.checkpoint has the state. All members are private. */
 struct checkpoint {
     const char *program, *command;
     char *path, *rows_path;
@@ -38,8 +39,9 @@ struct checkpoint {
     size_t owned;
 };
 
-/* Returns whether a run that writes its table to this file (NULL: standard
-   output) can be resumed: if it is a regular file or does not exist. */
+/* Returns whether `output` is a regular file or does not exist. If so, a
+   run that writes its table to it can be resumed. NULL is standard output,
+   for which the result is false. */
 bool checkpoint_possible(const char *output);
 
 /* Returns a checksum of the bytes of a file, a whole number below 2^53, or
@@ -47,8 +49,8 @@ bool checkpoint_possible(const char *output);
 double checkpoint_sum(const char *path);
 
 /* Begins a run with no rows. Returns false, after an error message and with
-   nothing to free, if FILE.rows cannot be written or if it or
-   FILE.checkpoint belongs to another run or program; in the latter case
+   nothing to free, if FILE.rows cannot be written, or if FILE.rows or
+   FILE.checkpoint belongs to another run or program. In the second case
    c->locked is true. The pointers program and command are kept. */
 bool checkpoint_begin(struct checkpoint *c, const char *program,
                       const char *command, const char *output);
@@ -56,10 +58,10 @@ bool checkpoint_begin(struct checkpoint *c, const char *program,
 /* Returns whether FILE.checkpoint exists. */
 bool checkpoint_exists(const char *output);
 
-/* Resumes a run with the rows of FILE.rows, and reads its scene and its
-   numbers from FILE.checkpoint. Returns false in the cases in which
-   checkpoint_begin does, and if the files are damaged or were written by
-   another command. */
+/* Resumes a run with the rows of FILE.rows. Reads its scene and its numbers
+   from FILE.checkpoint. Returns false in the same cases as
+   checkpoint_begin, and if the files are damaged or were written by another
+   command. */
 bool checkpoint_resume(struct checkpoint *c, const char *program,
                        const char *command, const char *output,
                        struct scene *s, struct checkpoint_numbers *n);
@@ -71,8 +73,8 @@ bool checkpoint_recall(const struct checkpoint *c, struct motion *m);
 /* Adds a row, formatted as by table_row. Returns false after an error. */
 bool checkpoint_row(struct checkpoint *c, size_t n, const double values[]);
 
-/* Writes FILE.checkpoint: the present state of the motion, and the length
-   and checksum of all rows so far. Returns false after an error. */
+/* Writes the current state of the motion, and the length and checksum of
+   all rows so far, to FILE.checkpoint. Returns false after an error. */
 bool checkpoint_write(struct checkpoint *c, struct motion *m,
                       struct checkpoint_numbers n);
 
@@ -80,8 +82,8 @@ bool checkpoint_write(struct checkpoint *c, struct motion *m,
    checksum has changed; the table must then be discarded. */
 bool checkpoint_copy(struct checkpoint *c, struct table *t);
 
-/* Closes both files. Removes them unless keep is true and there is a
-   checkpoint from which another run can continue. */
+/* Closes both files. Removes them unless keep is true and another run can
+   continue from a checkpoint. */
 void checkpoint_end(struct checkpoint *c, bool keep);
 
 #endif

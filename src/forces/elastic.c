@@ -5,8 +5,8 @@
 
 static const char no_memory[] = "there is no memory";
 
-/* Returns the sine of x, |x| <= pi, from its power series. Unlike that of
-   libm, the result is bit-identical on all machines. */
+/* Returns the sine of x, |x| <= pi, from its power series. The result is
+   bit-identical on all machines, unlike the sine of libm. */
 static double sine(double x)
 {
     double term = x, sum = 0;
@@ -25,8 +25,8 @@ static double cosine(double x)
 }
 
 /* Returns sin(pi i r / n). The wave repeats after 2n, changes sign after n
-   and is symmetric about n/2. Since the angle is reduced to the first
-   quarter of the wave, a symmetric membrane is exactly symmetric, and the
+   and is symmetric about n/2. The angle is reduced to the first quarter of
+   the wave. A symmetric membrane is therefore exactly symmetric, and the
    result is exactly 0 at multiples of n. */
 static double sine_of_wave(size_t i, size_t r, size_t n)
 {
@@ -40,10 +40,9 @@ static double sine_of_wave(size_t i, size_t r, size_t n)
 
 enum { O_MASS, O_STIFFNESS, O_DAMPING, O_PLACE, O_VELOCITY, O_LENGTH };
 
-/* Builds two bodies, of which one is fixed and the other is free along x.
-   The rest length of the spring is their distance before the displacement.
-   A displacement beyond the fixed body, where the force would reverse, is
-   refused. */
+/* Builds a fixed body and a body that is free along x. The rest length of
+   the spring is their distance before the displacement. Refuses a
+   displacement beyond the fixed body, where the force would reverse. */
 static const char *oscillator(struct scene *s, const double value[])
 {
     const double length = value[O_LENGTH];
@@ -90,7 +89,7 @@ static void hang(struct scene *s, size_t i, double mass, double x, double z)
 }
 
 /* Builds a double pendulum in the plane of x and z. The rest lengths are
-   those given, not the computed distances, so that they are exact. */
+   the given lengths, since the computed distances are not exact. */
 static const char *double_pendulum(struct scene *s, const double value[])
 {
     const double l = value[P_LENGTH];
@@ -115,7 +114,7 @@ static const char *double_pendulum(struct scene *s, const double value[])
 
 /* Places the bodies of a grid in the plane z = 0, row by row. All springs
    of one direction then join bodies whose numbers differ by the same
-   amount, so that these springs form a band (springs.c). */
+   amount, so these springs form a band (springs.c). */
 static void lay_out(struct scene *s, size_t nx, size_t ny, double x0,
                     double y0, double dx, double dy)
 {
@@ -126,9 +125,9 @@ static void lay_out(struct scene *s, size_t nx, size_t ny, double x0,
         }
 }
 
-/* Joins each body of the grid by a spring of this rest length to the body
-   `right` columns to the right and `up` rows above, if there is one. right
-   may be -1. Returns false if memory runs out. */
+/* Joins each body of the grid to the body `right` columns to the right and
+   `up` rows above, if any, by a spring of this rest length. right may be
+   -1. Returns false if memory runs out. */
 static bool join(struct scene *s, size_t nx, size_t ny, int right, int up,
                  double rest)
 {
@@ -143,7 +142,8 @@ static bool join(struct scene *s, size_t nx, size_t ny, int right, int up,
     return true;
 }
 
-/* Sets masses, fixes the bodies of the rim, displaces others along z. */
+/* Sets the masses, fixes the bodies of the rim, and displaces the other
+   bodies along z. */
 static void excite(struct scene *s, const struct elastic_membrane *m)
 {
     for (size_t y = 0; y < m->ny; ++y)
@@ -160,8 +160,8 @@ static void excite(struct scene *s, const struct elastic_membrane *m)
         }
 }
 
-/* The grid extends from -1 to 1 m along x, as in the MPPhys paper. Its
-   cells are square, which determines its height. */
+/* The grid extends from -1 to 1 m along x, as in the MPPhys paper. The
+   cells are square, which determines the height. */
 const char *elastic_membrane(struct scene *s,
                              const struct elastic_membrane *m)
 {
@@ -219,7 +219,7 @@ enum {
     C_FRICTION
 };
 
-/* Adds the springs of a truss: those along both axes, and 0, 1 or 2
+/* Adds the springs of a truss: springs along both axes, and 0, 1 or 2
    diagonals in each cell. Returns false if memory runs out. */
 static bool truss(struct scene *s, size_t nx, size_t ny, double dx,
                   double dy, int diagonals)

@@ -23,8 +23,8 @@ struct elastic_membrane {
     double friction;  /* each body feels the force -friction * v, kg/s */
 };
 
-/* Builds a membrane, 2 m wide. Returns NULL, or an error message and then
-   there is nothing to free. */
+/* Builds a membrane 2 m wide. Returns NULL, or an error message. After an
+   error there is nothing to free. */
 const char *elastic_membrane(struct scene *s,
                              const struct elastic_membrane *m);
 

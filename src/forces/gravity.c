@@ -14,7 +14,7 @@
 const char *const gravity_kernels[] = {
     "auto", "portable", "avx512", "tree", "opencl", "opencl-float", NULL};
 
-/* Adds the accelerations of a block of bodies due to body j to *o. */
+/* Adds to *o the accelerations of a block of bodies due to body j. */
 static inline void pull(const struct gravity *g, const double p[], size_t j,
                         double least, size_t self, struct block *o)
 {
@@ -44,8 +44,8 @@ VECTOR_LOOP static void add_portable(const struct gravity *g,
     }
 }
 
-/* Adds the accelerations of bodies first to last - 1 due to body j, which
-   is not one of them: so the loop has no branch and can be vectorised. */
+/* Adds the accelerations of bodies first to last - 1 due to body j. Body j
+   is not one of them, so the loop has no branch and can be vectorised. */
 static void add_source(const struct gravity *g, const double x[],
                        double a[], size_t j, size_t first, size_t last)
 {
@@ -90,7 +90,7 @@ VECTOR_AVX512 static inline __m512d weight8(__m512d s, __m512d m)
     return _mm512_fmadd_pd(w, p, w);
 }
 
-/* Eight bodies: positions, and their accelerations so far. */
+/* The positions of eight bodies, and their accelerations so far. */
 struct eight {
     __m512d x, y, z, a, b, c;
 };
@@ -114,10 +114,10 @@ VECTOR_AVX512 static inline void pull8(const struct gravity *g,
     f->c = _mm512_fmadd_pd(w, dz, f->c);
 }
 
-/* Adds the accelerations of eight bodies from number i on. Each body has a
-   lane of its own, so that the order of its sum is unchanged. Lanes beyond
-   the last body are masked. For a body and itself 1 is added to the squared
-   distance in place of the softening, and the pull is zero. */
+/* Adds the accelerations of eight bodies from number i on. Each body has
+   its own lane, so the order of its sum is unchanged. Lanes beyond the last
+   body are masked. The pull of a body on itself is zero. Its squared
+   distance is 1 instead of the squared softening, which may be 0. */
 VECTOR_AVX512 static void add_avx512(const struct gravity *g,
                                      const double x[], double a[], size_t i)
 {
@@ -190,8 +190,8 @@ enum gravity_kernel gravity_fastest(void)
     return gravity_can(GRAVITY_AVX512) ? GRAVITY_AVX512 : GRAVITY_PORTABLE;
 }
 
-/* A kernel: a function that adds the accelerations of `width` bodies from
-   number i on, due to all bodies. */
+/* A function that adds the accelerations of `width` bodies, from number i
+   on, due to all bodies. */
 struct kernel {
     size_t width;
     void (*add)(const struct gravity *g, const double x[], double a[],
@@ -217,9 +217,9 @@ const char *gravity_summed_by(const struct gravity *g)
                                                      : g->kernel];
 }
 
-/* The choice of a kernel must not depend on the number of threads, or the
-   results would depend on it, too. Each thread computes the whole sums of
-   some of the bodies, so that no two threads write the same sum. */
+/* The number of threads must not affect the choice of a kernel, since the
+   result depends on the kernel. Each thread computes the whole sums of some
+   bodies, so no two threads write the same sum. */
 void gravity_add(const struct gravity *g, const double x[], double a[])
 {
     if (g->source) {
@@ -245,10 +245,11 @@ void gravity_add(const struct gravity *g, const double x[], double a[])
         k->add(g, x, a, (size_t)i);
 }
 
-/* Sets the accelerations to zero, then adds gravity. The compiler must not
-   recognise the zero: for a constant it would call memset, which stores
-   several numbers at once, and for two bodies the sums, which load these
-   numbers one by one, would have to wait for the stores. */
+/* Sets the accelerations to zero, then adds gravity. The zero is computed
+   so that the compiler does not recognise it. For a constant zero the
+   compiler would call memset, which stores several numbers at once. For two
+   bodies the sums load these numbers one by one, and would have to wait for
+   the stores. */
 static void accelerate(void *what, const double x[], const double v[],
                        double a[])
 {
@@ -266,9 +267,9 @@ struct stepping_forces gravity_forces(struct gravity *g)
 }
 
 /* Sums over all pairs whatever the kernel is, since a check of the tree
-   must not use the tree. With theta 0.5 the tree gave the energy of the
-   ring of chapter 9 with an error of 2e-4 that varied from row to row,
-   while the forces of the tree conserve the energy to 1e-8. */
+   must not use the tree. For the ring of chapter 9 with theta 0.5, the
+   forces of the tree conserve the energy to 1e-8. An energy computed by the
+   tree had an error of 2e-4 that varied from row to row. */
 double gravity_potential(const struct gravity *g, const double x[])
 {
     const size_t n = g->bodies;

@@ -12,7 +12,7 @@
    the tree add the terms in the same order. AVX-512 rounds differently, by
    less than 1e-14 of each term. */
 enum gravity_kernel {
-    GRAVITY_AUTO,         /* the fastest one with the results of portable */
+    GRAVITY_AUTO,         /* fastest kernel with the results of portable */
     GRAVITY_PORTABLE,     /* plain C; bit-identical on all machines */
     GRAVITY_AVX512,       /* intrinsics, for eight bodies at once */
     GRAVITY_TREE,         /* Barnes-Hut tree; needs gravity_use_tree */
@@ -25,8 +25,8 @@ enum gravity_kernel {
 extern const char *const gravity_kernels[];
 
 enum {
-    GRAVITY_FEW = 32,   /* most bodies for which each pair is computed once
-                           and not once for each of the two */
+    GRAVITY_FEW = 32,   /* most bodies for which each pair is computed only
+                           once */
     GRAVITY_MANY = 1000 /* fewest bodies for which threads save time */
 };
 
@@ -36,13 +36,13 @@ struct tree;
    bodies + i] of an array. */
 struct gravity {
     size_t bodies;
-    const double *mass; /* [bodies], the caller's */
+    const double *mass; /* [bodies], owned by the caller */
     double k2; /* acceleration due to mass 1, times distance squared */
     double softening;           /* m; 0: none */
     enum gravity_kernel kernel; /* for more than GRAVITY_FEW bodies */
-    int threads;                /* number of threads */
-    const uint32_t *source;     /* NULL, or [sources]: only these bodies
-                                   attract */
+    int threads;
+    const uint32_t *source; /* NULL, or [sources]: only these bodies
+                               attract */
     size_t sources;
     const double *factor; /* [bodies] if source is not NULL: factors by
                              which the accelerations are multiplied */
@@ -52,9 +52,9 @@ struct gravity {
     void *device;
 };
 
-/* The largest ratio theta of a cell's width to its distance for which the
-   cell may be treated as one mass. It is below 1/sqrt(3), so that no such
-   cell contains the body itself. */
+/* The largest ratio theta of a cell's width to its distance at which the
+   cell may be treated as one mass. It is below 1/sqrt(3), so no such cell
+   contains the attracted body. */
 #define GRAVITY_WIDEST 0.57
 
 /* Prepares the sum over `bodies` bodies, with the kernel auto and one
@@ -62,8 +62,8 @@ struct gravity {
 bool gravity_create(struct gravity *g, size_t bodies, const double mass[],
                     double k2, double softening);
 
-/* Chooses the tree as the kernel, which treats a cell as one mass if its
-   width is less than theta times its distance; theta is 0 to
+/* Chooses the tree as the kernel. The tree treats a cell as one mass if the
+   cell's width is less than theta times its distance; theta is 0 to
    GRAVITY_WIDEST. Returns false, with nothing changed, if memory runs
    out. */
 bool gravity_use_tree(struct gravity *g, double theta);
@@ -71,10 +71,10 @@ bool gravity_use_tree(struct gravity *g, double theta);
 /* Frees what gravity_create and gravity_use_tree allocated. */
 void gravity_free(struct gravity *g);
 
-/* Adds to a[] the accelerations of bodies at the positions x[]; both arrays
-   have 3 * bodies numbers, axis by axis: (9.2, eq:softened-force). Without
-   softening, two bodies at the same position give NaN. The result does not
-   depend on the number of threads, even in the last bit. */
+/* Adds to a[] the accelerations of bodies at the positions x[]: (9.2,
+   eq:softened-force). Both arrays have 3 * bodies numbers, axis by axis.
+   Without softening, two bodies at the same position give NaN. The result
+   is bit-identical for any number of threads. */
 void gravity_add(const struct gravity *g, const double x[], double a[]);
 
 /* Returns gravity_add as forces for stepping_begin; g must outlive them. */
@@ -84,8 +84,8 @@ struct stepping_forces gravity_forces(struct gravity *g);
    (9.1, eq:softened-potential). */
 double gravity_potential(const struct gravity *g, const double x[]);
 
-/* Returns whether this build has the kernel and this machine can run it;
-   false for the kernels of devices. */
+/* Returns whether this build has the kernel and this machine can run it.
+   Returns false for the kernels of devices. */
 bool gravity_can(enum gravity_kernel kernel);
 
 /* Returns the fastest kernel for this machine, devices and tree excluded.

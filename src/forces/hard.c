@@ -19,7 +19,8 @@ static bool create(struct scene *s, size_t bodies, double radius, double dt)
     return true;
 }
 
-/* Makes a body free along the first `axes` axes and fixed along others. */
+/* Makes a body free along the first `axes` axes and fixed along the
+   rest. */
 static void free_along(struct scene *s, size_t body, size_t axes)
 {
     for (size_t k = 0; k < SCENE_AXES; ++k)
@@ -72,11 +73,11 @@ static void place_in_a_row(struct scene *s, const double value[])
 
 static const double cradle_stiffness = 1e5, cradle_gravity = 9.81;
 
-/* Hangs each ball on a string, a stiff spring from a fixed body above it.
-   Balls with a velocity are instead pulled aside and start at rest. The
-   rest length is a little less than the distance to the fixed body, so that
-   a ball hanging straight down is in equilibrium. Returns false if memory
-   runs out. */
+/* Hangs each ball on a string, a stiff spring from a fixed body above it. A
+   ball with a velocity is instead pulled aside and starts at rest. The rest
+   length is a little less than the distance to the fixed body, so a ball
+   hanging straight down is in equilibrium. Returns false if memory runs
+   out. */
 static bool hang(struct scene *s, size_t balls, double length)
 {
     const size_t n = s->bodies;
@@ -122,8 +123,8 @@ static const char *build_cradle(struct scene *s, const double value[])
     if (!hanging) {
         const double end =
             (double)(balls - 1) * (2 * cradle_radius + value[CRADLE_GAP]);
-        /* A ball that flies out moves twice as far as the first ball did
-           before a wall reflects it. */
+        /* A ball that flies out moves by twice cradle_way before a wall
+           reflects it. */
         const double room = cradle_radius + 2 * cradle_way;
         set_walls(s, 0, SCENE_HARD, -room, end + room);
     }
@@ -141,14 +142,14 @@ enum {
     BREAK_DT
 };
 
-enum { BREAK_BALLS = 16 }; /* including the cue ball, the first */
+enum { BREAK_BALLS = 16 }; /* including body 0, the cue ball */
 
 /* Billiards on a nine-foot table. */
 static const double ball_radius = 0.028575, ball_mass = 0.17,   /* m, kg */
     cue_place = -1.27, table_length = 2.54, table_width = 1.27; /* m */
 
-/* Places the balls in a triangle with this distance between neighbours, m,
-   and displaces each at random by up to `jitter`, m, along x and y. */
+/* Places the balls in a triangle with this distance between neighbours, m.
+   Displaces each ball at random by up to `jitter`, m, along x and y. */
 static void rack(struct scene *s, double distance, double jitter,
                  struct random *r)
 {
@@ -222,11 +223,11 @@ static bool copy_disks(struct scene *s, const struct disks *d, double dt)
     return true;
 }
 
-/* Builds a gas with the functions of chapter 5, so that the scene
-   four-disks has exactly the numbers at the start of `disks --disks 4
-   --radius 0.15 --box 1,1`, and the scene gas those of `disks --disks 250
+/* Builds a gas with the functions of chapter 5. The scene four-disks
+   therefore starts with exactly the numbers of `disks --disks 4 --radius
+   0.15 --box 1,1`, and the scene gas with those of `disks --disks 250
    --radius 0.1 --box 7.5,5 --start random`. A heavy disk is placed first,
-   while there is room, and gets the kinetic energy of a light one. */
+   while the box is empty. It gets the kinetic energy of a light disk. */
 static const char *fill_gas(struct scene *s, struct disks *d,
                             const double value[], double heavy,
                             double heavy_radius)
@@ -276,11 +277,10 @@ static const char *build_brownian(struct scene *s, const double value[])
 
 enum { LINE_BODIES, LINE_RATIO, LINE_RADIUS, LINE_SEED, LINE_DT };
 
-/* Copies the bodies of a start into a scene, from body `first` on. In a
-   start they are points and never overlap; here they get a radius, as (2.2,
-   eq:rods) allows: body i is shifted to the right by 2i + 1 radii, the
-   right wall by 2n radii for n bodies, and the motion is otherwise
-   unchanged. */
+/* Copies the bodies of a start into a scene, from body `first` on. The
+   bodies of the start are points. Here they get a radius, as (2.2, eq:rods)
+   allows: body i is shifted to the right by 2i + 1 radii, and the right
+   wall by 2n radii for n bodies. The motion is otherwise unchanged. */
 static void copy_start(struct scene *s, const struct start *start,
                        size_t first, double radius)
 {
@@ -294,8 +294,8 @@ static void copy_start(struct scene *s, const struct start *start,
 }
 
 /* Builds a scene from a start on a line. Galperin's start has a wall on one
-   side only, which a box cannot have: this wall becomes the first body,
-   which is fixed. */
+   side only, but a box has walls on both sides. The wall therefore becomes
+   the first body, which is fixed. */
 static const char *build_line(struct scene *s, const double value[],
                               enum start_kind kind)
 {
@@ -428,7 +428,7 @@ const struct gallery_scene hard_scenes[] = {
       {"dt", 0.01, 1e-9, 1, false, "step, s"}},
      build_galperin},
     {0}};
-/* Returns whether the bodies do not move in one plane z = constant. */
+/* Returns whether the bodies have different z or move along z. */
 static bool is_deep(const struct scene *s)
 {
     const double *z = s->position + 2 * s->bodies;
@@ -439,8 +439,8 @@ static bool is_deep(const struct scene *s)
     return false;
 }
 
-/* The engine of chapter 5 also simulates spheres, so that a scene that is
-   not plane is passed to it with three axes. */
+/* The engine of chapter 5 also simulates spheres, so a scene that is not
+   plane is given three axes. */
 bool hard_disks(struct disks *d, const struct scene *s)
 {
     const size_t n = s->bodies;
@@ -463,8 +463,8 @@ bool hard_disks(struct disks *d, const struct scene *s)
     return true;
 }
 
-/* The engine of chapter 2 has no fixed bodies, so the body that represents
-   the wall in Galperin's scene becomes the left wall again. */
+/* The engine of chapter 2 has no fixed bodies. The body that represents the
+   wall in Galperin's scene therefore becomes the left wall again. */
 bool hard_start(struct start *start, const struct scene *s)
 {
     const size_t wall = s->bodies > 0 && !s->freedom[0];

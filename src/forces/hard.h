@@ -1,4 +1,4 @@
-/* Scenes of hard bodies, and starts of event-driven engines from them. */
+/* Scenes of hard bodies, and their conversion for event-driven engines. */
 #ifndef HARD_H
 #define HARD_H
 
@@ -9,15 +9,15 @@
 /* The scenes are hard_scenes in gallery.h: cradle, break, gas, brownian,
    four-disks, thermal, piston and galperin. */
 
-/* Converts a scene into disks, or spheres if it is not plane, for the
-   engine of chapter 5. The box must have hard walls or be periodic along
-   all of their axes; its corner becomes the origin. Returns false, with
-   nothing to free, if memory runs out. */
+/* Converts a scene into disks for the engine of chapter 5, or into spheres
+   if the scene is not plane. The box must have hard walls along all of
+   their axes, or be periodic along all of them. Its lower corner becomes
+   the origin. Returns false, with nothing to free, if memory runs out. */
 bool hard_disks(struct disks *d, const struct scene *s);
 
-/* Converts a scene whose bodies are free along x only, in order from left
-   to right, into a start on a line. Walls that the scene lacks are put at
-   infinity. Returns false, with nothing to free, if memory runs out. */
+/* Converts a scene into a start on a line. The bodies must be free along x
+   only and numbered from left to right. Missing walls are put at infinity.
+   Returns false, with nothing to free, if memory runs out. */
 bool hard_start(struct start *start, const struct scene *s);
 
 #endif

@@ -1,4 +1,4 @@
-/* Finds contacts on polynomial paths, then their times by the method. */
+/* Finds contacts on polynomial paths, and their times by repeated steps. */
 #include "forces/impact.h"
 
 #include "forces/adaptive.h"
@@ -17,8 +17,8 @@ _Static_assert((int)DEGREE <= (int)ROOT_DEGREE, "of a pair's gap");
    the last place. */
 static const double ROUNDING = 0x1p-50;
 
-/* A gap between two bodies or, if a == b, between a body and a wall, and
-   its state during the present part of the step. */
+/* A gap between two bodies or, if a == b, between a body and a wall. The
+   state is that during the current part of the step. */
 struct impact_gap {
     uint32_t a, b;
     size_t axis;                /* normal to the wall */
@@ -28,15 +28,15 @@ struct impact_gap {
     double sum;                 /* of the radii of a pair, m */
     double start;               /* width when closed, m: 0, or negative
                                    for an initial overlap */
-    double rounding;            /* width that counts as 0, m */
-    double root;                /* first one, as a fraction of the part */
+    double rounding;            /* smaller widths count as 0, m */
+    double root;                /* first root, as a fraction of the part */
     bool shut;                  /* closed at the end of the part */
     bool pressed;               /* closed, at rest, and under pressure */
-    bool unclear;               /* pressed, or open during the part */
+    bool unclear;               /* pressed, or opens during the part */
 };
 
-/* Returns the largest or smallest value, m, of coordinate c of a body's
-   centre that the wall on a side permits. */
+/* Returns the value of coordinate c, m, at which its body touches the wall
+   on this side. */
 static double edge_of(const struct scene *s, size_t c, double side)
 {
     const size_t k = c / s->bodies;
@@ -44,9 +44,9 @@ static double edge_of(const struct scene *s, size_t c, double side)
     return side > 0 ? s->high[k] - radius : s->low[k] + radius;
 }
 
-/* Computes the accelerations for the method: those of all forces, except
-   that a wall cancels the force on a body resting on it. A coordinate of a
-   body that the wall would have to pull is recorded in p->lifted. */
+/* Computes the accelerations due to all forces. A wall cancels the force on
+   a body that rests on it. If the wall would have to pull the body, its
+   coordinate is recorded in p->lifted. */
 static void accelerate(void *what, const double x[], const double v[],
                        double a[])
 {
@@ -73,9 +73,9 @@ static void spread(const struct scene *s, size_t k, double *low,
     }
 }
 
-/* Returns the axis along which the bodies are spread farthest, since it
-   separates most pairs of paths. Periodic axes, which have no beginning, do
-   not count; if all are periodic, SPHERES_AXES is returned. */
+/* Returns the axis along which the bodies are spread farthest. A sweep
+   along this axis separates most pairs of paths. Periodic axes, which have
+   no beginning, are ignored. If no axis remains, returns SPHERES_AXES. */
 static size_t widest_axis(const struct scene *s)
 {
     size_t widest = SPHERES_AXES;
@@ -91,8 +91,7 @@ static size_t widest_axis(const struct scene *s)
     return widest;
 }
 
-/* Sets the pointers to the arrays, which lie one after another in the
-   memory that p->note begins. */
+/* Divides the memory at p->note into arrays. */
 static void divide_numbers(struct impact *p, size_t n)
 {
     p->control = p->note + 5 * n + 1;
@@ -101,7 +100,7 @@ static void divide_numbers(struct impact *p, size_t n)
     p->pull = p->high + n;
 }
 
-/* Makes the stepping use accelerate (above) for its forces, and removes its
+/* Makes the stepping use accelerate() above, and removes the stepping's
    sweep, which ignores walls. */
 bool impact_create(struct impact *p, struct spheres *spheres,
                    struct stepping *s)
@@ -149,7 +148,8 @@ static bool is_wall(const struct impact_gap *g)
     return g->a == g->b;
 }
 
-/* Returns the width of a gap, m, and sets *rate to its growth, m/s. */
+/* Returns the width of a gap, m, and sets *rate to its rate of change,
+   m/s. */
 static double width(const struct impact *p, const struct impact_gap *g,
                     const double x[], const double v[], double *rate)
 {
@@ -168,7 +168,7 @@ static double width(const struct impact *p, const struct impact_gap *g,
     return distance - g->sum;
 }
 
-/* Returns the possible rounding error of the rate of a gap, m/s: two bodies
+/* Returns the possible rounding error of the rate of a gap, m/s. Two bodies
    flying side by side do not approach each other, although their velocities
    may differ by rounding errors. */
 static double rate_rounding(const struct impact *p,
@@ -182,9 +182,9 @@ static double rate_rounding(const struct impact *p,
     return ROUNDING * most;
 }
 
-/* Computes the control points of the path of each coordinate, a polynomial
-   of degree 3 at most, over a part of the step that is h seconds long
-   (11.8, eq:gap-control). Returns the degree. */
+/* Computes the control points of the path of each coordinate in a part of
+   the step of length h, s: (11.8, eq:gap-control). The paths are cubics.
+   Returns the degree. */
 static size_t draw_cubics(struct impact *p, double h)
 {
     const struct stepping *s = p->stepping;
@@ -200,9 +200,10 @@ static size_t draw_cubics(struct impact *p, double h)
     return 3;
 }
 
-/* Computes the paths in the part, which are cubics or the polynomials of an
-   adaptive method, and boxes around them, enlarged by the radius of the
-   body and by a little more for rounding errors. */
+/* Computes the paths in a part of length h, s: cubics, or the polynomials
+   of an adaptive method. Also computes boxes around the paths, enlarged by
+   the radius of the body, |p->least| and an allowance for rounding
+   errors. */
 static void draw_paths(struct impact *p, double h)
 {
     const struct stepping *s = p->stepping;
@@ -224,7 +225,7 @@ static void draw_paths(struct impact *p, double h)
     }
 }
 
-/* Computes the control points of a wall's gap. Returns their degree. */
+/* Computes the control points of a wall's gap. Returns the degree. */
 static size_t wall_points(const struct impact *p,
                           const struct impact_gap *g, double q[])
 {
@@ -234,7 +235,7 @@ static size_t wall_points(const struct impact *p,
     return p->degree;
 }
 
-/* Computes the binomial coefficients of m. */
+/* Sets c[j] to the binomial coefficient "m choose j". */
 static void choose(size_t m, double c[])
 {
     c[0] = 1;
@@ -243,9 +244,9 @@ static void choose(size_t m, double c[])
 }
 
 /* Computes the control points of the squared distance of a pair minus the
-   square of the sum of the radii. Returns their degree. The control points
-   of a product of two curves are sums of products of the control points of
-   both, weighted with binomial coefficients. */
+   square of the sum of the radii. Returns the degree. The control points of
+   a product of two curves are sums of products of the curves' control
+   points, weighted with binomial coefficients. */
 static size_t pair_points(const struct impact *p,
                           const struct impact_gap *g, double q[])
 {
@@ -267,16 +268,16 @@ static size_t pair_points(const struct impact *p,
     return 2 * m;
 }
 
-/* Returns whether a curve goes below the value `below`. */
+/* Returns whether a curve falls below the value `below`. */
 static bool sinks(const double q[], size_t m, double below)
 {
     return root_first(q, m, -below, ROOT_HALVINGS) <= 1;
 }
 
 /* Replaces p->least by the minimum of a curve, divided by unit, if this
-   minimum lies inside the part and is nearer to 0. The least minimum tells
-   whether the error of a path may have made or prevented a contact. If it
-   is below 0 only by a rounding error, it is recorded as 0. */
+   minimum is inside the part and nearer to 0. p->least shows whether the
+   error of a path may have made or prevented a contact. A minimum that is
+   below 0 only by a rounding error is recorded as 0. */
 static void notice(struct impact *p, const double q[], size_t m,
                    double unit, double rounding)
 {
@@ -294,12 +295,13 @@ static void notice(struct impact *p, const double q[], size_t m,
 }
 
 /* Finds when a gap closes in a part of length h, s. There are four cases:
-   the gap is open; closed and closing, which is a contact now; closed and
-   opening, where the next root counts; or closed and at rest. In the last
-   two cases, if no root follows but the gap is closed at the end, the
-   bodies are pressed together, or one has risen and come back; only a
-   shorter part can show which. Bodies that overlap at the beginning count
-   as touching at their distance then. */
+   (1) the gap is open; (2) it is closed and closing, which is a contact
+   now; (3) it is closed and opening, so the next root counts; (4) it is
+   closed and at rest. In cases 3 and 4 the gap may have no further root and
+   still be closed at the end. Then the bodies are pressed together, or a
+   body has risen and come back. Only a shorter part can show which. Bodies
+   that overlap at the beginning count as touching at their initial
+   distance. */
 static void find_root(struct impact *p, struct impact_gap *g, double h)
 {
     const struct stepping *s = p->stepping;
@@ -325,7 +327,7 @@ static void find_root(struct impact *p, struct impact_gap *g, double h)
     g->unclear = g->root > 1 && w <= g->rounding && g->shut;
 }
 
-/* Adds a gap to the list for this part, after finding its root. */
+/* Finds the root of a gap, and adds the gap to the list for this part. */
 static void add_gap(struct impact *p, struct impact_gap g, double h)
 {
     if (p->gaps == p->capacity) {
@@ -346,7 +348,8 @@ static void add_gap(struct impact *p, struct impact_gap g, double h)
     p->gap[p->gaps++] = g;
 }
 
-/* Adds the gap between a body and a wall if its path may pass the wall. */
+/* Adds the gap between a body and a wall if the body's path may pass the
+   wall. */
 static void add_wall(struct impact *p, size_t k, size_t i, double side,
                      double h)
 {
@@ -358,7 +361,7 @@ static void add_wall(struct impact *p, size_t k, size_t i, double side,
     double far = fmax(fabs(p->note[c]), fabs(edge)) + s->radius[i];
     if (!(out > 0 && s->freedom[c]))
         return;
-    /* Neither the position nor the radius of a point at a wall at 0 is a
+    /* For a point at a wall at 0, neither the position nor the radius is a
        length scale. The length of the path then determines the rounding. */
     const double way = p->high[c] - p->low[c];
     if (fabs(edge) + s->radius[i] <= ROUNDING * way)
@@ -385,8 +388,7 @@ static double image_of(const struct impact *p, size_t k, size_t a, size_t b)
                : 0;
 }
 
-/* Adds the gap of a pair if the boxes around both paths overlap along all
-   three axes. */
+/* Adds the gap of a pair if the boxes around both paths overlap. */
 static void add_pair(struct impact *p, size_t a, size_t b, double h)
 {
     const struct scene *s = p->scene;
@@ -412,7 +414,7 @@ static void add_pair(struct impact *p, size_t a, size_t b, double h)
         add_gap(p, g, h);
 }
 
-/* Sorts the bodies by the lower limits of their paths along the axis, by
+/* Sorts the bodies by the lower limits of their paths along p->axis, by
    insertion as in pairs.c. */
 static void sort_along(struct impact *p)
 {
@@ -432,8 +434,8 @@ static void sort_along(struct impact *p)
 }
 
 /* Finds pairs whose paths come near each other by a sweep along one axis,
-   as pairs.c does for positions. If all axes are periodic they cannot be
-   sorted, and every pair is examined. */
+   as pairs.c does for positions. If all axes are periodic, the bodies
+   cannot be sorted, and every pair is examined. */
 static void add_pairs(struct impact *p, double h)
 {
     const size_t n = p->scene->bodies;
@@ -460,8 +462,8 @@ static int in_order(const void *a, const void *b)
     return g->b < o->b ? -1 : g->b > o->b;
 }
 
-/* Collects all gaps that may close in the part: first those at walls, then
-   those of pairs, sorted by the numbers of the bodies. Simultaneous
+/* Collects all gaps that may close in the part: first the gaps at walls,
+   then the gaps of pairs, sorted by the numbers of the bodies. Simultaneous
    contacts are resolved in this order. */
 static void collect_gaps(struct impact *p, double h)
 {
@@ -492,8 +494,8 @@ static void go(struct impact *p, double h)
         p->end = stepping_part(s, h);
 }
 
-/* Moves to the time h, s, in the part. Returns how far the gap is open
-   there, m, and sets *rate to the growth of its width, m/s. */
+/* Moves to the time h, s, in the part. Returns the width of the gap minus
+   g->start, m, and sets *rate to its rate of change, m/s. */
 static double try(struct impact *p, const struct impact_gap *g, double h,
                   double *rate)
 {
@@ -503,7 +505,7 @@ static double try(struct impact *p, const struct impact_gap *g, double h,
 
 /* Moves to the time *h <= most at which a gap closes, starting from the
    guess in *h: (11.9, eq:gap-newton). Returns false if the gap does not
-   close. `shut` tells that it is closed at the time `most`. */
+   close. `shut` says whether the gap is closed at the time `most`. */
 static bool close_gap(struct impact *p, const struct impact_gap *g,
                       double most, bool shut, double *h)
 {
@@ -542,9 +544,10 @@ static struct impact_gap *first_gap(const struct impact *p)
     return first;
 }
 
-/* Returns the gap that closes first before the time *h by the method, and
-   sets *h to an estimate of that time; NULL if there is none. Two roots
-   that are close to each other may be in the wrong order on the paths. */
+/* Returns the first gap that the method closes before the time *h, or NULL.
+   Sets *h to an estimate of the gap's time. This check is needed because
+   two roots that are close together may be in the wrong order on the
+   paths. */
 static struct impact_gap *earlier_gap(const struct impact *p, double *h)
 {
     const double now = *h;
@@ -563,7 +566,8 @@ static struct impact_gap *earlier_gap(const struct impact *p, double *h)
     return first;
 }
 
-/* Ends the step unfinished, and records the two bodies that caused it. */
+/* Ends a step unfinished, and records the two bodies of the gap that caused
+   this. */
 static void abandon_step(struct impact *p, const struct impact_gap *g)
 {
     p->crowded = true;
@@ -572,8 +576,8 @@ static void abandon_step(struct impact *p, const struct impact_gap *g)
     p->end = STEPPING_STUCK;
 }
 
-/* Puts a body at rest at a wall: its velocity across the wall becomes 0,
-   and from now on the wall cancels the force that presses it there. */
+/* Puts a body at rest at a wall. The velocity across the wall becomes 0,
+   and the wall then cancels the force that presses the body against it. */
 static void hold(struct impact *p, const struct impact_gap *g)
 {
     const size_t c = g->axis * p->scene->bodies + g->a;
@@ -601,10 +605,11 @@ static bool lifts(struct impact *p, double h)
     return p->lifted < p->forces.size;
 }
 
-/* Moves to the time h, s, in the part, or to the earlier time at which the
-   forces on a resting body reverse and would lift it. Returns that time, s.
-   The part ends there, so that the forces have no kink in a step. If they
-   reverse at once, the body is released and the part has length 0. */
+/* Moves to the time h, s, in the part and returns h. If the force on a
+   resting body reverses earlier and would lift the body, moves only to the
+   time of the reversal and returns that time. The part ends there, so no
+   step contains a kink in the forces. If the force reverses at once, the
+   body is released and the part has length 0. */
 static double rest(struct impact *p, double h)
 {
     enum { BITS = 52 };
@@ -625,7 +630,7 @@ static double rest(struct impact *p, double h)
     return low;
 }
 
-/* Reflects a body at a wall, and puts it at rest there if the height to
+/* Reflects a body at a wall. Puts the body at rest there if the height to
    which it would rise is within rounding errors: (11.10, eq:rest). */
 static void bounce(struct impact *p, const struct impact_gap *g)
 {
@@ -641,8 +646,8 @@ static void bounce(struct impact *p, const struct impact_gap *g)
         hold(p, g);
 }
 
-/* Resolves each contact whose gap is closing now, once. Returns whether
-   there was such a contact. */
+/* Resolves each contact whose gap is closing now, once. Returns whether any
+   contact was resolved. */
 static bool settle_once(struct impact *p, uint64_t *met)
 {
     const uint64_t before = *met;
@@ -663,9 +668,9 @@ static bool settle_once(struct impact *p, uint64_t *met)
 }
 
 /* Resolves closing contacts repeatedly, since one collision may cause
-   another at the same time, as in a row of touching balls. Before that, a
-   body that is pressed against a wall is put at rest there. If two bodies
-   are pressed together, the step is abandoned. */
+   another at the same time, as in a row of touching balls. First puts each
+   body that is pressed against a wall at rest there. If two bodies are
+   pressed together, the step is abandoned. */
 static void settle(struct impact *p, uint64_t *met)
 {
     uint64_t now = 0;
@@ -686,9 +691,10 @@ static void settle(struct impact *p, uint64_t *met)
         stepping_disturb(p->stepping);
 }
 
-/* Moves to the first contact of the part and reduces *h to its time, s; or
-   moves to the end of the part and returns false. If the method does not
-   confirm a contact of the paths, the next contact is tried. */
+/* Moves to the first contact of the part, sets *h to its time, s, and
+   returns true. If there is no contact, moves to the end of the part and
+   returns false. If the method does not confirm a contact of the paths, the
+   next contact is tried. */
 static bool find_contact(struct impact *p, double *h)
 {
     const double most = *h;
@@ -708,8 +714,8 @@ static bool find_contact(struct impact *p, double *h)
     return false;
 }
 
-/* Does what find_contact does, and then ensures that no other gap closes
-   earlier when the method moves the bodies. */
+/* Like find_contact, but also ensures that no other gap closes earlier when
+   the method moves the bodies. */
 static bool find_first(struct impact *p, double *h)
 {
     struct impact_gap *g;
@@ -724,8 +730,8 @@ static bool find_first(struct impact *p, double *h)
 }
 
 /* Returns whether a shorter part is needed to decide whether bodies are
-   pressed together. If this part is the last one to be tried, those in
-   doubt count as pressed together. */
+   pressed together. If `last` is true, no shorter part will be tried, and
+   bodies in doubt count as pressed together. */
 static bool is_unclear(struct impact *p, bool last)
 {
     bool unclear = false;
@@ -740,7 +746,8 @@ static bool is_unclear(struct impact *p, bool last)
 
 /* Takes the rest of a step, or its part before the first contact. Returns
    the length of the part, s. An unclear part is halved up to ROOT_HALVINGS
-   times; a body that does not rise in the shortest part is pressed. */
+   times. A body that does not rise in the shortest part counts as
+   pressed. */
 static double take_part(struct impact *p, double left, uint64_t *met)
 {
     double h = left;
@@ -757,10 +764,11 @@ static double take_part(struct impact *p, double left, uint64_t *met)
     return h;
 }
 
-/* Returns how far a body may move in a step of an adaptive method, m. The
-   last digits of the polynomials must tell a contact from a near miss, so
-   in a step no body crosses the scene or more than 2^14 times the smallest
-   radius, and two bodies approach by less than half a periodic box. */
+/* Returns the longest distance, m, that a body may move in a step of an
+   adaptive method. The last digits of the polynomials must distinguish a
+   contact from a near miss. So no body may cross the scene or move by more
+   than 2^14 times the smallest radius, and two bodies must approach each
+   other by less than half a periodic box. */
 static double longest_way(const struct impact *p)
 {
     const struct scene *s = p->scene;
@@ -800,8 +808,8 @@ static double longest_step(const struct impact *p)
     return h;
 }
 
-/* Takes a step whose length the method chooses and searches it for
-   contacts. The step ends at the first one, which is resolved later. */
+/* Takes a step whose length the method chooses, and searches it for
+   contacts. The step ends at the first contact, which is resolved later. */
 static void take_own(struct impact *p)
 {
     struct stepping *s = p->stepping;
@@ -828,7 +836,7 @@ static void take_own(struct impact *p)
         adaptive_turn(s->own, s->x, s->v);
 }
 
-/* Resolves the contact at which the last adaptive step has ended. */
+/* Resolves the contact at which the last adaptive step ended. */
 static void turn_own(struct impact *p, uint64_t *met)
 {
     struct stepping *s = p->stepping;
@@ -839,10 +847,10 @@ static void turn_own(struct impact *p, uint64_t *met)
     p->waiting = false;
 }
 
-/* Does what impact_step does, by an adaptive method. Such a method runs
-   ahead of the times at which states are requested, and these times must
-   not change its steps. So its own steps are searched for contacts and end
-   at them; a contact is resolved when a later time is requested. */
+/* Takes a step of impact_step by an adaptive method. Such a method runs
+   ahead of the requested times, which must not change its steps. So the
+   method's own steps are searched for contacts and end at them. A contact
+   is resolved when a later time is requested. */
 static enum stepping_end reach_look(struct impact *p, uint64_t *met)
 {
     struct stepping *s = p->stepping;

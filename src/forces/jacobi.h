@@ -8,8 +8,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Bodies in the order of their scene. Coordinate k of body i is element [k
- * bodies + i] of an array. */
+/* Bodies in the order of their scene. Coordinate k of body i has the index
+   k * bodies + i in an array. */
 struct jacobi {
     size_t bodies;
     double k2;
@@ -20,8 +20,8 @@ struct jacobi {
     double *work;       /* [6 * bodies] */
 };
 
-/* Returns why the bodies of a scene cannot be moved along ellipses, or NULL
-   if they can. (In planetary.c.) */
+/* Returns why the bodies of a scene cannot move along ellipses, or NULL if
+   they can. Defined in planetary.c. */
 const char *jacobi_refuses(const struct scene *s);
 
 /* Prepares *j for this number of bodies. The pointer mass is kept. Returns
@@ -33,20 +33,20 @@ bool jacobi_create(struct jacobi *j, size_t bodies, const double mass[],
 void jacobi_free(struct jacobi *j);
 
 /* Transforms positions, velocities or accelerations into Jacobi's
-   coordinates, the first of which is the centre of mass of all bodies:
-   (9.9, eq:jacobi). x and q may be the same array. */
+   coordinates: (9.9, eq:jacobi). The first of these is the centre of mass
+   of all bodies. x and q may be the same array. */
 void jacobi_enter(const struct jacobi *j, const double x[], double q[]);
 
 /* Transforms Jacobi's coordinates back. q and x may be the same array. */
 void jacobi_leave(const struct jacobi *j, const double q[], double x[]);
 
-/* Returns the forces that perturb the ellipses, for stepping_begin; j must
-   outlive them: (9.10, eq:wisdom-holman). */
+/* Returns the forces that perturb the ellipses, for stepping_begin: (9.10,
+   eq:wisdom-holman). j must outlive the forces. */
 struct stepping_forces jacobi_forces(struct jacobi *j);
 
 /* Moves the bodies along their ellipses by the time dt, s. This is the
-   stepping_flow that belongs to jacobi_forces; `what` is the struct jacobi.
-   The position of a body on an open orbit becomes NaN. */
+   stepping_flow for jacobi_forces, and `what` is the struct jacobi. The
+   position of a body on an open orbit becomes NaN. */
 void jacobi_flow(void *what, double dt, double x[], double v[]);
 
 #endif

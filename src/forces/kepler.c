@@ -1,5 +1,5 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 531889411 of the lines below */
+/* checksum 14375261 of the lines below */
 /* Solves Kepler's equation and moves a body along its ellipse. */
 #include "forces/kepler.h"
 
@@ -56,7 +56,7 @@ static double cosine_series(double s)
 
 void kepler_turn(double angle, double *cosine, double *sine)
 {
-    /* pi / 2 in three parts, the first two of 33 bits */
+    /* pi / 2 in three parts; the first two have 33 bits */
     const double part[] = {0x1.921fb544p0, 0x1.0b4611a6p-34,
                            0x1.3198a2e037073p-69};
     const double quarters = floor(angle / (KEPLER_PI / 2) + 0.5);
@@ -69,10 +69,11 @@ void kepler_turn(double angle, double *cosine, double *sine)
     *sine = quarter == 0 ? s : quarter == 1 ? c : quarter == 2 ? -s : -c;
 }
 
-/* Rotates x in the plane of the axes `from` and `to` by an angle. The minus
-   sign has a variable of its own: otherwise gcc 12 with -march=native makes
-   one of the two lines a fused multiply-add, although -ffp-contract=off
-   forbids it, and the bits of the scenes would depend on the build. */
+/* Rotates x by an angle in the plane of the axes `from` and `to`. The minus
+   sign has its own variable, because gcc 12 with -march=native otherwise
+   makes one of the two lines a fused multiply-add, although
+   -ffp-contract=off forbids that. The bits of the scenes would then depend
+   on the build. */
 static void turn(double x[], int from, int to, double angle)
 {
     double c, s;
@@ -100,17 +101,17 @@ void kepler_place(double mu, const struct kepler_elements *o, double x[],
     }
 }
 
-/* Returns the first two terms of the series for the change of the eccentric
-   anomaly while the mean anomaly changes by m; p and q are e cos E and e
-   sin E at the start. The error is of the order of m^3. */
+/* Returns a guess of the change of the eccentric anomaly while the mean
+   anomaly changes by m: the first two terms of a series. p and q are e cos
+   E and e sin E at the start. The error is of the order of m^3. */
 static double first_guess(double p, double q, double m)
 {
     const double g = m / (1 - p);
     return g - q / (1 - p) * g * g / 2;
 }
 
-/* Computes the cosine and the sine of the change of the eccentric anomaly,
-   with p, q and m as in first_guess. */
+/* Computes the cosine and the sine of the change of the eccentric anomaly.
+   p, q and m are those of first_guess. */
 static void change(double p, double q, double m, double *cosine,
                    double *sine)
 {

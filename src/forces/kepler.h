@@ -2,41 +2,41 @@
 #ifndef KEPLER_H
 #define KEPLER_H
 
-/* pi, which is not part of standard C. */
+/* pi, which standard C does not define. */
 #define KEPLER_PI 3.14159265358979323846
 
 /* An ellipse and a position on it. Angles are in rad. */
 struct kepler_elements {
-    double axis;         /* semi-major, m */
-    double eccentricity; /* 0 to less than 1 */
+    double axis;         /* semi-major axis, m */
+    double eccentricity; /* at least 0, less than 1 */
     double inclination;
     double node;       /* longitude of the ascending node */
-    double perihelion; /* argument: angle from the node */
+    double perihelion; /* argument of the perihelion: angle from the node */
     double mean_anomaly;
 };
 
-/* Computes the semi-major axis (m, INFINITY or negative if the orbit is
-   open) and the eccentricity of the orbit through x[3] with the velocity
-   v[3]: (9.3, eq:vis-viva). */
+/* Computes the semi-major axis, m, and the eccentricity of the orbit
+   through x[3] with the velocity v[3]: (9.3, eq:vis-viva). The axis of an
+   open orbit is INFINITY or negative. */
 void kepler_shape(double mu, const double x[], const double v[],
                   double *axis, double *eccentricity);
 
-/* Moves x[3] and v[3] along their ellipse by the time t, s, which may be
-   negative, in closed form: (9.6, eq:gauss). If the orbit is open, x[0]
-   becomes NaN. */
+/* Moves x[3] and v[3] along their ellipse by the time t, s, in closed form:
+   (9.6, eq:gauss). t may be negative. If the orbit is open, x[0] becomes
+   NaN. */
 void kepler_move(double mu, double t, double x[], double v[]);
 
-/* Computes the cosine and the sine of an angle of at most 1e5 rad in size,
-   with an error below 2e-16 and the same bits on every machine. */
+/* Computes the cosine and the sine of an angle of at most 1e5 rad in size.
+   The error is below 2e-16, and the bits are the same on every machine. */
 void kepler_turn(double angle, double *cosine, double *sine);
 
-/* Returns the eccentric anomaly E, rad, for which E - e sin E = M, where 0
-   <= e < 1 and M is at most 1e5 in size: (9.4, eq:kepler). */
+/* Returns the eccentric anomaly E, rad, which solves E - e sin E = M for 0
+   <= e < 1: (9.4, eq:kepler). The mean anomaly M is at most 1e5 in size. */
 double kepler_anomaly(double eccentricity, double mean_anomaly);
 
 /* Computes the position x[3], m, and the velocity v[3], m/s, of one of two
-   bodies relative to the other. mu is k2 times the sum of their masses:
-   (9.5, eq:kepler-place). */
+   bodies relative to the other: (9.5, eq:kepler-place). mu is k2 times the
+   sum of the two masses. */
 void kepler_place(double mu, const struct kepler_elements *o, double x[],
                   double v[]);
 

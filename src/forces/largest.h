@@ -5,14 +5,14 @@
 #include <math.h>
 #include <stddef.h>
 
-/* Returns the larger of two numbers, or NaN if one of them is NaN: a failed
-   step must not look like a converged one. */
+/* Returns the larger of two numbers, or NaN if either is NaN: a failed step
+   must not look like a converged one. */
 static inline double larger(double a, double b)
 {
     return a >= b || a != a ? a : b;
 }
 
-/* Returns the largest |y[i]|, 0 if n is 0, or NaN if one is NaN. */
+/* Returns the largest |y[i]|, 0 if n is 0, or NaN if any y[i] is NaN. */
 static inline double largest(const double y[], size_t n)
 {
     double most = 0;
@@ -21,7 +21,7 @@ static inline double largest(const double y[], size_t n)
     return most;
 }
 
-/* Returns the largest |y[i] - z[i]|, 0 if n is 0, or NaN if one is NaN. */
+/* Returns the largest |y[i] - z[i]|, 0 if n is 0, or NaN if any is NaN. */
 static inline double largest_difference(const double y[], const double z[],
                                         size_t n)
 {

@@ -4,8 +4,8 @@
 #include <math.h>
 #include <string.h>
 
-/* The coefficients of the methods. Their digits beyond the sixteenth serve
-   programs that compute with more than double precision. */
+/* The coefficients of the methods. Programs that compute with more than
+   double precision use the digits beyond the sixteenth. */
 static const double leapfrog[] = {1};
 static const double symplectic_euler_drift[] = {1};
 static const double symplectic_euler_kick[] = {1, 0};
@@ -24,8 +24,8 @@ static const double yoshida6[] = {
     -1.17767998417887100694641568, 0.23557321335935813368479318,
     0.78451361047755726381949763};
 
-/* Omelyan, Mryglod and Folk (2002). It begins and ends with a drift, so its
-   first and last kicks have length 0 and need no forces. */
+/* Omelyan, Mryglod and Folk (2002). The method begins and ends with a
+   drift, so its first and last kicks have length 0 and need no forces. */
 #define XI 0.1786178958448091
 #define LAMBDA (-0.2123418310626054)
 #define CHI (-0.06626458266981849)
@@ -45,9 +45,9 @@ static const double kahan_li8[] = {
     -0.38947496264484728640807860, 0.56116298177510838456196441,
     0.13020248308889008087881763};
 
-/* The method SBAB4 of Laskar and Robutel (2001). Its drifts, 1/2 -
-   sqrt(3/28) and sqrt(3/28), lie between the nodes of Lobatto's quadrature,
-   whose weights are the kicks, (sec:jacobi). */
+/* The method SBAB4 of Laskar and Robutel (2001): (sec:jacobi). Its kicks
+   are the weights of Lobatto's quadrature. Its drifts, 1/2 - sqrt(3/28) and
+   sqrt(3/28), are the distances between the nodes. */
 static const double sbab4_drift[] = {
     0.17267316464601142810085377, 0.32732683535398857189914623,
     0.32732683535398857189914623, 0.17267316464601142810085377};
@@ -64,25 +64,17 @@ static const double gauss4_b[] = {0.5, 0.5};
 static const double midpoint_a[] = {0.5}, midpoint_b[] = {1};
 
 /* The pair of Dormand and Prince (1980), as printed by Hairer, Norsett and
-   Wanner: the stages, the last of which has the weights of order 5, the
-   differences between these weights and those of order 4, and Shampine's
-   weights for dense output. A test checks the seventeen conditions of order
-   5 and the eight of the dense weights. */
+   Wanner. The last stage has the weights of order 5. dopri5_error has the
+   differences between these weights and the weights of order 4, and
+   dopri5_dense has Shampine's weights for dense output. A test checks the
+   seventeen conditions of order 5 and the eight conditions of the dense
+   weights. */
 static const double dopri5_a[] = {
-    /* stage 1 */
-    0, 0, 0, 0, 0, 0, 0,
-    /* stage 2 */
-    1.0 / 5, 0, 0, 0, 0, 0, 0,
-    /* stage 3 */
-    3.0 / 40, 9.0 / 40, 0, 0, 0, 0, 0,
-    /* stage 4 */
-    44.0 / 45, -56.0 / 15, 32.0 / 9, 0, 0, 0, 0,
-    /* stage 5 */
-    19372.0 / 6561, -25360.0 / 2187, 64448.0 / 6561, -212.0 / 729, 0, 0, 0,
-    /* stage 6 */
-    9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656,
-    0, 0,
-    /* stage 7, the end of the step */
+    0, 0, 0, 0, 0, 0, 0, 1.0 / 5, 0, 0, 0, 0, 0, 0, 3.0 / 40, 9.0 / 40, 0,
+    0, 0, 0, 0, 44.0 / 45, -56.0 / 15, 32.0 / 9, 0, 0, 0, 0, 19372.0 / 6561,
+    -25360.0 / 2187, 64448.0 / 6561, -212.0 / 729, 0, 0, 0, 9017.0 / 3168,
+    -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656, 0, 0,
+    /* the end of the step */
     35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84, 0};
 static const double dopri5_error[] = {
     71.0 / 57600,      0,          -71.0 / 16695, 71.0 / 1920,
@@ -94,18 +86,19 @@ static const double dopri5_dense[] = {
     69997945.0 / 29380423.0};
 
 /* The zeros of (8.18, eq:radau), computed by Newton's method with fifty
-   digits; a test verifies them with 113 bits. */
+   digits. A test verifies them with 113 bits. */
 static const double radau15_node[] = {
     0.056262560536922146465652191, 0.18024069173689236498757994,
     0.35262471711316963737390777,  0.54715362633055538300144856,
     0.73421017721541053152321061,  0.88532094683909576809035976,
     0.9775206135612875018911745};
-/* The weights that give v and x at the end of a step, for the differences
-   between the force at each of the seven nodes and the force at the start:
-   for each node the weight for v, then that for x. Each is the sum of two
-   doubles, since the rounding error of one would be common to all steps and
-   show in the energy after 1e5 steps. They are computed for the rounded
-   nodes: with the force at the start they integrate t^0 to t^7. */
+/* The weights that give v and x at the end of a step. They multiply the
+   difference between the force at a node and the force at the start. For
+   each of the seven nodes the weight for v is followed by the weight for x.
+   Each weight is the sum of two doubles. The rounding error of a single
+   double would be the same in all steps and visible in the energy after 1e5
+   steps. The weights are computed for the rounded nodes. With the force at
+   the start they integrate t^0 to t^7. */
 static const double radau15_weight[] = {
     0.092679077401489687,  -6.9250597277834874e-19,
     0.08746471519868225,   1.2569814901812666e-18,
@@ -125,7 +118,7 @@ static const double radau15_weight[] = {
 /* Macros that compute the counts of a method from the lengths of its lists.
    A composition of leapfrogs evaluates the forces once in each leapfrog.
    For any other splitting the table gives the number of evaluations
-   (stages), since a kick of length 0 needs none. */
+   (stages), because kicks of length 0 need no evaluation. */
 #define LENGTH(list) (sizeof(list) / sizeof *(list))
 #define COMPOSED(m)                                                        \
     .family = STEPPING_SPLITTING, .drifts = LENGTH(m),                     \
@@ -146,8 +139,8 @@ static const double radau15_weight[] = {
     .family = STEPPING_RADAU, .stages = LENGTH(m##_node),                  \
     .node = m##_node, .weight = m##_weight, .adaptive = true
 
-/* The table of methods. Stability limits are computed with 113 bits from
-   the matrix of a step, (8.5, eq:stability-limit); tests verify all
+/* The table of methods. The stability limits are computed with 113 bits
+   from the matrix of a step: (8.5, eq:stability-limit). Tests verify all
    properties. */
 const struct stepping_method stepping_methods[STEPPING_MOST + 1] = {
     {"euler", "straight on, and outwards", EXPLICIT(euler), .order = 1,

@@ -1,5 +1,5 @@
 /* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 3637908514 of the lines below */
+/* checksum 48910316 of the lines below */
 /* Finds normal modes: Jacobi rotations diagonalise the stiffness matrix. */
 #include "forces/modes.h"
 
@@ -37,7 +37,7 @@ static bool make_room(struct modes *m, const struct springs *p)
 }
 
 /* Computes the second derivatives of a spring's energy with respect to the
-   vector between its ends, (10.10, eq:spring-stiffness). */
+   vector between its ends: (10.10, eq:spring-stiffness). */
 static void stiffness_of(const struct springs *p,
                          const struct scene_spring *s, const double x[],
                          double k[3][3])
@@ -48,7 +48,7 @@ static void stiffness_of(const struct springs *p,
         d[a] = x[a * p->bodies + s->b] - x[a * p->bodies + s->a];
         square += d[a] * d[a];
     }
-    const bool alike = s->rest == 0; /* stiffness is isotropic */
+    const bool alike = s->rest == 0; /* the stiffness is isotropic */
     const double across =
         alike ? stiffness : stiffness * (1 - s->rest / sqrt(square));
     for (size_t a = 0; a < 3; ++a)
@@ -58,8 +58,8 @@ static void stiffness_of(const struct springs *p,
                 (a == b ? across : 0);
 }
 
-/* Adds the stiffness of one spring to the matrix; place[c] - 1 is the row
-   of coordinate c, and place[c] is 0 for a fixed coordinate. */
+/* Adds the stiffness of one spring to the matrix. place[c] - 1 is the row
+   of coordinate c. For a fixed coordinate place[c] is 0. */
 static void add_spring(const struct springs *p,
                        const struct scene_spring *s, const double x[],
                        const size_t place[], size_t size, double matrix[])
@@ -79,8 +79,8 @@ static void add_spring(const struct springs *p,
     }
 }
 
-/* Adds all springs to the matrix, which must be zero. Returns false if
-   memory runs out. */
+/* Adds all springs to the matrix, which must be zero before. Returns false
+   if memory runs out. */
 static bool assemble(const struct modes *m, const struct springs *p,
                      const double x[], double matrix[])
 {
@@ -95,8 +95,8 @@ static bool assemble(const struct modes *m, const struct springs *p,
     return true;
 }
 
-/* Rotates two rows of an array by the angle with cosine c and sine s;
-   element k of a row lies `step` numbers after element k - 1. */
+/* Rotates two rows of an array by the angle with cosine c and sine s.
+   Element k of a row is `step` numbers after element k - 1. */
 static void turn(double *row_i, double *row_j, size_t n, size_t step,
                  double c, double s)
 {

@@ -7,17 +7,18 @@
 /* The small oscillations of a scene of springs about an equilibrium. */
 struct modes {
     size_t size;        /* number of free coordinates and of modes */
-    size_t *coordinate; /* [size] free coordinates, ascending */
+    size_t *coordinate; /* [size] numbers of the free coordinates,
+                           ascending */
     double *square;     /* [size] squared angular frequencies, 1/s^2,
                            ascending; negative if unstable */
     double *shape;      /* [size * size] mode j begins at j * size:
                            displacements times the square root of the mass,
                            normalised to length 1 */
-    double *weight;     /* [size] inverse mass at each coordinate, 1/kg */
+    double *weight;     /* [size] inverse masses of the coordinates, 1/kg */
 };
 
-/* Finds the modes about the equilibrium x from the springs alone, without
-   dashpots, (10.10, eq:spring-stiffness). The computing time grows as
+/* Finds the modes about the equilibrium x: (10.10, eq:spring-stiffness).
+   Only the springs count, without dashpots. The computing time grows as
    size^3. Returns false, with nothing to free, if memory runs out. */
 bool modes_find(struct modes *m, const struct springs *p, const double x[]);
 
@@ -25,8 +26,8 @@ bool modes_find(struct modes *m, const struct springs *p, const double x[]);
 void modes_free(struct modes *m);
 
 /* Writes into u the static displacements of the bodies, m, under the
-   accelerations a, m/s^2, in linear theory; u and a are arranged as x.
-   Modes whose squared frequency is below `least` are left out. */
+   accelerations a, m/s^2, in linear theory. Omits modes whose squared
+   frequency is below `least`. u and a have the order of x. */
 void modes_deflection(const struct modes *m, double least, const double a[],
                       double u[]);
 

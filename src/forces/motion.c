@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Subtracts the acceleration due to friction, (11.14, eq:motion). */
+/* Subtracts the acceleration due to friction: (11.14, eq:motion). */
 static void add_friction(const struct scene *s, const double v[],
                          double a[])
 {
@@ -18,10 +18,10 @@ static void add_friction(const struct scene *s, const double v[],
             a[k * n + i] -= s->damping / s->mass[i] * v[k * n + i];
 }
 
-/* Writes the accelerations of all bodies into a, (11.14, eq:motion).
-   Uniform gravity comes first, since it overwrites a, to which all other
-   forces are added; the accelerations of fixed coordinates are set to zero
-   at the end. */
+/* Writes the accelerations of all bodies into a: (11.14, eq:motion).
+   Uniform gravity comes first, because it overwrites a; all other forces
+   are added. At the end the accelerations of fixed coordinates become
+   zero. */
 static void accelerate(void *what, const double x[], const double v[],
                        double a[])
 {
@@ -53,8 +53,9 @@ static void sweep_two(void *what, const double x[], const double v[],
                   m->fixed, a, steps);
 }
 
-/* Returns whether the scene has two bodies, not both fixed, on which only
-   their mutual and uniform gravity act. Such a scene uses sweep_two. */
+/* Returns whether the scene has two bodies, not both fixed, and no forces
+   except their mutual gravity and uniform gravity. Such a scene uses
+   sweep_two. */
 static bool are_two(const struct motion *m, bool damped)
 {
     return m->scene->bodies == 2 && m->fixed < 6 && m->attracts &&
@@ -64,7 +65,7 @@ static bool are_two(const struct motion *m, bool damped)
 
 /* Creates the modules that the scene needs: gravity only if it has a line
    k2, contacts only if it has a line contact. Returns false if memory runs
-   out; motion_end then frees them. */
+   out. motion_end then frees the modules. */
 static bool make_parts(struct motion *m)
 {
     const struct scene *s = m->scene;
@@ -82,8 +83,8 @@ static bool make_parts(struct motion *m)
 }
 
 /* Lists the fixed coordinates and sets their velocities to 0, whatever the
-   line vel says: otherwise they would move uniformly. Returns false if
-   memory runs out. */
+   line vel says. Otherwise these coordinates would move uniformly. Returns
+   false if memory runs out. */
 static bool hold_coordinates(struct motion *m)
 {
     struct scene *s = m->scene;
@@ -97,12 +98,12 @@ static bool hold_coordinates(struct motion *m)
 }
 
 /* Returns the acceleration that an earlier run saved in the scene (lines
-   kept), or NULL if the method cannot use it. Only leapfrog under friction
-   can; all other methods need only positions and velocities. The
+   kept), or NULL if the method cannot use it. Only leapfrog with friction
+   uses it; all other methods need only positions and velocities. The
    acceleration was computed for the velocity predicted over the step of the
-   earlier run, the scene's line dt, so a run with another step does not use
-   it. With it, each step would begin with an error proportional to dt:
-   halving dt repeatedly from a saved scene would halve the error each time,
+   earlier run, the scene's line dt. A run with another step must not use
+   it: each step would begin with an error proportional to dt. Halving dt
+   repeatedly from a saved scene would then halve the error each time,
    instead of dividing it by four. */
 static const double *find_kept(const struct motion *m)
 {
@@ -112,7 +113,7 @@ static const double *find_kept(const struct motion *m)
 }
 
 /* Creates the module jacobi if the method drifts along ellipses. Returns
-   false if that fails. */
+   false if memory runs out. */
 static bool begin_orbits(struct motion *m,
                          const struct stepping_method *method)
 {
@@ -130,9 +131,9 @@ static bool accelerates(const struct motion *m)
            g[0] != 0 || g[1] != 0 || g[2] != 0;
 }
 
-/* Sets the time step for contacts that are resolved after steps: bodies are
-   traced back by at most dt, and pairs that have passed through each other
-   are sought only as far apart as bodies can move in dt. */
+/* Sets the time step for contacts that are resolved after steps. Bodies are
+   traced back by at most dt. Pairs that have passed through each other are
+   sought only as far apart as bodies can move in dt. */
 static void set_dt_of_contacts(struct motion *m, double dt)
 {
     m->spheres.dt = dt;
@@ -140,12 +141,13 @@ static void set_dt_of_contacts(struct motion *m, double dt)
         m->soft.near->dt = dt;
 }
 
-/* Begins stepping; returns false if memory runs out. If only springs act,
+/* Begins stepping. Returns false if memory runs out. If only springs act,
    their module also computes uniform gravity and friction, in one sweep
    over the bodies. Sums are compensated if an earlier run saved their
    rounding errors (lines carry), and for methods of order six or more,
-   whose truncation error is less than rounding error, but never for
-   adaptive methods; the caller may change this before the first step. */
+   whose truncation error is less than the rounding error. Sums are never
+   compensated for adaptive methods. The caller may change this before the
+   first step. */
 static bool begin_stepping(struct motion *m,
                            const struct stepping_method *method, double dt)
 {
@@ -186,9 +188,9 @@ static bool is_massless(const struct scene *s, size_t i)
 }
 
 /* Returns a free body without mass on which a force acts, or the number of
-   bodies if there is none. Gravity may act on it, since its acceleration
-   does not depend on its mass; but a spring, friction or a contact would
-   accelerate it infinitely. Friction and contacts act on all bodies. */
+   bodies if there is none. A spring, friction or a contact would accelerate
+   the body infinitely. Gravity may act on it, since that acceleration does
+   not depend on the mass. Friction and contacts act on all bodies. */
 static size_t find_massless(const struct scene *s)
 {
     const bool all = s->damping > 0 || s->contact;
@@ -206,7 +208,7 @@ static size_t find_massless(const struct scene *s)
 
 /* Returns a body that is wider than the box along an axis along which it
    may move, or the number of bodies if there is none. Two opposite walls
-   would push such a body at the same time, endlessly. */
+   would push such a body at the same time, without end. */
 static size_t find_thick(const struct scene *s)
 {
     for (size_t c = 0; s->contact && c < SCENE_AXES * s->bodies; ++c) {
@@ -219,8 +221,8 @@ static size_t find_thick(const struct scene *s)
     return s->bodies;
 }
 
-/* Returns whether the bodies differ in their coordinates along axis k, or
-   one of them may move along it. */
+/* Returns whether the bodies have different coordinates along axis k, or
+   one of them may move along this axis. */
 static bool is_used(const struct scene *s, size_t k)
 {
     const double *x = s->position + k * s->bodies;
@@ -242,10 +244,10 @@ static bool is_sprung(const struct scene *s, size_t i)
 }
 
 /* Returns the first of several bodies without radius if all bodies lie on
-   one line, one of these points may move, and one is not on a spring;
-   otherwise the number of bodies. Such points would collide, which steps
-   cannot detect; points joined by springs are usually meant to pass through
-   each other. */
+   one line, one of these points may move, and one is not on a spring.
+   Otherwise returns the number of bodies. Such points would collide, and
+   steps cannot detect these collisions. Points joined by springs are
+   usually meant to pass through each other. */
 static size_t find_point(const struct scene *s)
 {
     size_t axis = SCENE_AXES, axes = 0, points = 0, free = 0, loose = 0;
@@ -288,7 +290,7 @@ static bool complain(const char *program, const char *what)
     return false;
 }
 
-/* Returns whether the scene can be stepped; if not, prints the reason. */
+/* Returns whether the scene can be stepped. If not, prints the reason. */
 static bool check_scene(const char *program, const struct scene *s)
 {
     char message[200];
@@ -332,8 +334,8 @@ const struct spheres *motion_contacts(const struct motion *m)
                                       : NULL;
 }
 
-/* Sets up the motion of a scene that can be stepped; otherwise prints an
-   error and returns false, with nothing to free. */
+/* Sets up the motion of a scene that check_scene accepts. On failure prints
+   an error and returns false, with nothing to free. */
 static bool begin(struct motion *m, const char *program, struct scene *s,
                   const char *method, double dt)
 {
@@ -392,7 +394,7 @@ void motion_end(struct motion *m)
 }
 
 /* Returns whether the method may divide dt into several steps. The paths of
-   the bodies during dt are then not straight, and spheres_watch cannot find
+   the bodies during dt are then not straight, so spheres_watch cannot find
    pairs that have passed through each other. */
 static bool is_split(const struct motion *m)
 {
@@ -418,7 +420,7 @@ bool motion_locate(struct motion *m)
 }
 
 /* Calls stepping_disturb after a contact: the velocities have changed, so
-   that the acceleration stored by the method is no longer valid. */
+   the acceleration stored by the method is not valid any more. */
 enum stepping_end motion_run(struct motion *m, uint64_t steps)
 {
     enum stepping_end end = STEPPING_DONE;
@@ -451,10 +453,10 @@ void motion_resume(struct motion *m, double start, uint64_t steps)
     stepping_resume(&m->stepping, steps, NULL, find_kept(m));
 }
 
-/* Restarts the method with the new step, since the acceleration that
-   leapfrog stores belongs to steps of one length (see find_kept), but keeps
-   the compensated sums. For an adaptive method (adaptive.c) only the output
-   times become closer. */
+/* Keeps the compensated sums, but restarts the method with the new step:
+   the acceleration that leapfrog stores belongs to steps of one length (see
+   find_kept). For an adaptive method (adaptive.c) only the output times
+   become closer. */
 bool motion_shorten(struct motion *m, double dt)
 {
     struct stepping old = m->stepping, *s = &m->stepping;
@@ -491,14 +493,14 @@ static bool note(double **to, const double from[], size_t n)
     return !*to == !from;
 }
 
-/* Also stores the rounding errors of compensated sums: each is less than
+/* Stores the rounding errors of compensated sums, too. Each is less than
    the last digit, but without them a resumed run differs after a thousand
    steps. Also stores the acceleration that leapfrog keeps, except after a
    contact, when an uninterrupted run computes a new one, too. The times in
    the first column of a resumed run may differ in their last digits from
-   those of an uninterrupted run: they are t0 + n dt, where t0 is now the
-   time of the saved scene. The motion does not depend on them; a checkpoint
-   stores t0 and n, and so reproduces the times. */
+   the times of an uninterrupted run. They are t0 + n dt, and t0 becomes the
+   time of the saved scene. The motion does not depend on these times. A
+   checkpoint stores t0 and n, and so reproduces them. */
 bool motion_note(struct motion *m)
 {
     struct scene *s = m->scene;
@@ -512,7 +514,7 @@ bool motion_note(struct motion *m)
 }
 
 /* Returns the potential energy in uniform gravity, J, summed over the free
-   coordinates only: fixed ones would add a constant. */
+   coordinates only. Fixed coordinates would add a constant. */
 static double weight_energy(const struct scene *s)
 {
     const size_t n = s->bodies;

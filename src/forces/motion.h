@@ -15,9 +15,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* A scene in motion, with the accelerations of all its forces. A caller may
-   change settings of its modules, such as the number of threads for
-   gravity, before the first step. */
+/* The motion of a scene. Before the first step a caller may change settings
+   of its modules, such as the number of threads for gravity. */
 struct motion {
     struct scene *scene; /* its positions and velocities are stepped */
     double dt;           /* length of the first steps, s */
@@ -31,7 +30,7 @@ struct motion {
     bool attracts, bound, collides, orbits, located, is_soft;
     uint64_t collisions; /* so far, between bodies and with walls */
     size_t *held, fixed; /* held[fixed] lists the fixed coordinates */
-    /* NULL, or a function that replaces the method: it moves x and v by the
+    /* NULL, or a function that replaces the method. It moves x and v by the
        time dt, s, and returns false if it fails. It serves integrators
        outside forces/stepping.h, such as forces/reference.h. */
     bool (*outside)(void *with, double dt, double x[], double v[]);
@@ -54,16 +53,16 @@ enum motion_flaw {
     MOTION_THICK
 };
 
-/* Prepares to step s, which must outlive m; velocities along fixed
-   coordinates become zero. If dt is 0, the scene's step is taken. Sums are
+/* Prepares to step s, which must outlive m. Velocities along fixed
+   coordinates become zero. If dt is 0, uses the scene's step. Sums are
    compensated for methods of order six or more. On failure prints an error
    that begins with `program`, and returns false with nothing to free. */
 bool motion_begin(struct motion *m, const char *program, struct scene *s,
                   const char *method, double dt);
 
-/* Prepares m, as motion_begin does, for a scene that an event-driven engine
-   moves: m then only gives its energy. Bodies without radius may lie on one
-   line. */
+/* Prepares m, as motion_begin does, but only to compute the energy of a
+   scene that an event-driven engine moves. Bodies without radius may lie on
+   one line. */
 bool motion_view(struct motion *m, const char *program, struct scene *s);
 void motion_end(struct motion *m);
 
@@ -74,10 +73,10 @@ void motion_end(struct motion *m);
 bool motion_locate(struct motion *m);
 
 /* Takes `steps` steps. Contacts, if the scene has any, are resolved after
-   each step or within it. The number of calls into which a run is divided
-   does not affect the results. */
+   each step or within it. Dividing a run into several calls does not change
+   its results. */
 enum stepping_end motion_run(struct motion *m, uint64_t steps);
-double motion_time(const struct motion *m); /* present time, s */
+double motion_time(const struct motion *m); /* current time, s */
 
 /* Sets the length of the following steps to dt, s, and their count to 0.
    Returns false, with m unchanged, if memory runs out. */
@@ -88,25 +87,25 @@ bool motion_shorten(struct motion *m, double dt);
 void motion_resume(struct motion *m, double start, uint64_t steps);
 
 /* Stores in the scene the time, the initial step, the rounding errors and
-   the acceleration kept by the method, so that a run with this method from
-   a file of scene_write continues bit for bit. Returns false if memory runs
+   the acceleration kept by the method. A run with this method from a file
+   of scene_write then continues bit for bit. Returns false if memory runs
    out. */
 bool motion_note(struct motion *m);
 
-/* Return the present energy: its parts, the kinetic and the potential
-   energy, in the units of the scene. Fixed coordinates do not contribute to
-   `weight`. */
+/* Return the parts of the current energy, the kinetic energy and the
+   potential energy, in the units of the scene. Fixed coordinates do not
+   contribute to `weight`. */
 struct motion_energy motion_energy(const struct motion *m);
 double motion_kinetic(const struct motion *m);
 double motion_potential(const struct motion *m);
 
 /* Returns why s cannot be stepped, or MOTION_WELL if it can. MOTION_WALLS:
-   it has walls but no contact. MOTION_RESTITUTION: it has a restitution,
-   but contacts as springs, which determine their own. The other flaws set
-   *body, unless body is NULL. MOTION_MASSLESS: a force acts on a body
-   without mass. MOTION_POINTS: a body without a radius shares a line with
-   another; steps cannot detect their collisions. MOTION_THICK: a body is
-   wider than the box. */
+   the scene has walls but no contact. MOTION_RESTITUTION: it has a
+   restitution, but its contacts are springs, which have their own. The
+   other flaws set *body, unless body is NULL. MOTION_MASSLESS: a force acts
+   on a body without mass. MOTION_POINTS: a body without a radius shares a
+   line with another; steps cannot detect their collisions. MOTION_THICK: a
+   body is wider than the box. */
 enum motion_flaw motion_flaw(const struct scene *s, size_t *body);
 
 /* Returns the contacts that are resolved after steps, or NULL. */

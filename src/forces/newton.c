@@ -14,8 +14,8 @@ enum {
     MOST_CORRECTIONS = 50
 };
 
-/* Allocates the matrix when it is first used, since most runs need none.
-   Returns false if memory runs out or there are too many unknowns. */
+/* Allocates the matrix at its first use, since most runs need none. Returns
+   false if memory runs out or there are too many unknowns. */
 static bool prepare(struct stepping *s)
 {
     struct stepping_work *const w = s->part;
@@ -32,8 +32,8 @@ static bool prepare(struct stepping *s)
 }
 
 /* Exchanges row k with the row, from k on, that has the largest absolute
-   value in column k, so that elimination never divides by a needlessly
-   small number; returns the index of that row. */
+   value in column k. Elimination then never divides by a needlessly small
+   number. Returns the index of that row. */
 static size_t fetch_pivot(double m[], size_t n, size_t k)
 {
     size_t best = k;
@@ -48,9 +48,8 @@ static size_t fetch_pivot(double m[], size_t n, size_t k)
     return best;
 }
 
-/* Replaces the n x n matrix m by its factors L and U; row[k] becomes the
-   index that fetch_pivot returned for pivot k. Returns false if m is
-   singular. */
+/* Replaces the n x n matrix m by its factors L and U. row[k] becomes the
+   index that fetch_pivot returned for k. Returns false if m is singular. */
 static bool factor(double m[], size_t n, size_t row[])
 {
     for (size_t k = 0; k < n; ++k) {
@@ -86,9 +85,9 @@ static void substitute(const double m[], size_t n, const size_t row[],
 }
 
 /* Subtracts from the matrix the derivatives of the accelerations at stage i
-   with respect to coordinate k at that stage, or its velocity, which has
-   been displaced by d; by[i * stages + j] is the weight of the acceleration
-   of stage j in that coordinate or velocity. */
+   with respect to coordinate k or its velocity. d is the displacement of
+   this coordinate or velocity. The acceleration of stage j has the weight
+   by[i * stages + j] in it. */
 static void add_slope(struct stepping *s, size_t i, size_t k,
                       const double by[], double d)
 {
@@ -105,8 +104,8 @@ static void add_slope(struct stepping *s, size_t i, size_t k,
 }
 
 /* Enters the derivatives at stage i with respect to coordinate k, which is
-   displaced by dx, and, if the forces depend on velocities, with respect to
-   its velocity. */
+   displaced by dx. If the forces depend on velocities, also enters the
+   derivatives with respect to the velocity of coordinate k. */
 static void displace(struct stepping *s, size_t i, size_t k, double dx)
 {
     const struct stepping_work *const w = s->part;
@@ -121,11 +120,11 @@ static void displace(struct stepping *s, size_t i, size_t k, double dx)
     }
 }
 
-/* Computes the matrix of Newton's method, (8.12, eq:newton), at the present
+/* Computes the matrix of Newton's method, (8.12, eq:newton), at the current
    stages, and factors it. The displacements are 2^-26 of the size of the
-   system, about the square root of the rounding error, so that the
-   derivatives have half of the digits. That suffices, since the matrix
-   affects only the speed of convergence. */
+   system, about the square root of the rounding error, so the derivatives
+   have half of the digits. This suffices because the matrix affects only
+   the speed of convergence. */
 static bool linearize(struct stepping *s)
 {
     struct stepping_work *const w = s->part;
@@ -144,7 +143,7 @@ static bool linearize(struct stepping *s)
     return factor(w->matrix, all, w->pivot);
 }
 
-/* Corrects all accelerations once; returns the largest component of the
+/* Corrects all accelerations once. Returns the largest component of the
    correction. */
 static double correct(struct stepping *s)
 {
@@ -159,11 +158,11 @@ static double correct(struct stepping *s)
 }
 
 /* Keeps the matrix as long as each correction is less than a tenth of the
-   previous one. Corrections that no longer decrease are rounding errors.
-   Where forces cancel, as near an equilibrium, the size of the
-   accelerations does not show these errors: an error of eps |x| in the
-   positions changes the solution by up to J eps |x|/(1 + J dt^2/12), with J
-   the stiffness per mass; that is less than 12 eps |x|/dt^2. */
+   previous one. Corrections that have stopped decreasing are rounding
+   errors. Where forces cancel, as near an equilibrium, the size of the
+   accelerations does not show these errors. An error of eps |x| in the
+   positions changes the solution by up to J eps |x|/(1 + J dt^2/12), where
+   J is the stiffness per mass. This is less than 12 eps |x|/dt^2. */
 bool newton_solve(struct stepping *s)
 {
     double last = INFINITY, change = INFINITY;

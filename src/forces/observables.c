@@ -74,8 +74,8 @@ static void centre(const struct motion *m, const size_t body[],
         out[k] /= mass;
 }
 
-/* Computes the angular momentum. Component k of x times v uses the two axes
-   that follow k in the cyclic order x, y, z, x. */
+/* Component k of the cross product of x and v uses the two axes that follow
+   k in the cyclic order x, y, z, x. */
 static void angular_momentum(const struct motion *m, const size_t body[],
                              double out[])
 {
@@ -92,8 +92,8 @@ static void angular_momentum(const struct motion *m, const size_t body[],
     }
 }
 
-/* Returns whether nothing in the scene can change the momentum along axis
-   k: no wall, uniform gravity, friction or fixed body. */
+/* Returns whether the momentum along axis k is conserved: there is no wall,
+   uniform gravity, friction or fixed body along this axis. */
 static bool keeps_momentum(const struct scene *s, size_t k)
 {
     bool free =
@@ -103,10 +103,10 @@ static bool keeps_momentum(const struct scene *s, size_t k)
     return free;
 }
 
-/* Returns the kinetic energy of the motion along axis k, relative to the
-   centre of mass if the momentum is conserved. The momentum is summed
-   relative to body 0, so that equal velocities give an energy of exactly
-   0. */
+/* Returns the kinetic energy of the motion along axis k. If the momentum is
+   conserved, the velocities are relative to the centre of mass. The
+   momentum is summed relative to body 0, so equal velocities give an energy
+   of exactly 0. */
 static double heat_along(const struct scene *s, size_t k)
 {
     const double *v = s->velocity + k * s->bodies;
@@ -125,11 +125,11 @@ static double heat_along(const struct scene *s, size_t k)
 /* Computes kT from equipartition: each free coordinate has the mean kinetic
    energy kT/2, also with springs. Along axes with conserved momentum only
    the motion relative to the centre of mass counts. The energy is divided
-   by the number of all free coordinates, so that a scene without drift
-   keeps its kT; in a gas of N bodies in a periodic box, with only N - 1
-   relative velocities along each axis, kT should be larger by the factor
-   N/(N - 1). A drift whose energy is less than the rounding error of the
-   sum is ignored. */
+   by the number of all free coordinates, so a scene without drift keeps its
+   kT. In a gas of N bodies in a periodic box, there are only N - 1 relative
+   velocities along each axis, and kT should be larger by the factor N/(N -
+   1). A drift is ignored if its energy is less than the rounding error of
+   the sum. */
 static void temperature(const struct motion *m, const size_t body[],
                         double out[])
 {
@@ -174,11 +174,12 @@ static void distance(const struct motion *m, const size_t body[],
    computes its columns. */
 struct observables_kind {
     const char *name;
-    size_t bodies, width; /* numbers of its arguments, which are bodies, and
-                             of its columns */
-    const char *symbols, *unit, *meaning; /* a symbol for each column */
+    size_t bodies, width; /* numbers of arguments, which are bodies, and of
+                             columns */
+    const char *symbols, *unit, *meaning; /* symbols: one for each column,
+                                             separated by spaces */
     void (*values)(const struct motion *m, const size_t body[],
-                   double out[]); /* NULL: component */
+                   double out[]); /* NULL: component() is used */
 };
 
 #define ENERGY "mass length^2/time^2"
@@ -218,7 +219,7 @@ static const struct observables_kind *find_kind(const char *name, size_t n)
     return NULL;
 }
 
-/* Reads a colon and the number of a body; returns the end of the number, or
+/* Reads a colon and the number of a body. Returns the end of the number, or
    NULL if there is no such body. */
 static const char *read_body(const char *text, size_t bodies, size_t *body)
 {
@@ -230,8 +231,8 @@ static const char *read_body(const char *text, size_t bodies, size_t *body)
     return number < bodies ? end : NULL;
 }
 
-/* Reads a name and its bodies, up to the comma or the end of the text.
-   Returns that position; on failure writes the expected form into message
+/* Reads a name and its bodies, up to the comma or the end of the text, and
+   returns that position. On failure writes the expected form into message
    and returns NULL. */
 static const char *read_one(struct observable *o, const char *text,
                             size_t bodies,
@@ -279,8 +280,8 @@ bool observables_read(struct observables *o, const char *text,
     }
 }
 
-/* Writes the symbol of column k with the numbers of its bodies, as in z:30;
-   make inspect labels the axes of its plots with it. */
+/* Writes the symbol of column k with the numbers of its bodies, as in z:30.
+   `make inspect` labels the axes of its plots with this symbol. */
 static void symbol_of(const struct observable *o, size_t k, char *symbol,
                       size_t size)
 {
@@ -313,8 +314,8 @@ struct observables_sort observables_sort(const struct observable *o)
         k->width, k->name[1] == '\0' && axis < 3 ? axis : 3, k->unit};
 }
 
-/* Returns a coordinate or a velocity of a body, as the name says: x, y, z,
-   vx, vy or vz. */
+/* Returns the coordinate or velocity of a body with the name x, y, z, vx,
+   vy or vz. */
 static double component(const struct scene *s, const struct observable *o)
 {
     const bool moves = o->kind->name[0] == 'v';

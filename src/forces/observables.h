@@ -24,9 +24,8 @@ struct observables {
 bool observables_read(struct observables *o, const char *text,
                       size_t bodies, char message[OBSERVABLES_MESSAGE]);
 
-/* The number of columns of an observable, their unit, and the axis, 0 to 2,
-   of the coordinate that it is; axis is 3 if it is no coordinate of a
-   body. */
+/* The number of columns of an observable and their unit. If the observable
+   is a coordinate of a body, axis is 0 to 2, otherwise 3. */
 struct observables_sort {
     size_t width, axis;
     const char *unit;
@@ -36,12 +35,12 @@ struct observables_sort observables_sort(const struct observable *o);
 /* Adds a line to the head of a table for each column. */
 void observables_head(const struct observables *o, struct table *t);
 
-/* Writes the o->columns present values, in the scene's units of length,
+/* Writes the o->columns current values, in the scene's units of length,
    time and mass. */
 void observables_values(const struct observables *o, const struct motion *m,
                         double values[]);
 
-/* Add the lines of the head, or write the values, for the positions and
+/* Add the lines of the head, and write the values, of the positions and
    velocities of n bodies, six columns for each body. A table without
    observables has these columns for all bodies. */
 void observables_head_states(struct table *t, size_t n,

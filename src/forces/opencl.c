@@ -8,15 +8,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The library is loaded only when a run requests it, so that the kit is
-   built in one way everywhere and without OpenCL's headers. There is no
+/* The library is loaded only when a run requests it. The kit is therefore
+   built in the same way everywhere, without OpenCL's headers. There is no
    silent fallback: a requested device is used, or an error says why not.
-   Without a graphics card, with pocl 3.1 on the processor and 3073 bodies,
-   the speeds in 1e9 ordered pairs per second of processor time are 0.71 for
-   the portable kernel, 0.69 for opencl and 2.2 for opencl-float, whose
-   accelerations have a root mean square error of 6e-7. OPENCL_TILES, meant
-   for cards, reaches only 0.34 and 0.30 on the processor; hence there are
-   two ways. Neither has been run on a card. */
+   Speeds were measured without a graphics card, with pocl 3.1 on the
+   processor and 3073 bodies. In 1e9 ordered pairs per second of processor
+   time they are 0.71 for the portable kernel, 0.69 for opencl and 2.2 for
+   opencl-float. The accelerations of opencl-float have a root mean square
+   error of 6e-7. There are two ways because OPENCL_TILES, which is meant
+   for cards, reaches only 0.34 and 0.30 on the processor. Neither way has
+   been run on a card. */
 
 /* The part of OpenCL's header that is used here, according to the standard
    OpenCL 1.2. Its objects are opaque pointers. */
@@ -34,8 +35,8 @@ enum {
 };
 
 /* The functions of OpenCL that are used. The list is expanded into a struct
-   of pointers, and below into the statements that look them up in the
-   library. */
+   of pointers and, below, into the statements that look up the functions in
+   the library. */
 #define CALLS(CALL)                                                        \
     CALL(answer, GetPlatformIDs, (uint32_t, void **, uint32_t *))          \
     CALL(answer, GetDeviceIDs,                                             \
@@ -88,22 +89,22 @@ struct opencl {
     char name[120], failure[OPENCL_MESSAGE];
 };
 
-/* The program for the device, in OpenCL's C; LINES turns code into text.
-   The width is eight doubles or sixteen floats for a processor, 1 for a
-   card. The operations are those of pull_by (pull.h) in the same order,
-   without contraction, so that double precision gives the bits of the
-   portable kernel. */
+/* The program for the device, in OpenCL's C. LINES turns code into text.
+   The width is eight doubles or sixteen floats for a processor, and 1 for a
+   card. The operations are those of pull_by (pull.h) in the same order and
+   without contraction, so double precision gives the bits of the portable
+   kernel. */
 #define LINES(...) #__VA_ARGS__
 static const char *const source[] = {
     "#pragma OPENCL FP_CONTRACT OFF\n"
     "#if DOUBLE\n"
     "#pragma OPENCL EXTENSION cl_khr_fp64 : enable\n"
     "#endif\n",
-    /* The sums of the accelerations, and their rounding errors. Only single
-       precision compensates these, since small pulls would lose their last
-       digits when they are added to the sum of thousands of others,
-       (sec:gravity-single); double precision must have the bits of the
-       portable kernel. */
+    /* The sums of the accelerations, and their rounding errors. Single
+       precision compensates these errors: (sec:gravity-single). Small pulls
+       would otherwise lose their last digits when they are added to the sum
+       of thousands of others. Double precision does not, since it must have
+       the bits of the portable kernel. */
     LINES(struct sums { wide a, b, c, lost_a, lost_b, lost_c; };),
     LINES(void add(wide *sum, wide *lost, wide term) {
         if (DOUBLE)
@@ -130,8 +131,8 @@ static const char *const source[] = {
 
     /* OPENCL_BLOCKS: each work item computes a block of bodies, one in each
        lane, and adds the pulls of all bodies in order. The pull of a body
-       on itself is 0; there 1 replaces the squared softening, which may be
-       0. */
+       on itself is 0. Its squared distance is 1 instead of the squared
+       softening, which may be 0. */
     "\n#if WIDTH > 1\n",
     LINES(kernel void sum(global const real *x, global const real *mass,
                           global real *a, uint n, uint padded, real least) {
@@ -153,8 +154,8 @@ static const char *const source[] = {
     }),
 
     /* OPENCL_TILES: each work item computes one body. TILE items share the
-       sources: each loads one, and after a barrier every item uses all of
-       them. */
+       sources: each item loads one source, and after a barrier every item
+       uses all of them. */
     "\n#else\n",
     LINES(kernel void sum(global const real *x, global const real *mass,
                           global real *a, uint n, uint padded, real least) {
@@ -205,7 +206,8 @@ static bool find_library(struct opencl *d, char *message)
 }
 
 /* Returns whether the device has the requested precision, since not all
-   cards have double; sets *kind to its type and writes its name. */
+   cards have double. Sets *kind to the type of the device, and writes its
+   name. */
 static bool suits(const struct opencl *d, void *id, uint64_t *kind,
                   char *name, size_t size)
 {
@@ -222,7 +224,7 @@ static bool suits(const struct opencl *d, void *id, uint64_t *kind,
 enum { PLATFORMS = 8, DEVICES = 16 };
 
 /* Chooses the first suitable graphics card of a platform, or else the first
-   suitable device; returns the number of its devices. */
+   suitable device. Returns the platform's number of devices. */
 static uint32_t look_at(struct opencl *d, void *platform, uint64_t *kind)
 {
     void *id[DEVICES];
@@ -264,8 +266,8 @@ static bool find_device(struct opencl *d, uint64_t *kind, char *message)
     return d->id;
 }
 
-/* Writes the compiler's options: width and type of the numbers. Returns
-   false if they do not fit into text. */
+/* Writes the compiler's options: the width and the type of the numbers.
+   Returns false if they do not fit into text. */
 static bool write_flags(const struct opencl *d, char *text, size_t size)
 {
     const char *type = d->single ? "float" : "double";
@@ -317,8 +319,8 @@ static bool build(struct opencl *d, char *message)
 }
 
 /* Sets the order in which the device adds the pulls. In single precision
-   that of the heaviest body comes last: after a planet's pull those of
-   light bodies would be below the last digit of the sum, (9.17,
+   the pull of the heaviest body comes last. After a planet's pull, the
+   pulls of light bodies would be below the last digit of the sum: (9.17,
    eq:unseen). */
 static void put_in_order(struct opencl *d, const double mass[])
 {
@@ -348,9 +350,9 @@ static void lay_out(const struct opencl *d, const double from[], size_t to)
             wide[to + p] = from[d->order[p]];
 }
 
-/* Sets the kernel's arguments. Memory on the device is padded to a multiple
-   of TILE bodies, so that no item needs a bounds check; the padding has
-   mass 0. */
+/* Sets the kernel's arguments. Memory on the device is padded with bodies
+   of mass 0 to a multiple of TILE bodies, so no item needs a bounds
+   check. */
 static answer set_arguments(struct opencl *d, double least)
 {
     const uint32_t n = (uint32_t)d->bodies, padded = (uint32_t)d->padded;

@@ -6,7 +6,7 @@
 #include <stddef.h>
 
 /* How bodies are distributed among the work items of the device. Which way
-   is faster depends on the device; tests use both. */
+   is faster depends on the device. Tests use both ways. */
 enum opencl_way {
     OPENCL_AUTO,   /* tiles on a graphics card, otherwise blocks */
     OPENCL_BLOCKS, /* a vector of bodies per item: for processors */
@@ -19,7 +19,7 @@ struct opencl_order {
     const double *mass; /* [bodies] */
     double k2;          /* acceleration times distance squared for mass 1 */
     double softening;   /* m; 0: none */
-    bool single;        /* whether to use compensated single precision */
+    bool single;        /* use compensated single precision */
     enum opencl_way way;
 };
 
@@ -36,11 +36,11 @@ struct opencl *opencl_open(const struct opencl_order *order,
 /* Frees what opencl_open allocated, and sets the pointer to NULL. */
 void opencl_close(struct opencl **device);
 
-/* Adds to a[] the accelerations of the bodies at x[], (9.2,
-   eq:softened-force); each array has 3 * bodies numbers, axis by axis.
+/* Adds to a[] the accelerations of the bodies at x[]: (9.2,
+   eq:softened-force). Each array has 3 * bodies numbers, axis by axis.
    Double precision gives the same bits as the portable kernel. If the
    device fails, a[] becomes NaN, and opencl_failure returns the error
-   message; otherwise opencl_failure returns NULL. */
+   message. Otherwise opencl_failure returns NULL. */
 void opencl_add(void *device, const double x[], double a[]);
 const char *opencl_failure(const struct opencl *device);
 

@@ -1,4 +1,4 @@
-/* Computes time averages by an exact law or, failing that, by events. */
+/* Computes time averages from an exact law or from a run by events. */
 #include "choosing/averages.h"
 
 #include "box/blocks.h"
@@ -11,8 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Names and symbols of the quantities, by kind. A position has no fixed
-   name, as its name contains an axis and a body. */
+/* The name and symbol of each kind of quantity. They are empty for a
+   position, whose name contains an axis and a body. */
 static const struct {
     const char *name, *symbol;
 } plain[] = {[AVERAGES_PRESSURE] = {"pressure", "Z"},
@@ -29,7 +29,7 @@ bool averages_read(struct averages_quantity *q, const char *name,
             return true;
         }
     char *end;
-    /* The digit is checked, as strtoull accepts blanks and signs. */
+    /* strtoull accepts blanks and signs, so check for a digit first. */
     if ((name[0] == 'x' || name[0] == 'y') && name[1] == ':' &&
         name[2] >= '0' && name[2] <= '9') {
         const unsigned long long body = strtoull(name + 2, &end, 10);
@@ -61,12 +61,12 @@ struct search {
     const struct averages_request *q;
     struct averages_found *f;
     const struct scene *s;
-    size_t n, axis, dimensions; /* number of bodies; first axis; 1 or 2
+    size_t n, axis, dimensions; /* number of bodies; first axis; number of
                                    axes */
     bool periodic;
-    double box[2]; /* distances between walls, m */
-    double energy; /* kinetic energy, J; in a periodic box without that of
-                      the drift */
+    double box[2]; /* length of the box along each axis, m */
+    double energy; /* kinetic energy, J; excludes the drift in a periodic
+                      box */
     double mass;   /* total mass, kg */
     double radii;  /* sum of all radii, m */
     bool equal;    /* whether all masses are equal */
@@ -78,8 +78,8 @@ static double coordinate(const struct search *h, size_t i)
 }
 
 /* Returns twice the kinetic energy along an axis, J. In a periodic box the
-   energy of the centre of mass is subtracted: its motion is constant and
-   contributes nothing to the pressure. */
+   energy of the centre of mass is subtracted, as its uniform motion does
+   not contribute to the pressure. */
 static double energy_along(const struct search *h, size_t axis,
                            const double velocity[])
 {
@@ -110,10 +110,10 @@ static void add_up(struct search *h)
 }
 
 /* Returns the mean position of a body at equilibrium, m. For a disk between
-   four walls this is the centre of the box, by symmetry. On a line, if all
-   states are equally likely, the k-th of n bodies has on its left on
-   average k/(n + 1) of the free length; its radius and the lengths of the
-   bodies on its left are added. */
+   four walls this is the centre of the box, by symmetry. On a line all
+   states are equally likely, so on average k/(n + 1) of the free length is
+   to the left of the k-th of n bodies. The radius of this body and the
+   lengths of the bodies to its left are added. */
 static double settled_place(const struct search *h, size_t body)
 {
     const size_t axis = h->q->quantity.axis;
@@ -130,8 +130,8 @@ static double settled_place(const struct search *h, size_t body)
            (h->box[0] - 2 * h->radii) * (double)rank / (double)(h->n + 1);
 }
 
-/* Returns the divisor of the errors of the requested quantity, whose mean
-   is `value`. */
+/* Returns the scale of the requested quantity: errors are divided by it.
+   value is the mean of the quantity. */
 static double scale_of(const struct search *h, double value)
 {
     const struct averages_quantity *q = &h->q->quantity;
@@ -140,12 +140,12 @@ static double scale_of(const struct search *h, double value)
     return q->kind == AVERAGES_PLACE ? h->box[q->axis - h->axis] : value;
 }
 
-/* Fills in *h and returns NULL, or returns why there is no average. These
-   refusals need no run. Forces, losses and fixed bodies lead to other
-   equilibria, which are not known here. A mean position always depends on
-   the start if bodies meet only walls, if a line has only two bodies, or if
-   all masses on a line are equal, since such bodies only exchange
-   speeds. */
+/* Fills in *h. Returns NULL, or the reason why no average is known, without
+   a run. Scenes with forces, losses or fixed bodies are refused because
+   their equilibria are not known here. A mean position depends on the start
+   for ever in three cases: a single disk, fewer than three bodies on a
+   line, and equal masses on a line, which only exchange their
+   velocities. */
 static const char *survey(struct search *h)
 {
     const struct scene *s = h->s;
@@ -193,16 +193,16 @@ static const char *survey(struct search *h)
     return NULL;
 }
 
-/* Returns x rounded up to two digits, so that a value suggested by a
-   refusal is large enough as printed. */
+/* Rounds x up to two digits. A value that a refusal suggests must be large
+   enough as printed. */
 static double round_up(double x)
 {
     const double unit = pow(10, floor(log10(x)) - 1);
     return ceil(x / unit) * unit;
 }
 
-/* Computes the answer from what elastic contacts conserve: the kinetic
-   energy of the whole scene, including the drift and all three axes. */
+/* Computes the answer from the kinetic energy of the whole scene, which
+   elastic contacts conserve. It includes the drift and all three axes. */
 static void answer_conserved(const struct search *h)
 {
     struct averages_found *f = h->f;
@@ -212,8 +212,8 @@ static void answer_conserved(const struct search *h)
         energy += h->s->mass[i % h->n] * v * v / 2;
         free += h->s->freedom[i];
     }
-    /* The energy of a drift is not heat, but a difference as small as the
-       rounding error of the sum is not a drift. */
+    /* The temperature excludes the energy of a drift. A difference as small
+       as the rounding error of the sum is not a drift. */
     const bool drifts =
         h->periodic &&
         energy - h->energy > DBL_EPSILON * (double)h->n * energy;
@@ -224,11 +224,11 @@ static void answer_conserved(const struct search *h)
     snprintf(f->text, AVERAGES_TEXT, "elastic contacts change neither");
 }
 
-/* Computes the answer from Tonks's law, and a proven bound of the
-   difference between a run and the law (12.16, eq:averages-bound). Z
-   follows from the virial, with V the length available to the centres: the
-   box less the radii of the two outer bodies. As NkT is 2K on a line, Z is
-   the ratio of V to the free length. */
+/* Computes the answer from Tonks's law, and a proven bound on the
+   difference between a run and the law (12.16, eq:averages-bound). On a
+   line NkT is 2K, so by the virial theorem Z is V divided by the free
+   length. V is the length open to the centres: the box minus the radii of
+   the two outer bodies. */
 static void answer_tonks(const struct search *h)
 {
     struct averages_found *f = h->f;
@@ -251,7 +251,7 @@ static void answer_tonks(const struct search *h)
                  round_up(f->error * h->q->until / h->q->tolerance));
 }
 
-/* Largest number of bodies whose mean positions are compared with those at
+/* Largest number of bodies whose mean positions are compared with
    equilibrium: the requested body and up to seven others. */
 enum { WITNESSES = 8 };
 
@@ -261,12 +261,14 @@ struct measurement {
     struct models_run run;
     struct blocks blocks;
     size_t columns, places, body[WITNESSES];
-    double most, interval; /* number of samples in T; interval, s */
+    double most, interval; /* samples in the averaging time; seconds between
+                              samples */
     double virial;         /* virial up to the last sample, J s */
     bool over;             /* whether the run has ended */
-    const char *why;       /* why it is not at equilibrium, or NULL */
+    const char *why;       /* why the run is not at equilibrium, or NULL */
     double first;          /* mean of the first quarter */
-    double mean, se;       /* of the other three; its standard error */
+    double mean, se;       /* mean of the other three quarters; its standard
+                              error */
 };
 
 static double cost(const struct measurement *w)
@@ -274,11 +276,12 @@ static double cost(const struct measurement *w)
     return models_cost(w->run.work);
 }
 
-/* Returns the number of samples in T. A pressure sample contains the whole
-   virial since the last sample, so an interval of a quarter of the flight
-   from one body to the next is short enough. A position is sampled at an
-   instant, so its interval is a sixteenth of the flight through the box.
-   The minimum of 256 samples ensures that there are enough blocks. */
+/* Returns the number of samples in the averaging time T. A pressure sample
+   contains the whole virial since the last sample, so the interval may be a
+   quarter of the flight time from one body to the next. A position is
+   sampled at an instant, so the interval is a sixteenth of the flight time
+   through the box. At least 256 samples are taken, to have enough
+   blocks. */
 static double samples_of(const struct search *h)
 {
     const struct averages_quantity *q = &h->q->quantity;
@@ -291,9 +294,10 @@ static double samples_of(const struct search *h)
     return fmax(256, ceil(T / way * sqrt(kT / mass)));
 }
 
-/* Selects the bodies whose mean positions are compared with those at
-   equilibrium: the requested one and, on a line, any others, or, in the
-   plane, disks equal to it, which relax equally fast. */
+/* Selects the bodies whose mean positions are compared with equilibrium.
+   The first is the requested body. On a line any other bodies follow. In
+   the plane only disks of the same mass and radius follow, as they relax
+   equally fast. */
 static void choose_witnesses(struct measurement *w)
 {
     const struct scene *s = w->h->s;
@@ -309,8 +313,9 @@ static void choose_witnesses(struct measurement *w)
 }
 
 /* Begins a run of bodies on a line or of disks in the plane. Returns NULL,
-   or why it cannot. A sample has one column for each position, or one for
-   the pressure, and a last one for `relaxation`. */
+   or why it fails. A sample has a column for each position, or a single
+   column for the pressure. The last column is the result of
+   `relaxation`. */
 static const char *begin_measurement(struct measurement *w,
                                      const struct search *h)
 {
@@ -331,11 +336,11 @@ static const char *begin_measurement(struct measurement *w,
 }
 
 /* Returns a number, computed from the velocities, whose mean is 1 at
-   equilibrium, where all states of equal energy are equally likely. In the
-   plane, half of the energy then belongs to the motion along each axis. On
-   a line, the square roots of the bodies' fractions e_i of the energy are
-   the coordinates of a random point on a sphere in n dimensions, and the
-   mean of the sum of e_i^2 is 3/(n + 2). */
+   equilibrium. All states of equal energy are then equally likely. In the
+   plane the motion along each axis has half of the energy. On a line let
+   e_i be the fraction of the energy that body i has. The square roots of
+   all e_i are the coordinates of a random point on the unit sphere in n
+   dimensions, so the mean of the sum of e_i^2 is 3/(n + 2). */
 static double relaxation(const struct search *h, const double velocity[])
 {
     double sum = 0;
@@ -351,10 +356,10 @@ static double relaxation(const struct search *h, const double velocity[])
     return sum * (double)(h->n + 2) / 3;
 }
 
-/* Takes the next sample; returns false if the run ends. Each row moves
-   every body to the time of the sample, and this work is counted. In a
-   periodic box the centre of mass has one body's share of the energy, so
-   the sum in (7.5, eq:virial) has the factor (N - 1)/N. */
+/* Takes the next sample. Returns false if the run ends. Counts the work of
+   moving every body to the time of the sample. In a periodic box the centre
+   of mass has the energy of one body, so the sum in (7.5, eq:virial) has
+   the factor (N - 1)/N. */
 static bool sample(struct measurement *w, double value[])
 {
     const struct search *h = w->h;
@@ -373,8 +378,8 @@ static bool sample(struct measurement *w, double value[])
     return true;
 }
 
-/* Returns the average of a column over the blocks `from` to `to` - 1; fills
-   x with the means of these blocks. */
+/* Fills x with the means of a column in the blocks `from` to `to` - 1, and
+   returns their average. */
 static struct blocks_average part(const struct measurement *w,
                                   size_t column, size_t from, size_t to,
                                   double x[])
@@ -385,9 +390,9 @@ static struct blocks_average part(const struct measurement *w,
     return blocks_average_of(to - from, x);
 }
 
-/* Returns how far mean positions are from those at equilibrium, m: for the
-   requested body or, if larger, the root mean square for all selected
-   bodies, since the requested one may be right by chance. */
+/* Returns the distance of mean positions from equilibrium, m. This is the
+   distance of the requested body or, if larger, the root mean square over
+   all selected bodies: a single body may be right by chance. */
 static double distance_from_law(const struct measurement *w, size_t from)
 {
     double x[BLOCKS_MOST] = {0}, squares = 0, own = 0;
@@ -400,10 +405,10 @@ static double distance_from_law(const struct measurement *w, size_t from)
     return fmax(own, sqrt(squares));
 }
 
-/* Returns whether the velocities have relaxed: the mean of `relaxation`
-   must be 1 within its error. On a line, where a heavy body relaxes very
-   slowly, the estimate of that error must also have a plateau. Returns
-   false if memory runs out. */
+/* Returns whether the velocities have relaxed, or false if memory runs out.
+   The mean of `relaxation` must be 1 within its error. On a line a heavy
+   body relaxes very slowly, so the estimate of that error must also have a
+   plateau. */
 static bool has_relaxed(const struct measurement *w, size_t from)
 {
     struct statistics_blocking b;
@@ -415,12 +420,12 @@ static bool has_relaxed(const struct measurement *w, size_t from)
            fabs(off) <= 5 * b.error + 1e-9;
 }
 
-/* Evaluates the last three quarters of the run (the first still depends on
-   the start). The error is reliable if its block estimate has a plateau,
-   the mean no longer drifts, and positions and velocities are at
-   equilibrium. Twice its own uncertainty is added to the estimate: a run
-   that stops when its error is small enough tends to stop when the estimate
-   is too small by chance. Returns false if memory runs out. */
+/* Evaluates the last three quarters of the run, as the first quarter still
+   depends on the start. The error is reliable if its block estimate has a
+   plateau, the mean does not drift, and positions and velocities are at
+   equilibrium. Twice the uncertainty of the error estimate is added to it:
+   a run that stops when its error is small enough tends to stop when the
+   estimate is too small by chance. Returns false if memory runs out. */
 static bool judge(struct measurement *w)
 {
     const size_t n = w->blocks.count, from = (n + 3) / 4;
@@ -444,13 +449,14 @@ static bool judge(struct measurement *w)
     return true;
 }
 
-/* Returns the fraction of T that has been simulated. */
+/* Returns the simulated fraction of the averaging time T. */
 static double fraction_run(const struct measurement *w)
 {
     return (double)(w->blocks.count * w->blocks.per) / w->most;
 }
 
-/* Computes the mean over T, and its error (12.14, eq:averages-over). */
+/* Computes the mean over the averaging time T and its error (12.14,
+   eq:averages-over). */
 static void conclude(struct averages_found *f, const struct measurement *w)
 {
     const double s = fraction_run(w), q = s / 4;
@@ -459,10 +465,10 @@ static void conclude(struct averages_found *f, const struct measurement *w)
     f->error = 2 * w->se * sqrt(square) / scale_of(w->h, f->value);
 }
 
-/* Returns the factor by which the run must become longer for an error of e.
-   The scatter of a run of length T accounts for part of e^2; if for more
-   than half, T is too short, and the result is INFINITY. If the run is not
-   at equilibrium, the factor is at least 2. */
+/* Returns the factor by which the run must become longer to reach the error
+   e. The scatter of a run of length T is part of e^2. If this part is more
+   than half, T is too short and the result is INFINITY. For a run that is
+   not at equilibrium the factor is finite and at least 2. */
 static double longer_by(const struct measurement *w, double e)
 {
     const double two = 2 * w->se / scale_of(w->h, w->mean);
@@ -474,8 +480,8 @@ static double longer_by(const struct measurement *w, double e)
                                : fmax(1.25, square / (e * e - scatter));
 }
 
-/* Continues the run up to `to` samples, but not beyond T or the budget, and
-   evaluates it. Returns false if memory runs out. */
+/* Continues the run to `to` samples, or to the end of T or of the budget,
+   and evaluates it. Returns false if memory runs out. */
 static bool advance(struct measurement *w, double to)
 {
     double value[WITNESSES + 1];
@@ -489,12 +495,12 @@ static bool advance(struct measurement *w, double to)
 }
 
 /* Continues the run until the error is small enough, or cannot become so
-   within the budget. A run that is not at equilibrium is doubled; then it
-   is extended to the predicted length, so that evaluations are few. No
-   refusal rests on a run that costs less than a two-hundredth of the
-   budget. As predicted costs are rough, and errors overestimated, a cost of
-   up to 1.5 times the budget is not yet refused at equilibrium. Returns
-   false if memory runs out. */
+   within the budget. A run that is not at equilibrium is doubled. A run at
+   equilibrium is extended to the predicted length, to need few evaluations.
+   A run is refused only after it has cost a two-hundredth of the budget.
+   Predicted costs are rough and errors are overestimated, so a run at
+   equilibrium may have a predicted cost of up to 1.5 times the budget.
+   Returns false if memory runs out. */
 static bool go_on_until_sure(struct averages_found *f,
                              struct measurement *w)
 {
@@ -518,10 +524,10 @@ static bool go_on_until_sure(struct averages_found *f,
     return true;
 }
 
-/* Writes why a run at equilibrium gives no answer: T is too short if brief,
-   or the cost is too high. Suggests the smallest error that T and the
-   budget allow; as predicted costs are rough, three times the predicted
-   cost must be within the budget. */
+/* Writes why a run at equilibrium gives no answer: T is too short if
+   `brief`, or the run is too expensive. Suggests the smallest error that T
+   and the budget allow. Predicted costs are rough, so three times the
+   predicted cost must be within the budget. */
 static void refuse_settled(char *to, const struct measurement *w,
                            double price, bool brief)
 {
@@ -544,8 +550,8 @@ static void refuse_settled(char *to, const struct measurement *w,
 }
 
 /* Writes why a run by events gives no answer. A run that is not at
-   equilibrium may never reach it; its mean depends on the start and is not
-   given, but the rows of a run can be requested instead. */
+   equilibrium may never reach it, and its mean depends on the start, so the
+   message suggests to ask for the rows of a run instead. */
 static void refuse(char *to, const struct measurement *w)
 {
     const struct averages_request *q = w->h->q;
@@ -566,7 +572,7 @@ static void refuse(char *to, const struct measurement *w)
              (double)w->run.rows * w->interval, w->why, more);
 }
 
-/* Computes the answer by a run of events; returns false if memory runs
+/* Computes the answer from a run by events. Returns false if memory runs
    out. */
 static bool measure(const struct search *h)
 {
@@ -589,8 +595,8 @@ static bool measure(const struct search *h)
     return well;
 }
 
-/* Computes the answer by the method that suits the quantity and the scene;
-   refuses if another method was requested by name. Returns false if memory
+/* Computes the answer by the method that suits the quantity and the scene.
+   Refuses if another method was requested by name. Returns false if memory
    runs out. */
 static bool answer(const struct search *h)
 {

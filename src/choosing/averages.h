@@ -1,4 +1,4 @@
-/* Computes the mean of a quantity over time, or says why it cannot. */
+/* Computes the time average of a quantity, or says why it cannot. */
 #ifndef AVERAGES_H
 #define AVERAGES_H
 
@@ -9,14 +9,13 @@
 #include <stdint.h>
 
 enum averages_kind {
-    AVERAGES_PRESSURE,   /* Z = PV/NkT, V open to the centres */
+    AVERAGES_PRESSURE,   /* Z = PV/(NkT); V: volume open to the centres */
     AVERAGES_PLACE,      /* mean position along an axis, m */
     AVERAGES_KINETIC,    /* kinetic energy, J */
-    AVERAGES_TEMPERATURE /* kT = 2 K / (free coordinates), J; in a periodic
-                            box K is relative to the drift */
+    AVERAGES_TEMPERATURE /* kT = 2 K / (free coordinates), J; K excludes the
+                            drift in a periodic box */
 };
 
-/* The quantity whose mean is requested. */
 struct averages_quantity {
     enum averages_kind kind;
     size_t body, axis; /* used only for AVERAGES_PLACE */
@@ -25,35 +24,36 @@ struct averages_quantity {
 struct averages_request {
     const struct scene *scene;
     struct averages_quantity quantity;
-    double until;      /* time over which the mean is taken, s */
-    double tolerance;  /* largest error, as a fraction of the scale */
-    double budget;     /* largest cost, s by the price list */
-    const char *model; /* NULL, or the name of the only method allowed */
+    double until;      /* averaging time, s */
+    double tolerance;  /* allowed error, as a fraction of the scale */
+    double budget;     /* cost limit, s by the price list */
+    const char *model; /* NULL, or the only allowed method */
 };
 
-/* The kinds of error of a mean. */
+/* How the error of a mean is known. */
 enum averages_sure {
     AVERAGES_EXACT,    /* rounding errors only */
     AVERAGES_BOUND,    /* a proven bound */
-    AVERAGES_ESTIMATE, /* measured: two standard errors */
+    AVERAGES_ESTIMATE, /* two standard errors, measured */
     AVERAGES_OUT       /* no answer */
 };
 enum { AVERAGES_TEXT = 200, AVERAGES_REFUSAL = 400 };
 enum { AVERAGES_BUDGET = 60 }; /* default budget, s by the price list */
 
 struct averages_found {
-    const char *way; /* method: conserved, tonks or events; NULL: none */
+    const char *way; /* "conserved", "tonks", "events"; or NULL */
     enum averages_sure sure;
-    double value, error;      /* value in its unit; error over scale */
-    double scale;             /* divisor: max(1, Z), box or value */
-    double time, cost;        /* simulated time; price-list cost; s */
+    double value, error;      /* error: a fraction of the scale */
+    double scale;             /* max(1, Z), length of the box, or value */
+    double time, cost;        /* simulated time, s; cost, s by the price
+                                 list */
     char text[AVERAGES_TEXT]; /* how the answer was found */
     char refusal[AVERAGES_REFUSAL]; /* empty unless refused */
 };
 
 /* Parses the name of a quantity: pressure, kinetic, temperature, or a mean
-   position such as x:3 or y:0. Returns false, with an error in message, if
-   the scene has no such average. */
+   position such as x:3 or y:0. If the scene has no such average, writes an
+   error to message and returns false. */
 bool averages_read(struct averages_quantity *q, const char *name,
                    const struct scene *s, char message[AVERAGES_TEXT]);
 
@@ -61,8 +61,8 @@ bool averages_read(struct averages_quantity *q, const char *name,
 const char *averages_name(const struct averages_quantity *q,
                           char symbol[32]);
 
-/* Computes an average within the tolerance; a refusal counts as a result.
-   Returns false if memory runs out. */
+/* Computes an average within the tolerance, or refuses. Returns false only
+   if memory runs out. */
 bool averages_find(struct averages_found *f,
                    const struct averages_request *q);
 

@@ -8,13 +8,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double first_limit = 0.1; /* cost of a run that may fail, s */
+static const double first_limit = 0.1; /* cost limit of a first attempt,
+                                          s */
 
 /* Returns the predicted cost, s, of one of two twins that were stopped at
-   the cost limit. It is extrapolated from the rows that r, the slower one,
-   has reached. If r has reached none, the first row is divided into sixteen
-   shorter rows, then the first of these, and so on, until one is reached;
-   if the twins differ there, the result is INFINITY. */
+   the cost limit. r is the slower twin, and its cost is extrapolated from
+   the rows that it has reached. If r has reached no row, the first row is
+   divided into sixteen shorter rows, then the first of these again, until a
+   row is reached. If the twins differ in a shorter row, the result is
+   INFINITY. */
 static double price_of_twin(const struct task *t, const struct record *r)
 {
     double cost = r->cost, part = 1;
@@ -34,8 +36,8 @@ static double price_of_twin(const struct task *t, const struct record *r)
                        : INFINITY;
 }
 
-/* Stores the result of an exact run a and its twin b in the candidate: the
-   error of a, or that they differ, or how one of them ended. */
+/* Stores the result of an exact run a and its twin b in the candidate k:
+   the error of a, or that the runs differ, or how a run ended early. */
 static void judge_twins(const struct task *t, struct choose_candidate *k,
                         struct record *a, struct record *b, bool parted)
 {
@@ -50,10 +52,11 @@ static void judge_twins(const struct task *t, struct choose_candidate *k,
         task_explain(k, task_ending(a->end != MODELS_DONE ? a : b));
 }
 
-/* Tries a model without steps, which has only rounding errors: first with a
-   small cost limit, and again if this was exceeded and a full run may be
-   within the budget. If a run by events and its twin differ, the scene has
-   a horizon; if runs of a formula do, only the formula is inaccurate. */
+/* Tries a model without steps, which has only rounding errors. The first
+   attempt has a small cost limit. If this is exceeded, and a full run may
+   be within the budget, the model is run again. If a run by events and its
+   twin differ, the scene has a horizon. If runs of a formula differ, only
+   the formula is inaccurate. */
 static void try_exact(const struct task *t, const struct models_model *m)
 {
     struct record a = {0}, b = {0};
@@ -84,12 +87,12 @@ static int by_price(const void *a, const void *b)
     return one->price < other->price ? -1 : one->price > other->price;
 }
 
-/* Adds the ladder of a method, its runs with finer and finer steps, and
-   makes the first run, which predicts the cost of one within the tolerance.
-   If the reference uses this method, its coarser run serves as the first at
-   no cost, and its two runs show how the cost rises. For adaptive methods
-   it rises slowly: of an order of about seven, they need only 40 % more
-   steps for a tenth of the error. */
+/* Adds the ladder of a method (its runs with finer and finer steps) and
+   makes the first run, which predicts the cost of a run within the
+   tolerance. If the reference uses this method, its coarser run serves as
+   the first run at no cost, and its two runs show how the cost rises. For
+   adaptive methods the cost rises slowly: with an order of about seven, a
+   tenth of the error needs only 40 % more steps. */
 static void add_ladder(const struct task *t, struct ladder ladder[],
                        size_t *count, const struct models_model *m,
                        unsigned cuts)
@@ -117,9 +120,10 @@ static void add_ladder(const struct task *t, struct ladder ladder[],
             log2(f->run.cost / f->coarser.cost) /
             (rung_fineness(&f->run.plan) - rung_fineness(&f->coarser.plan));
     } else {
-        /* With the requested tolerance an adaptive method has ten times
-           that error or more, so finer steps must follow. It may still win
-           if this run costs at most a quarter of the best. */
+        /* An adaptive method has an error of at least ten times the
+           tolerance of its steps, so finer steps must follow. The method
+           may still win if this run costs at most a quarter of the best
+           run. */
         const double may =
             l->rise < 1 ? task_best_cost(t) / 4 : task_best_cost(t);
         climb_note(t, l, rung_try(t, l, l->foot, may, k));
@@ -127,14 +131,15 @@ static void add_ladder(const struct task *t, struct ladder ladder[],
     l->price = climb_price(t, l);
 }
 
-/* The simplifications with each of which leapfrog is tried. Other methods
-   are tried without any: the error of a simplification does not depend on
-   the order, and no other method supports rods. */
+/* Leapfrog is tried with each of these simplifications. Other methods are
+   tried without any: the error of a simplification does not depend on the
+   order of the method, and only leapfrog supports rods. */
 static const unsigned left_out[] = {0, MODELS_NO_LIGHT, MODELS_RODS};
 enum { LEFT_OUT = sizeof left_out / sizeof *left_out };
 
-/* Adds the ladders of a model whose method takes part in the comparison and
-   is adaptive or not, as requested. */
+/* Adds the ladders of model m if its method takes part in the race. Of
+   adaptive methods and methods with equal steps, only the requested kind is
+   added. */
 static void add_model(const struct task *t, struct ladder ladder[],
                       size_t *count, const struct models_model *m,
                       bool adaptive)
@@ -148,9 +153,9 @@ static void add_model(const struct task *t, struct ladder ladder[],
             add_ladder(t, ladder, count, m, left_out[j]);
 }
 
-/* Tries all methods with equal steps, or all adaptive ones: first the
-   lowest rung of each ladder, then finer rungs, ladder by ladder, as long
-   as a rung may be cheaper than the best run so far. */
+/* Tries all adaptive methods, or all methods with equal steps. Runs the
+   lowest rung of each ladder first. Then runs finer rungs, ladder by
+   ladder, while a rung may be cheaper than the best run so far. */
 static void race(const struct task *t, bool adaptive)
 {
     struct ladder ladder[STEPPING_MOST + LEFT_OUT];
@@ -165,7 +170,7 @@ static void race(const struct task *t, bool adaptive)
         climb(t, &ladder[j]);
 }
 
-/* Tries approximate models, and exact ones with light bodies as test
+/* Tries approximate models, and exact models with light bodies as test
    particles. */
 static void try_approximate(const struct task *t)
 {
@@ -180,8 +185,8 @@ static void try_approximate(const struct task *t)
     }
 }
 
-/* Tries the requested plan without changes: if its error exceeds the
-   tolerance, that error is the answer. */
+/* Tries the requested plan without changes. If its error exceeds the
+   tolerance, the refusal states that error. */
 static void try_only(const struct task *t)
 {
     const struct models_plan *only = t->q->only;
@@ -221,19 +226,19 @@ static void compare(const struct task *t)
     race(t, true);
 }
 
-/* Two references that differ by less than the tolerance divided by this
-   number need no further test: if their errors were as large as the
-   tolerance, they would agree so well by chance only once in pi/2 seldom =
-   630 cases (the book's P_1 of one twin), which is no worse than the chance
-   that is_near_floor is wrong. */
+/* Two references that differ by less than tolerance/seldom need no further
+   test. If their errors were as large as the tolerance, they would agree so
+   well by chance only once in pi/2 seldom = 630 cases (P_1 of one twin in
+   the book). This is no worse than the chance that is_near_floor is
+   wrong. */
 static const double seldom = 400;
 
 /* Returns whether a twin of the chosen run differs from it by more than a
-   300th of the tolerance. If rounding errors could exceed the tolerance, a
-   smaller difference would be a coincidence that happens in less than one
-   of a hundred cases; that the two references agree to a twentieth of the
-   tolerance would be another, in one of a dozen cases. It is too rare that
-   both happen together. */
+   300th of the tolerance. Suppose that rounding errors could exceed the
+   tolerance. A smaller difference would then be a coincidence, in less than
+   one of a hundred cases. The agreement of the two references to a
+   twentieth of the tolerance would be another, in one of a dozen cases.
+   Both together are rare enough. */
 static bool is_near_floor(const struct task *t)
 {
     struct record twin;
@@ -245,10 +250,10 @@ static bool is_near_floor(const struct task *t)
     return 300 * far > t->q->tolerance;
 }
 
-/* Compares all candidates with the reference. If rounding errors turn out
-   to be near the tolerance, further twins of the reference bound its error.
-   If the run taken is then no longer within the tolerance, all candidates
-   are compared once more. */
+/* Compares all candidates with the reference. If rounding errors are near
+   the tolerance, further twins of the reference bound its error. If this
+   bound puts the chosen run outside the tolerance, all candidates are
+   compared again. */
 static void compare_surely(const struct task *t)
 {
     struct choose_choice *c = t->c;
@@ -270,8 +275,7 @@ static void compare_surely(const struct task *t)
         return;
     c->candidates = candidates;
     c->points = points;
-    if (!f->coarser.value) { /* its rows were the answer and have been
-                                freed: run it again */
+    if (!f->coarser.value) { /* freed as the answer: run it again */
         const struct record_setup o =
             task_setup(t, f->coarser.plan, INFINITY);
         task_run(t, &f->coarser, &o);
@@ -279,10 +283,10 @@ static void compare_surely(const struct task *t)
     compare(t);
 }
 
-/* Finds the answer. Exact models come first, as they need no reference; if
-   one is within the tolerance it is taken, since searching for a cheaper
-   one would cost more than it could save. In a scene with only collisions,
-   a horizon found in a run by events is final. */
+/* Finds the answer. Exact models are tried first, as they need no
+   reference. An exact run within the tolerance is chosen at once: the
+   search for a cheaper run would cost more than it could save. In a scene
+   with only collisions, a horizon found in a run by events is final. */
 static void decide(const struct task *t)
 {
     const struct models_plan *only = t->q->only;
@@ -300,7 +304,8 @@ static void decide(const struct task *t)
         compare_surely(t);
 }
 
-/* Writes why no run was taken, unless a reason is already written. */
+/* Marks the answer as refused. Writes a reason unless there is one
+   already. */
 static void refuse(const struct task *t)
 {
     struct choose_choice *c = t->c;
@@ -328,8 +333,8 @@ static void refuse(const struct task *t)
                  t->q->tolerance, c->spent);
 }
 
-/* Returns whether bodies overlap at the start by more than the tolerance;
-   if so, writes a refusal, since their motion would depend on the time
+/* Returns whether bodies overlap at the start by more than the tolerance.
+   If so, writes a refusal, since the motion would depend on the time
    step. */
 static bool overlaps(const struct task *t)
 {
@@ -344,12 +349,12 @@ static bool overlaps(const struct task *t)
     return true;
 }
 
-/* Largest number of bodies for which all distances are computed; for more
+/* Largest number of bodies for which all distances are computed. With more
    bodies this would take longer than finding the answer. */
 enum { PAIRS_MOST = 2000 };
 
-/* Records the closest pair of bodies if its distance is below the tolerance
-   because a single body, far from all others, makes the scale so large. */
+/* Records the closest pair of bodies if their distance is below the
+   tolerance because a single distant body makes the scale so large. */
 static void look_for_hidden(const struct task *t)
 {
     const struct scene *s = t->q->scene;
@@ -398,13 +403,13 @@ void choose_free(struct choose_choice *c)
     *c = (struct choose_choice){0};
 }
 
-/* Names of the orders of methods with equal steps, at most eight. */
+/* Names of orders. No method with equal steps has an order above eight. */
 static const char *const order_in_words[] = {"",      "first",   "second",
                                              "third", "fourth",  "fifth",
                                              "sixth", "seventh", "eighth"};
 
-/* Returns the cheapest candidate that costs more than the one taken, and
-   sets *price to its actual or predicted cost. */
+/* Returns the cheapest candidate that costs more than the chosen run. Sets
+ *price to the actual or predicted cost of that candidate. */
 static const struct choose_candidate *next_best(
     const struct choose_choice *c, double *price)
 {

@@ -10,27 +10,26 @@ enum { CHOOSE_TEXT = 160, CHOOSE_REFUSAL = 500, CHOOSE_SENTENCE = 600 };
 enum { CHOOSE_BUDGET = 60 }; /* default budget, s by the price list */
 enum { CHOOSE_MOST = STEPPING_MOST + 40, CHOOSE_POINTS = 400 };
 
-/* A question: a scene, a time, a tolerance, and the observables. */
+/* The question: a scene, a time, a tolerance, and the observables. */
 struct choose_request {
     const struct scene *scene;
     const char *program;             /* name of the program, for messages */
-    double until, every;             /* time of the last row; interval; s */
-    double tolerance;                /* largest error, over the scale */
-    const struct observables *asked; /* NULL: all positions */
-    double budget; /* largest total cost, s by the price list */
+    double until, every;             /* last row; time between rows; s */
+    double tolerance;                /* allowed error / scale */
+    const struct observables *asked; /* NULL: judge all positions */
+    double budget; /* limit of the total cost, s by the price list */
     const struct models_plan *only; /* NULL, or the only plan allowed */
     void (*watch)(void *with, double spent); /* NULL, or gets the cost */
     void *with;
 };
 
-/* A candidate: a model with its simplifications, and its results so far. */
+/* A model with its simplifications, and its results so far. */
 struct choose_candidate {
     struct models_plan plan;
-    double error, cost; /* fraction of the scale; s, computed from the price
-                           list */
-    double foreseen;    /* predicted cost, s, or INFINITY */
+    double error, cost; /* error / scale; cost, s by the price list */
+    double foreseen;    /* predicted cost, s; INFINITY: unknown */
     bool holds;
-    char text[CHOOSE_TEXT]; /* the result, or why it is excluded */
+    char text[CHOOSE_TEXT]; /* result, or why the candidate is excluded */
 };
 
 /* A run whose error has been measured. */
@@ -39,14 +38,14 @@ struct choose_point {
     double error, cost;
 };
 
-/* Two bodies, a and b, whose distance is below the tolerance because body
-   `far` makes the scale so large; a == b if there are none. */
+/* Two bodies, a and b, that are closer than the tolerance because body
+   `far` makes the scale so large. If there are none, a == b. */
 struct choose_hidden {
     size_t a, b, far;
-    double distance, without; /* of a and b, m; scale without `far`, m */
+    double distance, without; /* of a and b; scale without `far`; m */
 };
 
-/* The answer, a run with its rows or a refusal, and how it was found. */
+/* The answer, a run or a refusal, and how it was found. */
 struct choose_choice {
     struct choose_candidate candidate[CHOOSE_MOST];
     size_t candidates, taken; /* taken == candidates: refused */
@@ -57,25 +56,25 @@ struct choose_choice {
     const char *judged;
     struct choose_hidden hidden;
     size_t rows, columns;
-    struct record run;            /* run of the candidate taken */
-    struct models_plan reference; /* its model is NULL if there is none */
-    double doubt;                 /* bound of the reference's error */
-    double rounding;              /* bound of the error of an exact run */
-    double horizon;               /* predictable up to this time, s */
+    struct record run;            /* the chosen run */
+    struct models_plan reference; /* its model is NULL if none */
+    double doubt;                 /* bound on the error of the reference */
+    double rounding;              /* bound on the error of an exact run */
+    double horizon;               /* end of the predictable motion, s */
     double spent;                 /* total cost, s by the price list */
     char refusal[CHOOSE_REFUSAL];
 };
 
-/* Answers a request; a refusal counts as an answer. Returns false, after an
-   error message and with nothing to free, if memory runs out or the scene
-   cannot be set in motion. */
+/* Answers a request with a run or a refusal. If memory runs out or the
+   scene cannot be set in motion, prints an error and returns false, with
+   nothing to free. */
 bool choose(struct choose_choice *c, const struct choose_request *q);
 void choose_free(struct choose_choice *c);
 
-/* Writes a sentence about the candidate taken, and the cost of another way:
-   "pefrl:56: its fourth order meets 0.0001 at 56 steps a row; leapfrog
-   would cost 20 times as much". If that cost is only predicted, the
-   sentence says so. */
+/* Writes a sentence about the chosen candidate and the cost of the next
+   one, such as "pefrl:56: its fourth order meets 0.0001 at 56 steps a row;
+   leapfrog would cost 20 times as much". If that cost is only predicted,
+   the sentence says so. */
 void choose_sentence(const struct choose_choice *c, double tolerance,
                      char text[CHOOSE_SENTENCE]);
 

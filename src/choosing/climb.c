@@ -1,20 +1,20 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 3611776349 of the lines below */
+/* checksum 2238706270 of the lines below */
 /* Tries finer and finer steps of one method while they may be cheaper. */
 #include "choosing/task.h"
 
 #include <math.h>
 
-static const double lost = 0.1; /* an error so large, as a fraction of the
-                                   scale, that the run is useless */
+static const double lost = 0.1; /* an error above this fraction of the scale
+                                   makes a run useless */
 
 static bool is_lost(double error)
 {
     return error > lost;
 }
 
-/* Returns whether finer steps are useless, given the error of the next
-   rung. */
+/* Returns whether finer steps do not help. `error` is the error of the
+   newest rung, and l->best is the rung before. */
 static bool is_vain(const struct ladder *l, double error)
 {
     const double before = l->best.error;
@@ -23,9 +23,9 @@ static bool is_vain(const struct ladder *l, double error)
                               fabs(error - before) < 0.01 * error;
 }
 
-/* Returns whether the last error is too large to extrapolate from, so that
-   much finer steps are tried next. With simplifications a large error is no
-   sign of that, as they may cause all of it. */
+/* Returns whether the last error is too large to extrapolate from. Much
+   finer steps are then tried next. With simplifications a large error is no
+   reason for finer steps, as it may be caused by the simplifications. */
 static bool is_blind(const struct ladder *l)
 {
     const double error = l->best.error;
@@ -53,7 +53,8 @@ static double order_of_method(const struct ladder *l)
     return m->adaptive ? 1 : m->order;
 }
 
-/* Returns the octaves by which the error must fall, INFINITY if unknown. */
+/* Returns the number of octaves by which the error must fall, or INFINITY
+   if the error is unknown. */
 static double excess(const struct task *t, const struct ladder *l)
 {
     return log2(l->best.error / t->q->tolerance);
@@ -81,8 +82,8 @@ double climb_price(const struct task *t, const struct ladder *l)
                               : INFINITY;
 }
 
-/* Returns the next rung that is worth a run; its model is NULL if there is
-   none. */
+/* Returns the next rung that is worth a run. Its model is NULL if there is
+   no such rung. */
 static struct models_plan next_rung(const struct task *t,
                                     const struct ladder *l)
 {
@@ -107,8 +108,8 @@ static struct models_plan next_rung(const struct task *t,
 }
 
 /* Stores the predicted cost of a run within the tolerance, if the last
-   error allows a prediction, and why it was not tried, unless the last run
-   has stored a reason. */
+   error allows a prediction. Stores why such a run was not tried, unless
+   the last run has stored a reason. */
 static void foresee(const struct task *t, const struct ladder *l)
 {
     struct choose_candidate *k = l->candidate;

@@ -1,4 +1,4 @@
-/* Closed forms: an exponential, flight, an oscillator, sorted points. */
+/* Computes motions in closed form: flight, an oscillator, equal points. */
 #include "choosing/closed.h"
 
 #include "forces/kepler.h"
@@ -6,11 +6,12 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* With x = n log 2 + r, e^x is 2^n e^r; the power is exact, and fourteen
-   terms of the series suffice for e^r: the next is r^15/15! <= 1e-19. n log
-   2 is subtracted in two parts: n has at most 11 bits and the first part
-   33, so their product is exact, and so is the first difference, of nearly
-   equal numbers. Only the small second part is rounded. */
+/* Write x = n log 2 + r. Then e^x is 2^n e^r, and the power of two is
+   exact. Fourteen terms of the series suffice for e^r, as the next is
+   r^15/15! <= 1e-19. n log 2 is subtracted in two parts. n has at most 11
+   bits and the first part of log 2 has 33, so their product is exact. Its
+   difference from x is exact, too, as the two numbers are nearly equal.
+   Only the small second part is rounded. */
 double closed_exp(double x)
 {
     /* log 2 in two parts, the first of 33 bits */
@@ -25,9 +26,9 @@ double closed_exp(double x)
     return ldexp(sum, (int)n);
 }
 
-/* Returns phi_2 = (e^-z - 1 + z) / z^2 for z from 0 to 1, by its series,
-   since the formula would lose all digits if z is small; phi_1 and e^-z
-   follow from it without such a loss. */
+/* Returns phi_2 = (e^-z - 1 + z) / z^2 for z from 0 to 1. The formula would
+   lose all digits if z is small, so the series is summed. phi_1 and e^-z
+   follow from phi_2 without such a loss. */
 static double phi2(double z)
 {
     double sum = 1;
@@ -38,7 +39,7 @@ static double phi2(double z)
 
 void closed_fly(double t, double rate, double g, double *x, double *v)
 {
-    if (rate == 0) { /* faster: a few operations instead of sixty */
+    if (rate == 0) { /* a few operations instead of sixty */
         *x += (*v + g / 2 * t) * t;
         *v += g * t;
         return;
@@ -54,8 +55,8 @@ void closed_fly(double t, double rate, double g, double *x, double *v)
     *v = *v * left + g * t * p1;
 }
 
-/* Returns the sum of (-z)^n / (2n + first)!, with first 0 or 1, for |z| <=
-   1: cos(sqrt(z)), or sin(sqrt(z)) / sqrt(z). */
+/* Returns the sum over n of (-z)^n / (2n + first)! for |z| <= 1. This is
+   cos(sqrt(z)) if first is 0, and sin(sqrt(z)) / sqrt(z) if first is 1. */
 static double series(double z, int first)
 {
     double sum = 1;
@@ -64,17 +65,17 @@ static double series(double z, int first)
     return sum;
 }
 
-/* One series covers weak and strong friction, as it contains only squares
-   (12.5, eq:models-swing). For z > 1 a sine and a cosine are used, whose
-   angle is first reduced to one turn; for z < -1 half the sum and half the
-   difference of two decaying exponentials, since a growing one times a
-   small factor may be infinity times 0. The smaller rate is a quotient, as
-   a difference may cancel. */
+/* For |z| <= 1 a single series covers weak and strong friction, as it
+   contains only squares (12.5, eq:models-swing). For z > 1 a sine and a
+   cosine are used, after reducing the angle to one turn. For z < -1 half
+   the sum and half the difference of two decaying exponentials are used. A
+   growing exponential times a small factor could be infinity times 0. The
+   smaller rate is computed as a quotient, as a difference could cancel. */
 void closed_oscillate(double t, double square, double rate, double *y,
                       double *v)
 {
     const double half = rate / 2, w = square - half * half, z = w * t * t;
-    double c, s, decay = closed_exp(-half * t); /* s: t sin(x)/x */
+    double c, s, decay = closed_exp(-half * t); /* s = t sin(x)/x */
     if (z > 1) {
         const double angle = sqrt(w) * t, whole = 2 * KEPLER_PI;
         kepler_turn(angle - whole * floor(angle / whole), &c, &s);
@@ -98,9 +99,8 @@ struct point {
     double x, v;
 };
 
-/* Compares two points for qsort: by position, and at equal positions by
-   velocity, since of two points that have just met the left one is
-   slower. */
+/* Compares two points for qsort: by position, then by velocity. Of two
+   points that have just met, the left one is slower. */
 static int by_place(const void *one, const void *other)
 {
     const struct point *a = one, *b = other;
@@ -110,8 +110,8 @@ static int by_place(const void *one, const void *other)
 }
 
 /* Returns the point between two walls that corresponds to a point at u with
-   velocity v on a circle of twice the width, which leads from the lower
-   wall to the upper one and back. */
+   velocity v on a circle of length 2 width. The circle leads from the lower
+   wall to the upper wall and back. */
 static struct point unfold(double low, double width, double u, double v)
 {
     u -= 2 * width * floor(u / (2 * width));
@@ -122,8 +122,8 @@ static struct point unfold(double low, double width, double u, double v)
     return (struct point){low + u, u == width ? -fabs(v) : v};
 }
 
-/* Returns the state that a freely moved point has after its reflections at
-   the walls. A single wall reflects it at most once. */
+/* Reflects a freely moved point at the walls. A single wall reflects a
+   point at most once. */
 static struct point fold(double low, double high, struct point p)
 {
     const bool left = low > -INFINITY, right = high < INFINITY;
@@ -136,8 +136,8 @@ static struct point fold(double low, double high, struct point p)
     return p;
 }
 
-/* Moves freely, reflects and sorts the points: its cost depends neither on
-   the time nor on the number of collisions. */
+/* Moves the points freely, reflects them at the walls, and sorts them. The
+   cost depends neither on t nor on the number of collisions. */
 bool closed_relabel(double low, double high, size_t n, double x[],
                     double v[], double t)
 {
@@ -156,9 +156,10 @@ bool closed_relabel(double low, double high, size_t n, double x[],
 }
 
 /* Returns the number of whole turns by which the faster of two points on a
-   circle is ahead of the slower; way and v are the differences of their
+   circle is ahead of the slower. way and v are the differences of their
    positions and velocities. A line with fewer than two walls is an infinite
-   circle: the result is -1 while the faster point is behind, then 0. */
+   circle: the result is -1 while the faster point is behind, and 0
+   afterwards. */
 static double turns_ahead(double way, double v, double circle)
 {
     if (v == 0)
@@ -168,9 +169,9 @@ static double turns_ahead(double way, double v, double circle)
     return circle < INFINITY ? floor(way / circle) : way < 0 ? -1 : 0;
 }
 
-/* Returns the sum of turns_ahead over all pairs after the time t, s. With a
-   wall it includes the pairs of each point with the images of all points,
-   at -x with velocity -v. */
+/* Returns the sum of turns_ahead over all pairs of points at the time t, s.
+   With `images` it includes the pairs of a point and a mirror image, which
+   is at -x with velocity -v. */
 static double count_until(size_t n, const double x[], const double v[],
                           double t, double wall, double circle, bool images)
 {

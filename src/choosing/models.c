@@ -1,4 +1,4 @@
-/* The table of models, plans as text, and runs of a model row by row. */
+/* Holds the table of models, parses plans, and runs models row by row. */
 #include "choosing/models_parts.h"
 
 #include <math.h>
@@ -6,20 +6,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The price list, measured on a server with a fourth-generation AMD EPYC,
-   whose vectors have eight numbers, with gcc 12 and the flags of plain
-   make. No unit occurs alone: `bonk-studies --study prices` runs a scene
-   with much of one unit and little of the others, subtracts the cost of the
-   others by the list, and divides; a few rounds of measuring and correcting
-   converge. Then the prices, and the factors that turn passes, examined
-   pairs and springs into units, were fitted to more than two hundred
-   scenes, each computed by all models that can: predicted costs are rarely
-   wrong by more than a factor of one and a half. Costs are not exact sums:
-   work that overlaps in the processor costs less, and the address at which
-   the linker puts code matters. A nanosecond is about three cycles. Gravity
-   of a pair has a root and a division, more than thirty cycles in sequence,
-   but its price is twenty cycles, as several pairs overlap; the collision
-   of two disks cannot overlap with others. */
+/* The price list, measured on a server with a fourth-generation AMD EPYC
+   (vectors of eight numbers), gcc 12 and the flags of plain make. No unit
+   occurs alone. `bonk-studies --study prices` runs a scene with much of one
+   unit and little of the others, subtracts the cost of the others by the
+   list, and divides. A few rounds of this converge. Then the prices, and
+   the factors that turn passes, examined pairs and springs into units, were
+   fitted to more than two hundred scenes, each computed by all models that
+   can. Predicted costs are rarely wrong by more than a factor of 1.5. Costs
+   do not add up exactly: work that overlaps in the processor costs less,
+   and the addresses chosen by the linker matter. A nanosecond is about
+   three cycles. Gravity of a pair needs a root and a division, more than
+   thirty cycles in sequence, but its price is twenty cycles, as several
+   pairs overlap. The collision of two disks cannot overlap with others. */
 const struct models_price models_prices[MODELS_UNITS] = {
     [MODELS_EVALUATION] = {"evaluation", "call of the forces", 18},
     [MODELS_BODY] = {"body", "body in a call of the forces", 3},
@@ -52,17 +51,17 @@ double models_cost(const double work[MODELS_UNITS])
 
 const char models_no_memory[] = "there is no memory";
 
-/* Error messages for what a model does not support, one for each bit. The
-   first that applies is shown, so the most useful ones come first. */
+/* Error messages for unsupported interactions, in the order of the BEARS_
+   bits. Only the first that applies is shown, so the most useful come
+   first. */
 enum { ACTS = 6 };
 static const char *const unsupported[ACTS] = {
     "it knows no rods", "it does not ask who pulls",
     "springs act",      "the bodies attract each other",
     "bodies may meet",  "there is friction"};
 
-/* Returns NULL if the model can compute the scene, or the reason why it
-   cannot: an interaction that it does not support, or one of its own
-   reasons. */
+/* Returns NULL if the model can compute the scene. Otherwise returns an
+   interaction that it does not support, or a reason of its own. */
 static const char *refusal(const struct models_run *r)
 {
     const struct models_model *m = r->plan.model;
@@ -90,9 +89,9 @@ void models_count_sorting(struct models_run *r, size_t n, double times)
     r->work[MODELS_ORDER] += times * (double)n * bits;
 }
 
-/* The models without steps, roughly in the order of their cost: formulas,
-   then events. The methods of stepping follow them. To add a model without
-   steps, add a row in the file of its functions, and a line here. */
+/* The models without steps, roughly by cost: formulas, then events. The
+   stepping methods follow them. To add a model without steps, define its
+   row next to its functions and add a line here. */
 static const struct models_model *const stepless[] = {
     &models_free,  &models_kepler, &models_oscillator, &models_relabel,
     &models_modes, &models_line,   &models_disks};
@@ -142,8 +141,9 @@ static const char *name_of(size_t k, bool cuts)
     return cuts ? models_cut_names[k] : models_all()[k].name;
 }
 
-/* Writes the word found (40 characters at most) and what was expected:
-   `what`, or one of the names if that is NULL. Returns false. */
+/* Writes an error: the word found (at most 40 characters) and what was
+   expected. If `what` is NULL, that is a list of all simplifications (cuts)
+   or all models. Returns false. */
 static bool complain(char message[MODELS_MESSAGE], const char *word,
                      const char *what, bool cuts)
 {
@@ -156,8 +156,8 @@ static bool complain(char message[MODELS_MESSAGE], const char *word,
     return false;
 }
 
-/* Reads the number after the colon. Returns NULL, or what was expected
-   instead of it. */
+/* Reads the number after the colon of a plan. Returns NULL, or what was
+   expected there. */
 static const char *read_number(struct models_plan *p, const char *text)
 {
     char *end;
@@ -179,7 +179,8 @@ static const char *read_number(struct models_plan *p, const char *text)
     return NULL;
 }
 
-/* Ends a word at a mark; returns the text after the mark, or NULL. */
+/* Ends a word at the first mark. Returns the text after the mark, or NULL
+   if there is no mark. */
 static char *end_word(char *word, char mark)
 {
     char *const at = strchr(word, mark);
@@ -215,9 +216,9 @@ bool models_read(struct models_plan *p, const char *text,
     return true;
 }
 
-/* Copies the scene into the run, simplified as the plan says; velocities
-   along fixed coordinates become 0. Returns NULL, or why the plan cannot
-   compute the scene. */
+/* Copies the scene into the run and applies the simplifications of the
+   plan. Sets velocities along fixed coordinates to 0. Returns NULL, or why
+   the plan cannot compute the scene. */
 static const char *copy_scene(struct models_run *r, const struct scene *s)
 {
     struct scene *own = &r->scene;
@@ -257,7 +258,7 @@ bool models_begin(struct models_run *r, const struct models_plan *p,
         else if (p->model->begin)
             *why = p->model->begin(r);
     }
-    if (*why) { /* keep the work done so far as cost */
+    if (*why) { /* models_end clears the run: keep its work */
         double work[MODELS_UNITS];
         memcpy(work, r->work, sizeof work);
         models_end(r);
@@ -266,7 +267,8 @@ bool models_begin(struct models_run *r, const struct models_plan *p,
     return !*why;
 }
 
-/* The time of a row is a product, not a sum: the last one is exact. */
+/* The time of a row is a product, since a sum would accumulate rounding
+   errors. */
 enum models_end models_row(struct models_run *r)
 {
     r->elapsed = (double)(r->rows + 1) * r->every;

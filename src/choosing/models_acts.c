@@ -1,4 +1,4 @@
-/* Interactions in a scene, how fast they are, and simplifications. */
+/* Finds the interactions in a scene, their rates, and simplifications. */
 #include "choosing/models_parts.h"
 
 #include "choosing/particles.h"
@@ -6,8 +6,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Returns whether a body can be attracted by another: one must be free, and
-   another have mass. */
+/* Returns whether gravity acts: a body must be free, and another must have
+   mass. */
 static bool attracts(const struct scene *s)
 {
     size_t pulling = 0;
@@ -32,14 +32,14 @@ double models_square(const struct scene *s, size_t i, size_t j)
 }
 
 /* An interaction is absent only if it is exactly zero. An axis does not
-   matter if nothing moves along it at the start and nothing pushes: there
-   is no uniform gravity along it, and no two bodies that interact have
-   different positions along it. Then nothing ever moves along it: forces
-   are along the line between two bodies, or along their relative velocity,
-   and the difference of equal numbers is exactly 0. Friction only slows
-   bodies down. For gravity and contacts the positions of all bodies count,
-   since any two may interact; for springs only those of the two ends of
-   each spring, so that a flat membrane stays flat. */
+   matter if nothing moves along it at the start and nothing pushes along
+   it. Nothing pushes along an axis without uniform gravity along which all
+   bodies that interact have equal positions. Forces act along the line
+   between two bodies or along their relative velocity, and the difference
+   of equal numbers is exactly 0. Friction only slows bodies down. With
+   gravity and contacts any two bodies may interact, so all positions count.
+   With springs only the two ends of a spring interact, so a flat membrane
+   stays flat. */
 void models_analyse(struct models_acts *a, const struct scene *s)
 {
     const size_t n = s->bodies;
@@ -98,8 +98,8 @@ size_t models_central_body(const struct scene *s, unsigned axes)
     return best;
 }
 
-/* Returns the square of the angular frequency with which two bodies would
-   circle each other, 1/s^2. */
+/* Returns the square of the angular frequency, 1/s^2, of two bodies on a
+   circular orbit at their present distance. */
 static double square_of_pair(const struct scene *s, size_t i, size_t j)
 {
     const double square =
@@ -109,9 +109,10 @@ static double square_of_pair(const struct scene *s, size_t i, size_t j)
 
 enum { MOST_PAIRED = 4000 };
 
-/* Returns the largest square_of_pair. Up to four thousand bodies all pairs
-   are examined: eight million roots take some hundredths of a second. For
-   more bodies an estimate from pairs with a heavy one suffices. */
+/* Returns the largest square_of_pair, 1/s^2. Examines all pairs of up to
+   four thousand bodies: eight million roots take some hundredths of a
+   second. With more bodies, examines only pairs with a heavy body, which
+   suffices for an estimate. */
 static double square_of_gravity(const struct scene *s)
 {
     const double heavy = models_heaviest(s);
@@ -125,9 +126,10 @@ static double square_of_gravity(const struct scene *s)
     return most;
 }
 
-/* Adds the contribution of a spring to the matrix rows of its two bodies:
-   its strength divided by a body's mass, and by the root of the product of
-   both masses (Gershgorin's theorem, section on the fastest time). */
+/* Adds the contribution of a spring to the matrix rows of its two bodies
+   (Gershgorin's theorem, section on the fastest time). This is the strength
+   divided by the mass of the body, plus the strength divided by the root of
+   the product of both masses. */
 static void add_rows(const struct scene *s, const struct scene_spring *p,
                      double row[], double strength)
 {
@@ -141,10 +143,10 @@ static void add_rows(const struct scene *s, const struct scene_spring *p,
         row[end[e]] += strength * (weight[e] + sqrt(weight[0] * weight[1]));
 }
 
-/* Returns the stiffness of a spring, N/m: the larger eigenvalue of its
-   block of the matrix. The eigenvalues are D along the spring and D(1 -
-   l/r) across it; the latter is larger if the spring is compressed to less
-   than half its rest length. */
+/* Returns the effective stiffness of a spring, N/m: the larger eigenvalue
+   of its block of the matrix. A spring of stiffness D, rest length l and
+   length r has the eigenvalues D along the spring and D(1 - l/r) across it.
+   The latter is larger if r is less than half of l. */
 static double stiffness(const struct scene *s, const struct scene_spring *p)
 {
     const double length = sqrt(models_square(s, p->a, p->b));
@@ -153,9 +155,10 @@ static double stiffness(const struct scene *s, const struct scene_spring *p)
            (across > 1 && across < INFINITY ? across : 1);
 }
 
-/* Returns the stiffness above which springs are stiff, N/m: a hundred times
-   the smallest. If all are equal, all are stiff, and the plan decides
-   whether they become rods. INFINITY if none is stiff. */
+/* Returns the stiffness, N/m, above which springs are stiff: a hundred
+   times the smallest. If all stiffnesses are equal, returns 0: all springs
+   are stiff, and the plan decides whether they become rods. Returns
+   INFINITY if no spring acts. */
 static double stiff_from(const struct scene *s)
 {
     double least = INFINITY, most = 0;
@@ -176,12 +179,13 @@ static bool is_stiff(const struct scene *s, const struct scene_spring *p,
 }
 
 /* Squares of frequencies are added, since the stiffnesses of parallel
-   springs add up, and so do those of a spring and gravity; rates of damping
-   are added to the frequency. The rows of the dashpots follow those of the
-   springs. A spring that becomes a rod has no frequency, and turns at most
-   at the speed of its ends divided by its length. The result is only a
-   first estimate for steps: a comet far from its star will not stay there.
-   The choice is made by comparing runs, and does not depend on it. */
+   springs add up, and so do those of a spring and gravity. Damping rates
+   are added to the frequency. In `row` the dashpots follow the springs. A
+   spring that becomes a rod does not vibrate. It turns at most at the
+   relative speed of its ends divided by its length. The result is only a
+   first estimate for the steps, since rates change: a comet far from its
+   star will not stay there. The choice is made by comparing runs, and does
+   not depend on this estimate. */
 double models_rate(const struct scene *s, unsigned cuts)
 {
     double square = 0, rate = 0, turning = 0, slow = 0;
@@ -216,8 +220,8 @@ const char *const models_cut_names[MODELS_CUTS + 1] = {
     "no-light", "rods",      "no-softening", "no-friction", "no-dashpots",
     "no-weak",  "no-weight", "no-pull",      "no-across",   NULL};
 
-/* Removes the motion across the axis along which some body is farthest from
-   the first one. */
+/* Finds the axis along which a body is farthest from the first body.
+   Removes all differences of position and all motion across this axis. */
 static void flatten(struct scene *s)
 {
     const size_t n = s->bodies;
@@ -256,8 +260,8 @@ void models_leave_out(struct scene *s, unsigned cuts)
     }
 }
 
-/* Simplifications that change nothing are not included. Light bodies matter
-   only with gravity; bodies without mass attract none anyway. */
+/* Simplifications that change nothing are left out. Light bodies matter
+   only with gravity. Bodies without mass attract nothing anyway. */
 unsigned models_cuts(const struct scene *s)
 {
     const double from = stiff_from(s), most = models_heaviest(s);

@@ -11,15 +11,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A closed form computes every row from the start, which the run keeps, so
-   errors do not add up from row to row. */
+/* Every row is computed from the start, so errors do not add up from row to
+   row. */
 
-enum {
-    WITH_EXPONENTIAL = 10
-}; /* cost of a flight with friction, in free
-      flights */
+/* Cost of a flight with friction, in free flights. */
+enum { WITH_EXPONENTIAL = 10 };
 
-/* Moves each coordinate independently of the others. */
 static enum models_end row_free(struct models_run *r)
 {
     struct scene *s = &r->scene;
@@ -44,10 +41,11 @@ const struct models_model models_free = {
     .row = row_free};
 
 /* Returns whether only the central body attracts bodies that can move, and
-   all others are free along every axis that matters (a body free along x
-   but not along y slides on a wire, and has no ellipse). Bodies without
-   mass attract none, light ones may be neglected, and for two bodies the
-   formula includes both attractions (12.3, eq:light-ellipse). */
+   all other bodies are free along every axis that matters. (A body that is
+   free along x but not along y slides on a wire, and not along an ellipse.)
+   Bodies without mass do not attract, and light bodies may be neglected.
+   For two bodies the formula includes both attractions (12.3,
+   eq:light-ellipse). */
 static bool is_central(const struct scene *s, const struct models_acts *a,
                        size_t centre)
 {
@@ -100,21 +98,21 @@ static double *at_start(const struct models_run *r)
     return l->work;
 }
 
-/* The relative error of times that all twins share: 2 pi has a relative
-   error of a third of 2^-53, and its product with the number of whole
-   turns, which is equal in all units, is rounded once. */
+/* Relative error of times that is equal in all twins. 2 pi has a relative
+   error of a third of 2^-53. Its product with the number of whole turns,
+   which is the same in all units, is rounded once. */
 static const double clock_error = 0x1.6p-53;
 
-/* Returns the relative error of times on these ellipses that all twins
-   share, or INFINITY if an orbit is a parabola or a hyperbola, for which
-   this model has no solution, or an ellipse as narrow as a line, on which
-   the body would fall into the centre. The rounding error of the mean
-   motion is larger but not included: 1/a is the difference 2/r - v^2/mu of
-   terms with errors of some 2^-53, so the mean motion has an error of up to
-   13 a/r times that. But this depends on the last digits of r and v, so
-   twins in other units show it. A bound of it, 4 a/r 2^-51, was far too
-   high: 14 times the true error in the median of random orbits, and 40
-   times in one of ten. */
+/* Returns the relative error of times that is equal in all twins. Returns
+   INFINITY if an orbit is a parabola or hyperbola, which this model cannot
+   compute, or an ellipse as narrow as a line, on which the body would fall
+   into the centre. The rounding error of the mean motion is larger. It is
+   not included, as it depends on the last digits of r and v, so twins in
+   other units show it. The mean motion has this error because 1/a is the
+   difference 2/r - v^2/mu of terms with relative errors of about 2^-53.
+   This gives the mean motion an error of up to 13 a/r times 2^-53. The
+   bound 4 a/r 2^-51 was tried and was far too high: 14 times the true error
+   in the median of random orbits, and 40 times in one of ten. */
 static double clock_of_ellipses(const struct models_run *r)
 {
     const struct jacobi *j = &((const struct particles *)r->engine)->jacobi;
@@ -144,9 +142,9 @@ static const char *begin_kepler(struct models_run *r)
                                : "an orbit is open, or as good as a fall";
 }
 
-/* Computes a row by one drift of Wisdom and Holman's method from the start,
-   over any number of turns: the cost does not depend on the time. Uniform
-   gravity, if any, is added for all bodies alike. */
+/* Computes a row by a single drift of Wisdom and Holman's method from the
+   start. A drift may cover any number of turns, so the cost does not depend
+   on the time. Uniform gravity adds the same fall to all bodies. */
 static enum models_end row_kepler(struct models_run *r)
 {
     const struct particles *l = r->engine;
@@ -176,16 +174,17 @@ const struct models_model models_kepler = {
     .end = end_kepler,
     .refuses = refuse_kepler};
 
-/* Finding four hundred modes takes some seconds, a thousand a minute; then
-   other models are cheaper. */
+/* Finding 400 modes takes some seconds, and 1000 modes a minute. Other
+   models are then cheaper. */
 enum { MOST_MODES = 400, MOST_TRIES = 30 };
 
-/* Springs near equilibrium have modes, each of which is an oscillator. The
-   error is of second order in the displacement, and no formula gives it: a
-   membrane at its rest length has hardly any linear modes, a taut one has
-   only those. So it is compared with a run in steps. Friction is allowed if
-   it damps all modes equally, with one c/m for all bodies; dashpots only
-   for a single coordinate. */
+/* Near equilibrium the motion of springs is a sum of modes, each of which
+   is an oscillator. The error is of second order in the displacement, and
+   no formula gives it: a membrane at its rest length has hardly any linear
+   modes, while a taut membrane has only linear modes. So the result is
+   compared with a run in steps. Friction is allowed if it damps all modes
+   equally, with the same c/m for all bodies. Dashpots are allowed only with
+   a single coordinate. */
 static const char *refuse_modes(const struct scene *s,
                                 const struct models_acts *a)
 {
@@ -207,8 +206,8 @@ static const char *refuse_modes(const struct scene *s,
     return coordinates > MOST_MODES ? "there are too many modes" : NULL;
 }
 
-/* On one line the motion is exactly linear, as long as no spring reverses.
-   A spring that also moves sideways gets longer: then it is not linear. */
+/* On a line the motion is exactly linear as long as no spring reverses. A
+   spring that moves sideways also gets longer, and is then not linear. */
 static const char *refuse_oscillator(const struct scene *s,
                                      const struct models_acts *a)
 {
@@ -221,9 +220,10 @@ static const char *refuse_oscillator(const struct scene *s,
 struct vibration {
     struct springs springs;
     struct modes modes;
-    double *rest, *push;     /* [3 * bodies] equilibrium; [6 * bodies]
+    double *rest, *push;     /* [3 * bodies] equilibrium, m; [6 * bodies]
                                 scratch */
-    double *amount, *change; /* [size] amplitude, velocity at the start */
+    double *amount, *change; /* [size] amplitudes and their velocities at
+                                the start */
     double *pull;            /* [size] force on each mode at equilibrium */
     double rate;             /* friction divided by mass, 1/s */
     double slack;            /* squared frequencies below this count as 0,
@@ -238,11 +238,11 @@ static void end_modes(struct models_run *r)
     free(w->rest);
 }
 
-/* Improves the equilibrium positions w->rest by one Newton step: the modes
-   there give the displacement that cancels the remaining forces. Near
-   equilibrium each step doubles the number of correct digits, and five or
-   six steps are enough. Returns the largest displacement along an axis, m,
-   or NaN if memory runs out. */
+/* Improves the equilibrium positions w->rest by a Newton step: the modes at
+   these positions give the displacement that cancels the remaining forces.
+   Near equilibrium each step doubles the number of correct digits, and five
+   or six steps are enough. Returns the largest displacement along an axis,
+   m, or NaN if memory runs out. */
 static double approach_rest(struct vibration *w, struct models_run *r)
 {
     const struct modes *m = &w->modes;
@@ -263,8 +263,8 @@ static double approach_rest(struct vibration *w, struct models_run *r)
     return largest(still, n);
 }
 
-/* Returns whether the start would exceed its cost limit if the modes were
-   computed once more. That costs 20 times the cube of the number of free
+/* Returns whether computing the modes once more would exceed the cost limit
+   of the start. This costs 20 times the cube of the number of free
    coordinates, and may be needed MOST_TRIES times. */
 static bool is_start_dear(const struct models_run *r)
 {
@@ -277,9 +277,9 @@ static bool is_start_dear(const struct models_run *r)
            models_cost(work) > r->plan.start_limit;
 }
 
-/* Moves w->rest to a stable equilibrium and returns NULL, or returns why
-   there is none: then there are no small vibrations. At an unstable one the
-   smallest squared frequency is clearly negative. */
+/* Moves w->rest to a stable equilibrium. Returns NULL, or why there is no
+   stable equilibrium and thus no small vibration. At an unstable
+   equilibrium the smallest squared frequency is clearly negative. */
 static const char *find_rest(struct vibration *w, struct models_run *r)
 {
     const double size = largest(w->rest, 3 * r->scene.bodies);
@@ -298,9 +298,9 @@ static const char *find_rest(struct vibration *w, struct models_run *r)
                : NULL;
 }
 
-/* Computes the amplitudes of the modes in a displacement x - from, or in
-   velocities x, with from NULL. As shapes are orthogonal, each amplitude is
-   a scalar product. */
+/* Computes the amplitudes of the modes in the displacement x - from, or in
+   the velocities x if from is NULL. Mode shapes are orthogonal, so each
+   amplitude is a scalar product. */
 static void take_apart(const struct modes *m, const double x[],
                        const double from[], double amount[])
 {
@@ -314,18 +314,18 @@ static void take_apart(const struct modes *m, const double x[],
     }
 }
 
-/* Returns whether no spring with a rest length reverses its direction on
-   this axis. The energy of a spring cannot exceed that of all modes about
-   equilibrium, which friction only reduces; a spring that is longer or
-   shorter by u than at equilibrium has the energy Du^2/2. So a spring of
-   length d at equilibrium that starts with the direction it has there keeps
-   it if Dd^2/2 is more than the total. */
+/* Returns whether every spring with a rest length keeps its direction on
+   this axis. A spring that is longer or shorter by u than at equilibrium
+   has the energy D u^2/2. This cannot exceed the energy of all modes about
+   equilibrium, which friction only reduces. So a spring of length d at
+   equilibrium cannot reverse if D d^2/2 is more than the energy of all
+   modes and the spring starts with the direction of equilibrium. */
 static bool keeps_sides(const struct vibration *w, const struct scene *s,
                         size_t axis)
 {
     const double *x = s->position + axis * s->bodies;
     const double *rest = w->rest + axis * s->bodies;
-    double twice = 0; /* of the energy */
+    double twice = 0; /* twice the energy of all modes, J */
     for (size_t j = 0; j < w->modes.size; ++j)
         if (w->modes.square[j] > w->slack)
             twice += w->change[j] * w->change[j] +
@@ -341,8 +341,9 @@ static bool keeps_sides(const struct vibration *w, const struct scene *s,
     return true;
 }
 
-/* Finds the equilibrium, and the amplitudes of displacements from it and of
-   velocities. Coordinates along axes that do not matter are fixed. */
+/* Finds the equilibrium, and the amplitudes of positions and velocities at
+   the start. Fixes coordinates along axes that do not matter. Returns NULL,
+   or why it fails. */
 static const char *begin_modes(struct models_run *r)
 {
     struct vibration *w = r->engine;
@@ -380,9 +381,9 @@ static const char *begin_modes(struct models_run *r)
                : "a spring may turn round";
 }
 
-/* Amplitude and velocity of a mode move as those of an oscillator (12.5,
-   eq:models-swing). Modes without stiffness, such as the centre of mass of
-   a free chain, move freely, under uniform gravity. */
+/* Every mode moves as an oscillator (12.5, eq:models-swing). Modes without
+   stiffness, such as the centre of mass of a free chain, move freely under
+   uniform gravity. */
 static enum models_end row_modes(struct models_run *r)
 {
     const struct vibration *w = r->engine;

@@ -1,4 +1,4 @@
-/* Models of disks and spheres in a box, by events. */
+/* Computes disks and spheres in a box, collision by collision. */
 #include "choosing/models_parts.h"
 
 #include "box/cells.h"
@@ -7,11 +7,11 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* The scene's axes in the order of the engine. Those that matter come
-   first. The axis of the floor, or of the only walls, is the second, since
-   in chapter 5 gravity acts along the second axis, and a box that is
-   periodic along the others has its walls there. For the engine an axis
-   that does not matter is open, whatever its walls. */
+/* The axes of the scene in the order of the engine. Axes that matter come
+   first. The axis of the floor, or of the only walls, is second: in chapter
+   5 gravity acts along the second axis, and a box that is periodic along
+   the others has its walls there. The engine treats an axis that does not
+   matter as open, whatever its walls. */
 struct box_axes {
     size_t axes, axis[SCENE_AXES];
     size_t count[3]; /* number of axes with each kind of wall */
@@ -46,8 +46,9 @@ static struct box_axes box_axes_of(const struct scene *s,
     return w;
 }
 
-/* Returns why a scene does not suit the box, or NULL. A fixed body would
-   need a different mass along each axis, which the engine does not have. */
+/* Returns why the engine cannot compute a scene, or NULL. A fixed body
+   would need a different mass along each axis, which the engine does not
+   support. */
 static const char *refuse_disks(const struct scene *s,
                                 const struct models_acts *a)
 {
@@ -77,15 +78,15 @@ static const char *refuse_disks(const struct scene *s,
                : NULL;
 }
 
-/* A run by one of the two engines of part II. */
+/* A run by one of the two engines of part II, with or without cells. */
 struct box_run {
     struct disks disks;
     struct cells cells;
     bool celled;
     struct box_axes view;
-    double sign[SCENE_AXES], origin[SCENE_AXES]; /* from scene to engine,
-                                                    along its axes */
-    double crossed; /* estimated crossings of the box */
+    double sign[SCENE_AXES], origin[SCENE_AXES]; /* from scene to engine
+                                                    coordinates */
+    double crossed; /* estimated number of crossings of the box */
 };
 
 static void end_disks(struct models_run *r)
@@ -96,8 +97,8 @@ static void end_disks(struct models_run *r)
     disks_free(&d->disks);
 }
 
-/* Puts the bodies into the engine's box, with a corner at the origin and
-   gravity downwards. */
+/* Puts the bodies into the engine's box. A corner of this box is the
+   origin, and gravity acts downwards. */
 static void put_in_box(struct box_run *d, const struct scene *s)
 {
     struct disks *all = &d->disks;
@@ -123,8 +124,9 @@ static void put_in_box(struct box_run *d, const struct scene *s)
 
 enum { SCANNED = 100 }; /* largest number of disks without cells */
 
-/* Begins a run, with cells if there are many disks and the box suits cells,
-   otherwise by examining all disks. Returns NULL, or why it cannot. */
+/* Begins a run. Cells are used if there are many disks and the box suits
+   cells. Otherwise all disks are examined. Returns NULL, or why it
+   fails. */
 static const char *begin_disks(struct models_run *r)
 {
     const struct scene *s = &r->scene;
@@ -153,13 +155,13 @@ static const char *begin_disks(struct models_run *r)
     return d->celled || disks_plan(&d->disks) ? NULL : models_no_memory;
 }
 
-/* Counts the work: events and examined disks. After a collision of two
-   disks the next events of both are predicted anew, after one with a wall
-   those of one disk. A prediction examines all disks or, with cells, all
-   entries of a neighbour list. The start counts, too: without cells every
-   pair is examined once for an overlap and twice for a collision; with
-   cells each disk gets a list, half of whose entries are examined, and a
-   new list whenever it leaves its skin. */
+/* Counts the work since the start: events and examined disks. A collision
+   of two disks requires new predictions for both, a collision with a wall
+   for one disk. A prediction examines all disks or, with cells, all entries
+   of a neighbour list. The start counts, too. Without cells it examines
+   every pair once for an overlap and twice for a collision. With cells it
+   makes a list for each disk and examines half of the entries. A disk that
+   leaves its skin gets a new list. */
 static void count_disks(struct models_run *r, const struct box_run *d)
 {
     const double met = (double)d->disks.collisions;
@@ -177,9 +179,9 @@ static void count_disks(struct models_run *r, const struct box_run *d)
 }
 
 /* Returns whether the work so far and the crossings of the box up to the
-   next row exceed the cost limit. In a time t a disk without collisions
-   would meet a wall, or need a new prediction in a periodic box, |v| t/L
-   times along each axis. */
+   next row exceed the cost limit. A disk that does not collide crosses the
+   box |v| t/L times along each axis in the time t. At each crossing it
+   meets a wall or, in a periodic box, needs a new prediction. */
 static bool is_endless(const struct models_run *r, struct box_run *d)
 {
     const double time = r->elapsed - d->disks.now;
@@ -192,9 +194,9 @@ static bool is_endless(const struct models_run *r, struct box_run *d)
     return models_cost(r->work) + price * d->crossed > r->limit;
 }
 
-/* Runs to the next row. The engines stop before AT_A_TIME collisions only
-   if memory for longer lists runs out. As in the models with steps,
-   positions in a periodic box are not folded back. */
+/* Runs to the next row. An engine that stops before AT_A_TIME collisions
+   has no memory for longer lists. As in the models with steps, positions in
+   a periodic box are not folded back. */
 static enum models_end row_disks(struct models_run *r)
 {
     struct box_run *d = r->engine;

@@ -1,4 +1,4 @@
-/* Models of bodies on a line: by events, or equal bodies sorted. */
+/* Computes bodies on a line, by events or by sorting equal bodies. */
 #include "choosing/models_parts.h"
 
 #include "choosing/closed.h"
@@ -8,17 +8,18 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* The bodies of a scene as a row on a line. */
+/* The line on which the bodies of a scene move, and its ends. */
 struct row_of_bodies {
     size_t axis;
-    double sign;        /* -1: axis reversed, so that gravity points left */
+    double sign;        /* -1: axis reversed, to make gravity point left */
     double gravity;     /* towards the left wall, m/s^2 */
     double left, right; /* surfaces of walls or fixed end bodies, m */
 };
 
-/* Returns the row of bodies along the axis of motion, or else along the
-   axis on which they lie. A fixed body at an end counts as a wall; for one
-   between others, which the engine does not allow, left is NaN. */
+/* Returns the row of bodies along the axis of motion or, if nothing moves,
+   along the axis on which the bodies lie. A fixed body at an end counts as
+   a wall. If a fixed body is between others, which the engine does not
+   allow, left is NaN. */
 static struct row_of_bodies row_of(const struct scene *s,
                                    const struct models_acts *a)
 {
@@ -46,8 +47,8 @@ static struct row_of_bodies row_of(const struct scene *s,
     return row;
 }
 
-/* Returns why a scene does not suit the line, or NULL. Walls beside the
-   line are allowed if no body touches them. */
+/* Returns why the engine cannot compute a scene, or NULL. Walls beside the
+   line are allowed if no body overlaps them. */
 static const char *refuse_line(const struct scene *s,
                                const struct models_acts *a)
 {
@@ -79,7 +80,7 @@ static const char *refuse_line(const struct scene *s,
                : "nothing is free, or too much";
 }
 
-/* The engine of chapter 2, and the bodies of the scene in it. */
+/* A run by the engine of chapter 2. */
 struct line {
     struct bonkers bonkers;
     struct row_of_bodies row;
@@ -89,7 +90,7 @@ struct line {
 };
 
 /* Fills *start with the free bodies, sorted from left to right, and stores
-   their numbers in l->body; fixed bodies have become walls. Returns false
+   their numbers in l->body. Fixed bodies have become walls. Returns false
    if memory runs out. */
 static bool start_row(struct line *l, struct start *start,
                       const struct scene *s)
@@ -128,7 +129,7 @@ static void end_line(struct models_run *r)
     free(l->x);
 }
 
-/* Begins a run; returns NULL, or why it cannot, such as an overlap. */
+/* Begins a run. Returns NULL, or why it fails. */
 static const char *begin_line(struct models_run *r)
 {
     struct start start = {0};
@@ -149,8 +150,8 @@ static const char *begin_line(struct models_run *r)
                                       : "bodies overlap at the start";
 }
 
-/* Cost of finding the next collision if there are more than 32 bodies, in
-   examined gaps; with fewer bodies the engine examines all gaps. */
+/* Cost of finding the next collision of more than 32 bodies, in examined
+   gaps. With fewer bodies the engine examines all gaps. */
 enum { SLAB_WORTH = 30 };
 
 static void count_line(struct models_run *r, const struct bonkers *b)
@@ -163,7 +164,7 @@ static void count_line(struct models_run *r, const struct bonkers *b)
     r->work[MODELS_FLIGHT] = 3 * rows * (double)b->gaps;
 }
 
-/* Copies positions and velocities to the scene; the order of the bodies on
+/* Copies positions and velocities to the scene. The order of the bodies on
    the line never changes. */
 static void take_from_line(struct models_run *r, const struct line *l)
 {
@@ -175,9 +176,9 @@ static void take_from_line(struct models_run *r, const struct line *l)
     r->virial = NAN;
 }
 
-/* Runs to the next row, in parts between which the cost is checked; the
-   result is bitwise that of an undivided run. After an inelastic collapse a
-   run cannot continue. */
+/* Runs to the next row in parts, and checks the cost after each part. The
+   result is the same to the last bit as that of an undivided run. A run
+   cannot continue after an inelastic collapse. */
 static enum models_end row_line(struct models_run *r)
 {
     struct line *l = r->engine;
@@ -209,8 +210,8 @@ const struct models_model models_line = {
     .end = end_line,
     .refuses = refuse_line};
 
-/* Returns why the bodies are not equal ones on a line, or NULL if they are.
-   The conditions for any line are checked first. */
+/* Returns why the scene is not a line of equal bodies that only exchange
+   velocities, or NULL. The conditions for any line are checked first. */
 static const char *refuse_relabel(const struct scene *s,
                                   const struct models_acts *a)
 {
@@ -232,7 +233,7 @@ static const char *refuse_relabel(const struct scene *s,
     return NULL;
 }
 
-/* Fills l->x and l->v with the positions and velocities at the start; the
+/* Fills l->x and l->v with the positions and velocities at the start. The
    engine has subtracted the radii from the positions (2.2, eq:rods).
    Returns the number of points. */
 static size_t put_points(const struct line *l)
@@ -244,7 +245,6 @@ static size_t put_points(const struct line *l)
     return l->bonkers.gaps - 1;
 }
 
-/* Moves all points freely and sorts them. */
 static enum models_end row_relabel(struct models_run *r)
 {
     const struct line *l = r->engine;
@@ -263,7 +263,7 @@ static enum models_end row_relabel(struct models_run *r)
 }
 
 /* Counts the collisions up to the last row. This is done only on request,
-   since it costs more than the row: it examines all pairs, including
+   since it costs more than a row: it examines all pairs, including mirror
    images, at the start and at the last row. */
 static void count_relabelled(struct models_run *r)
 {

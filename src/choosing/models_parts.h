@@ -1,4 +1,4 @@
-/* Functions that the files of models share: axes, pairs, costs, rows. */
+/* Shared by the files of models: axes, pairs, costs and rows. */
 #ifndef MODELS_PARTS_H
 #define MODELS_PARTS_H
 
@@ -21,7 +21,7 @@ static inline size_t first_axis(unsigned axes)
 
 enum { ALL_AXES = 7 };
 
-/* Returns the axes along which body i may move. */
+/* Returns the set of axes along which body i may move. */
 static inline unsigned freedom_of(const struct scene *s, size_t i)
 {
     unsigned axes = 0;
@@ -30,7 +30,8 @@ static inline unsigned freedom_of(const struct scene *s, size_t i)
     return axes;
 }
 
-/* Returns body j relative to body i, for positions x and velocities v. */
+/* Returns the motion of body j relative to body i, for positions x and
+   velocities v. */
 static inline struct pair pair_of(const struct scene *s, size_t i, size_t j,
                                   const double x[], const double v[])
 {
@@ -43,8 +44,8 @@ static inline struct pair pair_of(const struct scene *s, size_t i, size_t j,
     return p;
 }
 
-/* Bits of the interactions and simplifications that a model supports: rods,
-   light bodies as test particles, springs, gravity, contacts, friction. */
+/* Interactions and simplifications that a model supports, as bits of a
+   set. */
 enum {
     BEARS_RODS = 1,
     BEARS_PARTICLES = 2,
@@ -62,37 +63,36 @@ extern const char models_no_memory[];
 /* Returns whether the run has already cost more than its limit. */
 bool models_is_costly(const struct models_run *r);
 
-/* Event-driven engines stop after this number of collisions so that the
-   cost can be checked: in a gas there may be very many before the next
-   row. */
+/* Event-driven engines stop after this number of collisions to check the
+   cost, since in a gas very many collisions may precede the next row. */
 enum { AT_A_TIME = 4096 };
 
-/* Adds the comparisons for sorting n bodies `times` times to the work. */
+/* Adds the cost of sorting n bodies `times` times to the work. */
 void models_count_sorting(struct models_run *r, size_t n, double times);
 
 /* ---- models_acts.c */
 
-/* Returns whether a spring acts: one of its ends is free, and it has a
-   stiffness or a dashpot. */
+/* Returns whether a spring acts: it has a stiffness or a dashpot, and a
+   free end. */
 bool models_is_active(const struct scene *s, const struct scene_spring *p);
 
 double models_heaviest(const struct scene *s);
 
-/* Returns the central body: one that is fixed along these axes and has
-   mass, or else the heaviest. */
+/* Returns the central body: the first that has mass and is fixed along all
+   of these axes or, if there is none, the heaviest. */
 size_t models_central_body(const struct scene *s, unsigned axes);
 
-/* Sets the quantities of the scene that these cuts leave out to 0. The
-   models themselves handle light bodies and rods. */
+/* Sets to 0 the quantities of the scene that `cuts` leave out. The models
+   themselves handle light bodies and rods. */
 void models_leave_out(struct scene *s, unsigned cuts);
 
-/* Moves the springs that become rods behind the end of the list of springs.
-   Returns their number. */
+/* Sorts the springs of s: first those that remain springs, which s->springs
+   counts, then those that become rods. Returns the number of rods. */
 size_t models_take_stiff(struct scene *s, const struct scene *origin);
 
-/* Returns whether there are points on one line that may meet. Steps cannot
-   decide this because of rounding, so such scenes are left to `line` and
-   `relabel`, and other models refuse them with the text models_unseen. */
+/* Returns whether points on a line may meet. Models with steps cannot
+   decide this because of rounding. So only `line` and `relabel` accept such
+   scenes, and other models refuse with the text models_unseen. */
 bool models_points_meet(const struct scene *s, const struct models_acts *a);
 extern const char models_unseen[];
 

@@ -1,4 +1,4 @@
-/* Models with steps, by any of the methods of chapter 8. */
+/* Computes scenes in steps, by any of the methods of chapter 8. */
 #include "choosing/models_parts.h"
 
 #include "choosing/particles.h"
@@ -11,9 +11,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Returns why no method with steps can compute the scene, or NULL. With
-   rods and friction, leapfrog, the only method with rods, would need the
-   velocity before it is computed. */
+/* Returns why no method with steps can compute the scene, or NULL. Rods and
+   friction exclude each other: leapfrog, the only method with rods, would
+   need the velocity before it is computed. */
 static const char *refuse_steps(const struct scene *s,
                                 const struct models_acts *a)
 {
@@ -32,16 +32,17 @@ static const char *refuse_steps(const struct scene *s,
                : NULL;
 }
 
-/* Sorts the bodies by their distance from the central one, since ellipses
-   need that order and the order in a file has no meaning. Returns false if
-   memory runs out. */
+/* Sorts the bodies by their distance from the central body. Methods with
+   ellipses need this order, and the order in a file has no meaning. Returns
+   false if memory runs out. */
 static bool order_outwards(struct particles *l, const struct scene *s)
 {
     return particles_create(l, s, INFINITY,
                             models_central_body(s, ALL_AXES), false);
 }
 
-/* Copies masses, positions and velocities into this order, or back. */
+/* Copies masses, positions and velocities into this order or, if `back`,
+   from it. */
 static void permute(struct scene *to, const struct scene *from,
                     const uint32_t order[], bool back)
 {
@@ -77,15 +78,15 @@ static const char *refuse_orbits(const struct scene *s,
 /* A run in steps, with or without rods. */
 struct steps {
     struct motion motion;
-    struct scene scene; /* the copy that is stepped; it must not move in
-                           memory */
+    struct scene scene; /* the copy that moves; its address must not
+                           change */
     struct models_plan plan;
     struct particles particles;
     struct rods rods;
     bool has_particles, ordered, rodded;
 };
 
-/* Frees a run in steps: the motion first, as it refers to the scene. */
+/* Frees the motion before the scene to which it refers. */
 static void end_steps(struct models_run *r)
 {
     struct steps *t = r->engine;
@@ -97,8 +98,8 @@ static void end_steps(struct models_run *r)
     scene_free(&t->scene);
 }
 
-/* Returns whether momentum is conserved, so that Jacobi's coordinates can
-   be used: nothing is fixed, and only gravity acts. */
+/* Returns whether momentum is conserved: nothing is fixed, and only gravity
+   acts. Jacobi's coordinates require this. */
 static bool keeps_momentum(const struct scene *s,
                            const struct models_acts *a)
 {
@@ -108,10 +109,11 @@ static bool keeps_momentum(const struct scene *s,
     return !a->contact && !a->springs && !a->friction;
 }
 
-/* Returns whether a passage of two bodies matters: whether it may move one
-   of them by more than `negligible` in the remaining time (12.13,
-   eq:choose-passage). The smallest distance is that on straight paths, less
-   the bending of the paths. */
+/* Returns whether a passage of two bodies matters: it may move one of them
+   by more than `negligible` in the remaining time (12.13,
+   eq:choose-passage). The smallest distance is that of straight paths minus
+   the bending of the paths. a2 is the square of the relative
+   acceleration. */
 static bool passage_counts(const struct steps *t, const struct pair *p,
                            double pull, double a2)
 {
@@ -122,9 +124,9 @@ static bool passage_counts(const struct steps *t, const struct pair *p,
            t->plan.negligible * b * sqrt(p->v2);
 }
 
-/* Returns the inverse of the time, 1/s, in which two bodies move by 0.7 of
-   their distance relative to each other, or approach by that much because
-   of their accelerations, whichever is shorter. */
+/* Returns 1/T, 1/s, where T is the shorter of two times: that in which two
+   bodies move by 0.7 of their distance relative to each other, and that in
+   which their accelerations bring them nearer by as much. */
 static double passage_rate(const struct pair *p, double a2)
 {
     const double way = 0.7 * sqrt(p->r2), fall = 2 * sqrt(a2) * way;
@@ -133,7 +135,8 @@ static double passage_rate(const struct pair *p, double a2)
            way;
 }
 
-/* Returns the longest step, s, that cannot miss a passage that matters. */
+/* Returns the longest step, s, that cannot miss a close passage that
+   matters. */
 static double longest_step(void *what, const double x[], const double v[],
                            const double a[])
 {
@@ -154,9 +157,9 @@ static double longest_step(void *what, const double x[], const double v[],
     return most > 0 ? 1 / most : INFINITY;
 }
 
-/* Returns the number of steps in a row. An adaptive method is called once
-   for a row, or LOOKS times with contacts, as a call handles only a limited
-   number of them. */
+/* Returns the number of steps per row. For an adaptive method this is the
+   number of calls: one, or LOOKS with contacts, as a call handles only a
+   limited number of contacts. */
 static uint64_t steps_of(const struct models_run *r)
 {
     enum { LOOKS = 8 };
@@ -165,11 +168,11 @@ static uint64_t steps_of(const struct models_run *r)
     return r->scene.contact ? LOOKS : 1;
 }
 
-/* Begins a run; returns NULL, or why it cannot. Springs that become rods
-   are removed first, so that they exert no forces; contacts are located at
-   their times. Light bodies that attract no others are stepped in Jacobi's
-   coordinates, with the heavy bodies as the only sources of gravity, and a
-   factor on the acceleration of each body. */
+/* Begins a run. Returns NULL, or why it fails. Springs that become rods are
+   removed first, so they exert no forces. The times of contacts are
+   located. Light bodies that attract no others move in Jacobi's
+   coordinates: only the heavy bodies are sources of gravity, and the
+   acceleration of each body gets a factor. */
 static const char *begin_steps(struct models_run *r)
 {
     struct steps *t = r->engine;
@@ -210,7 +213,7 @@ static const char *begin_steps(struct models_run *r)
         g->source = t->particles.order;
         g->sources = t->particles.heavy;
         g->factor = t->particles.factor;
-        models_count_sorting(r, s->bodies, 5); /* five times, for the
+        models_count_sorting(r, s->bodies, 5); /* 5 includes the
                                                   coordinates */
     }
     if (count > 0) {
@@ -226,8 +229,8 @@ static const char *begin_steps(struct models_run *r)
 }
 
 /* Returns the number of pairs in an evaluation of gravity, weighted by
-   their cost. Up to 32 bodies each root is computed once; the kernel for
-   more bodies computes it twice, but about eight roots at once, so that
+   their cost. For up to 32 bodies the root of each pair is computed once.
+   For more bodies it is computed twice, but about eight roots at once, so
    eight count as one. With test particles each heavy body attracts all
    others. */
 static double count_pulls(const struct steps *t)
@@ -240,11 +243,10 @@ static double count_pulls(const struct steps *t)
     return n <= 32 ? n * (n - 1) / 2 : n * (n - 1) / 8;
 }
 
-/* Returns the measured cost of an evaluation, in passes over a body: n for
-   a kick and a drift of a splitting method; 2 n for a stage of an explicit
-   method, which combines the stages before it; more for an implicit method,
-   which combines all stages repeatedly; 8 n for an embedded pair, with its
-   error estimate; 4 (n + 8) for Radau's method. */
+/* Returns the measured cost of an evaluation for n bodies, in passes over a
+   body. A stage of an explicit method combines the stages before it. An
+   implicit method combines all stages repeatedly. An embedded pair also
+   estimates its error. */
 static double body_passes(const struct stepping_method *m, double n)
 {
     switch (m->family) {
@@ -256,9 +258,9 @@ static double body_passes(const struct stepping_method *m, double n)
     }
 }
 
-/* Cost of a spring outside all bands, relative to one in a band: its forces
-   are scattered in memory. All springs of a pendulum, and most springs of a
-   small beam, are outside bands. */
+/* Cost of a spring outside all bands, relative to a spring in a band. The
+   forces of such springs are scattered in memory. All springs of a pendulum
+   and most springs of a small beam are outside bands. */
 enum { LISTED = 10 };
 
 /* Counts the work of `asked` force evaluations. */
@@ -275,19 +277,19 @@ static void count_evaluations(const struct models_run *r,
         asked * ((double)p->count + (LISTED - 1) * (double)p->listed);
 }
 
-/* Cost of converting a body's Jacobi coordinates back for a row, in passes;
-   needed if light bodies attract no others. */
+/* Cost of converting a body's Jacobi coordinates back for a row, in passes
+   over a body. */
 enum { LEAVING = 5 };
 
-/* Recomputes the total work from the counts of all modules since the start.
+/* Computes the total work since the start from the counts of all modules.
    An adaptive method evaluates its polynomial at the end of each call, at
    the cost of eighteen passes. Successive points on an ellipse are close
-   together, so Kepler's equation costs only 0.8 of its price. If contacts
-   are located, they divide steps into parts: each part has a path for every
+   together, so solving Kepler's equation costs only 0.8 of its price.
+   Located contacts divide steps into parts. Each part has a path for every
    body, pairs that are close along the widest axis, polynomials of their
    gaps, and roots. Contacts handled after each step, as with rods, cost 0.3
-   of that. For rods each correction counts, and three passes over all rods
-   in each step. */
+   of that. With rods each correction counts, plus three passes over all
+   rods in each step. */
 static void count_steps(struct models_run *r, const struct steps *t)
 {
     const struct stepping *p = &t->motion.stepping;
@@ -321,9 +323,9 @@ static void count_steps(struct models_run *r, const struct steps *t)
 
 enum { STEPS_AT_A_TIME = 256 };
 
-/* Returns whether at the present rate of cost the run will exceed its limit
-   by a tenth, or twofold if the method is adaptive, since then the cost
-   varies along the run, and the last step may end beyond the row. */
+/* Returns whether the run, at its present rate of cost, will exceed its
+   limit by a tenth. An adaptive method must exceed it twofold: its cost
+   varies along the run, and its last step may end beyond the row. */
 static bool is_hopeless(const struct models_run *r, const struct steps *t,
                         uint64_t left)
 {
@@ -337,10 +339,10 @@ static bool is_hopeless(const struct models_run *r, const struct steps *t,
                : cost / done * all > 1.1 * r->limit;
 }
 
-/* Limits the evaluations in a call of an adaptive method to the rest of the
-   cost limit and, as one row must not use up the cost of all, to eight
-   times an equal share of the limit for each call, or 0.1 s if this is
-   more. */
+/* Limits the evaluations in a call of an adaptive method. A call may use up
+   the rest of the cost limit, but no single row may use up the cost of all.
+   So a call also costs at most eight times its equal share of the limit, or
+   0.1 s if this is more. */
 static void bound_evaluations(const struct models_run *r, struct steps *t)
 {
     struct adaptive *own = t->motion.stepping.own;
@@ -360,7 +362,7 @@ static void bound_evaluations(const struct models_run *r, struct steps *t)
     own->most = more < 1e15 ? own->evaluations + (uint64_t)more + 100 : 0;
 }
 
-/* Takes the steps of a row; checks the cost after every few of them. */
+/* Takes the steps of a row, and checks the cost after every few steps. */
 static enum models_end run_steps(struct models_run *r, struct steps *t)
 {
     const struct adaptive *own = t->motion.stepping.own;
@@ -382,9 +384,9 @@ static enum models_end run_steps(struct models_run *r, struct steps *t)
     return MODELS_DONE;
 }
 
-/* Moves to the next row. Jacobi's coordinates are converted back only for
-   the row; the run continues in them. At the end of each row, relative
-   velocities along rods are removed. */
+/* Moves to the next row. The run stays in Jacobi's coordinates, and only
+   the row is converted back. At the end of each row, relative velocities
+   along rods are removed. */
 static enum models_end row_steps(struct models_run *r)
 {
     struct steps *t = r->engine;
@@ -406,9 +408,9 @@ static enum models_end row_steps(struct models_run *r)
     return end;
 }
 
-/* Returns the model of a method, made from the method's row in chapter 8's
-   table, so that there is no second list. Only leapfrog supports rods;
-   methods with ellipses do not support test particles. */
+/* Makes the model of a stepping method from its row in the table of chapter
+   8. Only leapfrog supports rods. Methods with ellipses do not support test
+   particles. */
 struct models_model models_of_method(const struct stepping_method *m)
 {
     const unsigned no = (m->orbits ? BEARS_PARTICLES : 0) |

@@ -1,10 +1,10 @@
-/* Light bodies sorted outwards, and their Jacobi coordinates. */
+/* Sorts light bodies outwards and converts their Jacobi coordinates. */
 #include "choosing/particles.h"
 
 #include <stdlib.h>
 
-/* The heavy bodies count as one body at their centre of mass; a single
-   heavy body keeps its coordinates exactly. */
+/* Replaces the heavy bodies by their centre of mass. The running mean keeps
+   the coordinates of a single heavy body exactly. */
 void particles_gather(const struct particles *l, const struct scene *s,
                       const double x[], double q[])
 {
@@ -31,10 +31,10 @@ int particles_compare(const void *one, const void *other)
     return a->body < b->body ? -1 : a->body > b->body;
 }
 
-/* Sorts the light bodies by their distance from the centre of the heavy
-   ones, once, at the start. Bodies at equal distances stay in the order of
-   their numbers, so that the result does not depend on qsort. Returns false
-   if memory runs out. */
+/* Sorts the light bodies by their distance from the centre of mass of the
+   heavy bodies at the start. Bodies at equal distances are sorted by
+   number, so the result does not depend on qsort. Returns false if memory
+   runs out. */
 static bool sort_by_distance(struct particles *l, const struct scene *s)
 {
     const size_t n = l->jacobi.bodies;
@@ -62,8 +62,8 @@ bool particles_is_light(const struct scene *s, size_t i, double heaviest)
     return s->mass[i] * 100 < heaviest;
 }
 
-/* Separates light bodies from heavy ones, and sorts the light ones. Returns
-   false if memory runs out. */
+/* Separates light bodies from heavy bodies, and sorts the light bodies.
+   Returns false if memory runs out. */
 static bool split(struct particles *l, const struct scene *s,
                   double heaviest, size_t centre)
 {
@@ -85,11 +85,12 @@ static bool split(struct particles *l, const struct scene *s,
     return sort_by_distance(l, s);
 }
 
-/* In Jacobi's coordinates masses add up from the inside outwards, and the
-   acceleration of a light body by the heavy ones has the factor M_i/M_0
-   (12.3, eq:light-ellipse). If a body is fixed, or another force acts,
-   momentum is not conserved, and they cannot be used. Then each light body
-   moves around the heavy ones alone, as if it had no mass. */
+/* In Jacobi's coordinates the acceleration of light body i by the heavy
+   bodies has the factor M_i/M_0, where M_i includes the masses of all
+   bodies further in (12.3, eq:light-ellipse). If a body is fixed or another
+   force acts, momentum is not conserved, and these coordinates cannot be
+   used. Then each light body moves around the heavy bodies alone, as if it
+   had no mass. */
 bool particles_create(struct particles *l, const struct scene *s,
                       double heaviest, size_t centre, bool moving)
 {
@@ -119,9 +120,9 @@ void particles_free(struct particles *l)
     *l = (struct particles){0};
 }
 
-/* Replaces positions by (12.2, eq:light-jacobi), and velocities in the same
-   way, unless the heavy bodies are not moving: then nothing changes. Sets
-   centre to the centre of mass of all bodies. */
+/* Converts positions or velocities x to Jacobi's coordinates by (12.2,
+   eq:light-jacobi), unless the heavy bodies are not moving. Sets centre to
+   the centre of mass of all bodies. */
 static void to_jacobi(const struct particles *l, const struct scene *s,
                       double x[], double centre[])
 {
@@ -146,8 +147,9 @@ void particles_to_jacobi(struct particles *l, const struct scene *s,
     to_jacobi(l, s, v, l->drift);
 }
 
-/* Converts Jacobi's coordinates back to positions or velocities, starting
-   with the centre of mass; the heavy bodies are shifted together. */
+/* Converts Jacobi's coordinates x back to positions or velocities. `centre`
+   is the centre of mass of all bodies. The heavy bodies are shifted
+   together. */
 static void from_jacobi(const struct particles *l, const struct scene *s,
                         double x[], const double centre[])
 {
@@ -169,8 +171,8 @@ static void from_jacobi(const struct particles *l, const struct scene *s,
         }
 }
 
-/* The centre of mass moves uniformly along axes on which bodies are fixed,
-   and falls along the others. */
+/* The centre of mass falls along axes on which the bodies are free, and
+   moves uniformly along the others. */
 void particles_from_jacobi(const struct particles *l, const struct scene *s,
                            double t, double x[], double v[])
 {

@@ -11,16 +11,16 @@ struct particles_place {
     size_t body;
 };
 
-/* Heavy bodies, and light ones as test particles: each light body moves as
-   if only the heavy bodies and the light ones closer to these existed. */
+/* Heavy bodies, and light bodies as test particles. A light body moves as
+   if only the heavy bodies and the light bodies further in existed. */
 struct particles {
     size_t bodies, heavy;
-    uint32_t *order; /* [bodies] heavy bodies by number, then light ones
+    uint32_t *order; /* [bodies] heavy bodies by number, then light bodies
                         from the inside outwards */
     double *factor;  /* [bodies] factor on each acceleration */
     bool moving;     /* whether the heavy bodies move */
-    /* The heavy bodies as one body, then the light ones, which have no mass
-       unless moving. */
+    /* All heavy bodies as a single body, then the light bodies. The light
+       bodies have no mass unless `moving`. */
     struct jacobi jacobi;
     double *mass, *work;       /* [n], [6 * n]; n: bodies of jacobi */
     double centre[SCENE_AXES]; /* centre of mass at the start, m */
@@ -34,10 +34,11 @@ int particles_compare(const void *one, const void *other);
    `heaviest`. */
 bool particles_is_light(const struct scene *s, size_t i, double heaviest);
 
-/* Divides the bodies of s into heavy and light ones, and sorts the light
-   ones. Heavy are body `centre` and all with at least a hundredth of the
-   mass `heaviest`; there must be one. moving: no body is fixed and only
-   gravity acts. Returns false, with nothing to free, if memory runs out. */
+/* Divides the bodies of s into heavy and light bodies, and sorts the light
+   bodies. Heavy are body `centre` and all bodies with at least a hundredth
+   of the mass `heaviest`. There must be a heavy body. `moving` says that no
+   body is fixed and only gravity acts. Returns false, with nothing to free,
+   if memory runs out. */
 bool particles_create(struct particles *l, const struct scene *s,
                       double heaviest, size_t centre, bool moving);
 void particles_free(struct particles *l);
@@ -48,14 +49,15 @@ void particles_free(struct particles *l);
 void particles_gather(const struct particles *l, const struct scene *s,
                       const double x[], double q[]);
 
-/* Replaces positions and velocities of the light bodies, arranged as in a
-   scene, by those relative to the centre of mass of all bodies further in;
-   that of the heavy bodies is added. Source: (12.2, eq:light-jacobi). */
+/* Converts positions x and velocities v of the light bodies, arranged as in
+   a scene, to positions and velocities relative to the centre of mass of
+   all bodies further in. The position or velocity of the centre of mass of
+   the heavy bodies is added. Source: (12.2, eq:light-jacobi). */
 void particles_to_jacobi(struct particles *l, const struct scene *s,
                          double x[], double v[]);
 
-/* Reverses particles_to_jacobi after the time t, s, in which the centre of
-   mass of all bodies has moved on. */
+/* Reverses particles_to_jacobi at the time t, s, after it. The centre of
+   mass of all bodies has moved on in this time. */
 void particles_from_jacobi(const struct particles *l, const struct scene *s,
                            double t, double x[], double v[]);
 

@@ -1,4 +1,4 @@
-/* Runs models row by row, or twins in other units, and compares rows. */
+/* Runs models, and their twins in other units, and compares the rows. */
 #include "choosing/record.h"
 
 #include "toolbox/bench.h"
@@ -8,9 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Returns the extent of the scene along an axis, m, without one of the
-   bodies. Walls count like bodies, since a gas may fill its box or a corner
-   of it. Sets *near to the distance of this extent from 0. */
+/* Returns the extent of the scene along axis k, m, without the body
+   `without`. Walls count like bodies, since a gas may fill its box or only
+   a corner of it. Sets *near to the distance of this extent from 0. */
 static double spread_of(const struct scene *s, size_t k, size_t without,
                         double *near)
 {
@@ -29,8 +29,8 @@ static double spread_of(const struct scene *s, size_t k, size_t without,
     return fmax(high - low, 0);
 }
 
-/* Returns the diagonal of the box around walls and all bodies but one,
-   m. */
+/* Returns the diagonal, m, of the box around the walls and all bodies
+   except `without`. */
 static double size_without(const struct scene *s, size_t without)
 {
     double sum = 0, near;
@@ -66,18 +66,17 @@ struct scales {
     double length, speed, energy, momentum;
 };
 
-/* Returns a, or b if a is zero and cannot be a scale, such as the energy of
-   bodies at rest without forces. */
+/* Returns a, or b if a is zero and cannot be a scale. An example is the
+   energy of bodies at rest without forces. */
 static double or_next(double a, double b)
 {
     return a > 0 ? a : b;
 }
 
-/* Computes the scales at the start, each with the help of those before it.
-   A single body has no size: the scale is the distance it covers in the
-   run, or a metre if it rests. The scale of momentum is the sum of all |p|:
-   the vector sum is zero for two bodies about their centre of mass, and
-   errors cannot be fractions of zero. */
+/* Computes the scales at the start. A single body has no size, so the scale
+   of length is the distance that it covers in the run, or a metre if it
+   rests. The scale of momentum is the sum of all |p|. The sum of vectors is
+   not used, since it is zero for two bodies about their centre of mass. */
 static struct scales measure_scales(const struct record_view *v,
                                     double length)
 {
@@ -101,10 +100,10 @@ static struct scales measure_scales(const struct record_view *v,
     return to;
 }
 
-/* Returns the scale of an observable, found by its unit, and sets *as to
-   the name of the quantity whose errors are judged. All kinds of energy
-   have the scale of the total, as the error of the total is the sum of
-   theirs. */
+/* Returns the scale of an observable with this unit. Sets *as to the name
+   of the quantity whose errors are judged. All kinds of energy have the
+   scale of the total energy, as the error of the total is the sum of their
+   errors. */
 static double scale_of(const struct scales *to, const char *unit,
                        const char **as)
 {
@@ -126,9 +125,9 @@ static double scale_of(const struct scales *to, const char *unit,
     return known[k].scale;
 }
 
-/* Sets the scale of a column; axis: that of a coordinate, or SCENE_AXES. In
-   a periodic box a coordinate is compared modulo the length of the box;
-   distances and the centre of mass are not. */
+/* Sets the scale of a column. axis is that of a coordinate, or SCENE_AXES.
+   In a periodic box a coordinate is compared modulo the length of the box.
+   Distances and the centre of mass are not. */
 static void scale_column(struct record_view *v, size_t column, double scale,
                          size_t axis)
 {
@@ -139,9 +138,9 @@ static void scale_column(struct record_view *v, size_t column, double scale,
         v->period[column] = s->high[axis] - s->low[axis];
 }
 
-/* Sets the scale of each column. Without a list of observables all states
-   are stored, but only positions are judged: velocities keep the weight 0.
-   Of several observables the first one's scale is printed. */
+/* Sets the scale of each column. Without a list of observables, positions
+   and velocities are stored, but velocities keep the weight 0 and are not
+   judged. With several observables, v->scale is the scale of the first. */
 static void find_scales(struct record_view *v, double length)
 {
     const struct scales to = measure_scales(v, length);
@@ -160,13 +159,13 @@ static void find_scales(struct record_view *v, double length)
     }
 }
 
-/* Finds the shift that moves the scene to the origin. A scene may be
-   farther from the origin than it is long, and rounding errors of positions
-   are proportional to that distance: whether two disks four kilometres away
-   miss each other by 3e-13 m can be decided only near the origin. So the
-   scene is moved there, axis by axis, and its rows are moved back. Returns
-   the rounding error of moving them back, as a fraction of the scale, or 0
-   with observables: runs that are compared may share it. */
+/* Finds the shift that moves the scene to the origin, axis by axis. A scene
+   may be farther from the origin than it is long, and rounding errors of
+   positions are proportional to that distance. Whether two disks four
+   kilometres away miss each other by 3e-13 m can be decided only near the
+   origin. Rows are moved back. Returns the rounding error of moving them
+   back, as a fraction of the scale: runs that are compared may share this
+   error. Returns 0 with observables. */
 static double find_origin(struct record_view *v)
 {
     const struct scene *s = &v->scene;
@@ -209,14 +208,13 @@ void record_view_free(struct record_view *v)
     *v = (struct record_view){0};
 }
 
-/* The units of twins: of length (negative: mirrored), mass and time. Two
-   collisions at one time that share a body are a fork: which comes first is
-   decided by the order of bodies in a list or the orientation of the axes,
-   not by nature. So all twins reverse the order, and every other twin also
-   the axes. No factor is a power of two except the unit of time of twin 1,
-   whose steps must end at exactly the times of the run itself; so every
-   number is rounded differently in each twin, in the others also
-   frequencies and the times of rows. */
+/* The units of length (negative: mirrored), mass and time of the twins. If
+   two collisions at the same time share a body, the order of bodies in a
+   list or the orientation of the axes decides which comes first, and not
+   nature. So all twins reverse the order, and every other twin also mirrors
+   the axes. No factor is a power of two, so every number is rounded
+   differently in each twin. The only exception is the unit of time of twin
+   1, whose steps must end at exactly the times of the run itself. */
 static const struct units {
     double length, mass, time;
 } units[] = {{1, 1, 1},        {-0.7, 1.3, 1},   {0.9, 0.6, 1.1},
@@ -243,12 +241,12 @@ static void reverse_rows(double a[], size_t rows, size_t n, double by)
     }
 }
 
-/* Converts a scene to other units, with the bodies in reverse order; a
-   negative length also mirrors it, and the lower wall becomes the upper
-   one. Each quantity is multiplied by the factor of its dimension: a
-   stiffness, in kg/s^2, by m/t^2, k^2, in m^3/(kg s^2), by |l|^3/(m t^2),
-   and friction by m/t. If a factor is forgotten, the twin is so different
-   that no tolerance is met, which tests detect. */
+/* Converts a scene to other units and reverses the order of the bodies. A
+   negative unit of length also mirrors the scene, and the lower wall
+   becomes the upper wall. Each quantity is multiplied by the factor of its
+   dimension: stiffness (kg/s^2) by m/t^2, k^2 (m^3/(kg s^2)) by |l|^3/(m
+   t^2), and friction (kg/s) by m/t. If a factor is forgotten, the twin is
+   so different that no tolerance is met, which tests detect. */
 static void change_units(struct scene *s, const struct units *u)
 {
     const double l = u->length, size = fabs(l), m = u->mass, t = u->time;
@@ -288,8 +286,8 @@ static void change_units(struct scene *s, const struct units *u)
     s->damping *= m / t;
 }
 
-/* Returns the change of coordinate c of a velocity of 1 m/s in a twin: one
-   unit in the last place, up or down; the signs differ from twin to
+/* Returns the change of coordinate c of a velocity of 1 m/s in a twin: a
+   unit in the last place, up or down. The signs differ from twin to
    twin. */
 static double last_bit(size_t c, unsigned twin)
 {
@@ -300,11 +298,11 @@ static double last_bit(size_t c, unsigned twin)
     return ((double)(drawn >> 62 & 1) * 2 - 1) * 0x1p-52;
 }
 
-/* Changes the last bits of all velocities along the axes that matter, so
-   that exact coincidences in time or position are removed. The change of a
-   component is a tiny part of it or, if larger, of a quarter of the speed
-   of the body, or of a fall through the scene if there is uniform
-   gravity. */
+/* Changes the last bits of all velocities along the axes that matter, to
+   remove exact coincidences in time or position. The change of a component
+   is proportional to the component or, if larger, to a quarter of the speed
+   of the body. With uniform gravity the speed is at least that of a fall
+   through the scene. */
 static void move_last_bits(struct scene *s, unsigned twin)
 {
     struct models_acts acts;
@@ -323,7 +321,7 @@ static void move_last_bits(struct scene *s, unsigned twin)
     }
 }
 
-/* Returns the distance of two numbers; if turn > 0, to the nearest periodic
+/* Returns |a - b| or, if turn > 0, the distance to the nearest periodic
    image: 0.1 and 9.9 in a box of 10 have the distance 0.2. */
 static double distance(double a, double b, double turn)
 {
@@ -332,9 +330,9 @@ static double distance(double a, double b, double turn)
 }
 
 /* Returns the largest difference of two rows, each column relative to its
-   scale; at least the rounding error of the rows, since two that agree in
-   all digits may have been rounded alike. A NaN gives INFINITY; it is found
-   because it is unequal to itself. */
+   scale. The result is at least the rounding error, since equal numbers may
+   have been rounded alike. A NaN, which is unequal to itself, gives
+   INFINITY. */
 static double row_difference(const struct record_view *v, const double a[],
                              const double b[])
 {
@@ -370,10 +368,10 @@ size_t record_agree(const struct record_view *v, const struct record *a,
     return r - 1;
 }
 
-/* Writes a row of a run to r->value, in the units of the scene: its states,
-   or the requested observables, for which the view's own scene gets the
-   state of the run. The time is that of the row, and not the sum made by a
-   method. met: collisions so far. */
+/* Writes a row of a run to r->value, in the units of the scene: positions
+   and velocities, or the requested observables. The view's own scene gets
+   the state of the run. The time is the exact time of the row, and not the
+   sum made by a method. met is the number of collisions so far. */
 static void write_row(struct record *r, struct record_view *v,
                       const struct record_setup *o, const struct scene *now,
                       uint64_t met)
@@ -410,8 +408,8 @@ struct pass {
     double since;
 };
 
-/* Begins a run and stores the row of the start. For a twin the scene is
-   converted to other units, as are two lengths and a time in the plan. */
+/* Begins a run and stores the row of the start. For a twin, converts the
+   scene, and two lengths and a time in the plan, to other units. */
 static void begin_pass(struct pass *w, struct record_view *v)
 {
     const struct record_setup *o = w->o;
@@ -456,7 +454,7 @@ static void begin_pass(struct pass *w, struct record_view *v)
     write_row(r, v, o, &w->run.scene, 0);
 }
 
-/* Computes and stores the next row; returns false if the run ends here. */
+/* Computes and stores the next row. Returns false if the run ends here. */
 static bool next_row(struct pass *w, struct record_view *v)
 {
     struct record *r = w->r;
@@ -495,8 +493,7 @@ void record_run(struct record *r, struct record_view *v,
     end_pass(&w);
 }
 
-/* Computes the next row, as next_row does, with the rest of a cost limit
-   that two runs share. */
+/* Computes the next row with next_row. Two runs share the cost limit. */
 static bool next_row_beside(struct pass *w, const struct pass *other,
                             double limit, struct record_view *v)
 {
@@ -518,7 +515,7 @@ void record_both(struct record *a, struct record *b, struct record_view *v,
         ;
     end_pass(&x);
     end_pass(&y);
-    /* Both clocks ran all the time; their time is divided by cost. */
+    /* Each clock measured both runs. Divide the time by cost. */
     const double seconds = fmax(a->seconds, b->seconds);
     const double bill = a->cost + b->cost;
     a->seconds = bill > 0 ? seconds * (a->cost / bill) : seconds / 2;

@@ -1,19 +1,20 @@
-/* The rows of a run, and the difference between those of two runs. */
+/* Stores the rows of a run, and compares the rows of two runs. */
 #ifndef RECORD_H
 #define RECORD_H
 
 #include "choosing/models.h"
 #include "forces/observables.h"
 
-/* The columns of the stored rows, and a weight for each: an error times its
-   weight is a fraction of the scale. The copy of the scene has a motion
-   only because observables need one; it takes no steps. */
+/* The columns of the stored rows, and how they are compared. An error times
+   its weight is a fraction of the scale. The motion only computes
+   observables and takes no steps. */
 struct record_view {
-    const struct observables *asked; /* NULL: all states, as in step */
+    const struct observables *asked; /* NULL: positions and velocities */
     size_t columns;
     double *weight;     /* [columns] 1/scale; 0: stored, not judged */
-    double *period;     /* [columns] of a periodic coordinate, or 0 */
-    double *rounding;   /* [columns] relative rounding error; 0: counts */
+    double *period;     /* [columns] box of a periodic coordinate, or 0 */
+    double *rounding;   /* [columns] relative rounding error; 0 if a
+                           count */
     double scale;       /* scale of the first judged column */
     double length;      /* scale of positions, m */
     const char *judged; /* what is judged: "positions", "energy", ... */
@@ -21,14 +22,14 @@ struct record_view {
     struct scene scene;
     struct motion motion;
     double origin[SCENE_AXES]; /* shift of the scene, m */
-    double rounded; /* rounding error of shifted rows, as a fraction */
+    double rounded;            /* rounding error of shifted rows / scale */
 };
 
-/* A run of which every row is stored. */
+/* A run with all its rows. */
 struct record {
     struct models_plan plan;
     enum models_end end;
-    size_t reached; /* rows after the start */
+    size_t reached; /* number of rows after the start */
     double *value;  /* [(rows + 1) * columns], filled up to reached */
     double work[MODELS_UNITS];
     uint64_t collisions; /* as counted by the model */
@@ -37,10 +38,10 @@ struct record {
     double clock;        /* as in struct models_run */
     double least;        /* as in struct models_run, m */
     unsigned twin;       /* as in record_setup */
-    const char *why;     /* NULL, or why it could not begin */
+    const char *why;     /* NULL, or why the run could not begin */
 };
 
-enum { RECORD_TWINS = 7 }; /* most twins of one run */
+enum { RECORD_TWINS = 7 }; /* largest number of a twin */
 
 /* The parameters of a run. */
 struct record_setup {
@@ -55,39 +56,40 @@ struct record_setup {
                       bits */
 };
 
-/* Prepares to store a run of the duration `length`, s. asked must outlive
-   v. If memory runs out, prints an error beginning with program, and
+/* Prepares to store a run of the duration `length`, s. `asked` must outlive
+   v. If memory runs out, prints an error that begins with `program`, and
    returns false, with nothing to free. */
 bool record_view_create(struct record_view *v, const char *program,
                         const struct scene *s,
                         const struct observables *asked, double length);
 void record_view_free(struct record_view *v);
 
-/* Runs a plan and stores its rows and its end in *r, to be freed by
+/* Runs a plan, and stores in *r its rows and how it ended. Free *r with
    record_free. */
 void record_run(struct record *r, struct record_view *v,
                 const struct record_setup *o);
 void record_free(struct record *r);
 
-/* Runs two plans, row by row in turn, until two rows differ by more than
-   `apart`, a fraction of the scale, or a run ends. The cost limit of oa
-   applies to both runs together. */
+/* Runs two plans side by side, until two rows differ by more than `apart`,
+   a fraction of the scale, or a run ends. The cost limit of oa applies to
+   both runs together. */
 void record_both(struct record *a, struct record *b, struct record_view *v,
                  const struct record_setup *oa,
                  const struct record_setup *ob, double apart);
 
-/* Returns the largest difference of two records in the rows from first to
-   last, as a fraction of the scale; INFINITY if one has fewer rows. */
+/* Returns the largest difference of two records in the rows from `first` to
+   `last`, as a fraction of the scale, or INFINITY if a record has fewer
+   rows. */
 double record_difference(const struct record_view *v,
                          const struct record *a, const struct record *b,
                          size_t first, size_t last);
 
-/* Returns the size of the scene, m, without the body that increases it
-   most, and sets *far to that body. */
+/* Returns the size of the scene without the body that increases it most, m.
+   Sets *far to the index of that body. */
 double record_scale_without(const struct scene *s, size_t *far);
 
-/* Returns the number of rows after the start through which two runs agree
-   within e, a fraction of the scale. */
+/* Returns the number of rows after the start in which two runs agree within
+   e, a fraction of the scale. Stops counting at the first difference. */
 size_t record_agree(const struct record_view *v, const struct record *a,
                     const struct record *b, double e);
 

@@ -1,6 +1,6 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 2460002573 of the lines below */
-/* Finds reference runs: two that agree, the second finer and a twin. */
+/* checksum 210396079 of the lines below */
+/* Finds a reference: two runs that agree, the second a finer twin. */
 #include "choosing/task.h"
 
 #include <math.h>
@@ -10,29 +10,30 @@ static struct models_plan finer(struct models_plan p)
     return rung_at(p, rung_fineness(&p) + log2(100));
 }
 
-/* Makes two runs row by row, the second with finer steps, until they differ
-   by more than the tolerance. */
+/* Makes two runs side by side, the second with finer steps, until they
+   differ by more than the tolerance. */
 static void run_pair(const struct task *t, struct reference *f,
                      struct models_plan plan)
 {
     const struct record_setup a = task_setup(t, plan, INFINITY);
     struct record_setup b = task_setup(t, finer(plan), INFINITY);
     b.twin = 1;
-    b.plan.slack = 0.2; /* so that no steps of the runs are equal */
+    b.plan.slack = 0.2; /* no two steps of the runs are equal */
     record_both(&f->coarser, &f->run, t->view, &a, &b, t->q->tolerance);
     task_bill(t, &f->coarser);
     task_bill(t, &f->run);
 }
 
-/* Returns whether the two runs agree on the narrowest contact or miss. */
+/* Returns whether the two runs agree on the narrowest contact or near
+   miss. */
 static bool is_decided(const struct reference *f)
 {
     const double a = f->coarser.least, b = f->run.least;
     return 2 * fabs(a - b) < fmin(fabs(a), fabs(b));
 }
 
-/* Bounds the error of the finer run by twins of it, until the bound is
-   below `want`; returns whether it is below half of the tolerance. */
+/* Runs twins of the finer run until they bound its error by `want`. Returns
+   whether the bound is at most half of the tolerance. */
 bool reference_ask_twins(const struct task *t, struct reference *f,
                          double want)
 {
@@ -78,7 +79,8 @@ static bool is_sure(const struct task *t, struct reference *f)
     return false;
 }
 
-/* Runs finer and finer pairs until two runs agree; false if none agree. */
+/* Runs pairs with finer and finer steps until two runs agree. Returns false
+   if none agree. */
 static bool find_adaptive(const struct task *t, struct reference *f)
 {
     struct models_plan plan = {.model = models_find("radau15"), .steps = 1};

@@ -1,17 +1,18 @@
-/* Rungs, which are fixed numbers of steps or tolerances, and runs. */
+/* Runs plans on rungs, which are fixed numbers of steps or tolerances. */
 #include "choosing/task.h"
 
 #include <math.h>
 #include <stdint.h>
 
-/* Returns rung n of a method, from 1 on: eight numbers of steps to an
-   octave, 1 to 16, 18, 20 ... 32, 36 ...; or tolerances of 1, 0.5, 0.2, 0.1
-   ... Rungs are fixed, so that similar questions get equal plans. */
+/* Returns rung n of a method, n >= 1. The numbers of steps are 1 to 16, 18,
+   20 ... 32, 36 ..., eight in each octave. The tolerances of an adaptive
+   method are 1, 0.5, 0.2, 0.1 ... Rungs are fixed, so similar questions get
+   equal plans. */
 static struct models_plan nth_rung(struct models_plan p, int n)
 {
     static const double digit[] = {0.2, 1, 0.5};
-    /* Dividing by a power of ten gives the number nearest to the decimal;
-       multiplying by a tenth repeatedly does not. */
+    /* Division by a power of ten gives the number nearest to the decimal.
+       Repeated multiplication by 0.1 does not. */
     double power = 1;
     for (int k = 1; k <= (n - 1) / 3 && p.model->method->adaptive; ++k)
         power *= 10;
@@ -52,8 +53,8 @@ double rung_error(const struct task *t, const struct record *r)
     return task_difference(t, r, &t->f->run) + t->f->doubt;
 }
 
-/* Returns the error of the next finer rung; runs it unless it is the best
-   run of the ladder. */
+/* Returns the error of the next finer rung. Runs this rung unless it is the
+   best run of the ladder. */
 static double error_of_finer(const struct task *t, const struct ladder *l,
                              const struct models_plan *p)
 {
@@ -68,9 +69,9 @@ static double error_of_finer(const struct task *t, const struct ladder *l,
     return error;
 }
 
-/* Runs the next coarser rung into r and returns its error. From 8 steps on,
-   rungs are 0.09 to 0.17 octaves apart; with fewer steps, and for a rung
-   known to fail, nothing is run and the result is INFINITY. */
+/* Runs the next coarser rung into r and returns its error. Returns INFINITY
+   without a run if this rung is known to fail, or if the plan has 8 steps
+   or fewer: the rungs below are more than 0.19 octaves apart. */
 static double error_of_coarser(const struct task *t, const struct ladder *l,
                                const struct models_plan *p,
                                struct record *r)
@@ -83,13 +84,13 @@ static double error_of_coarser(const struct task *t, const struct ladder *l,
     return rung_error(t, r);
 }
 
-/* Tries the neighbours of a rung within the tolerance. Its errors may
-   happen to cancel, and be ten times as large with one more step; so one of
-   its neighbours must be within the tolerance, too. If that is the finer
-   one, the run is kept; if it is the coarser one, which is cheaper, it
-   replaces the run. Otherwise the run gets the error of its finer
-   neighbour. Adaptive methods need no such test: all their steps change
-   with the tolerance. */
+/* Tries the neighbours of a rung within the tolerance. The errors of the
+   rung may cancel by chance, and be ten times as large with one more step,
+   so a neighbour must be within the tolerance, too. If this is the finer
+   neighbour, the run is kept. If it is the coarser neighbour, which is
+   cheaper, it replaces the run. Otherwise the run gets the error of its
+   finer neighbour. Adaptive methods need no such test, as all their steps
+   change with the tolerance. */
 static void ask_neighbours(const struct task *t, const struct ladder *l,
                            struct record *r, struct choose_point *seen)
 {
@@ -115,7 +116,7 @@ struct choose_point rung_try(const struct task *t, const struct ladder *l,
                              struct choose_candidate *k)
 {
     struct record r;
-    struct choose_point seen = {plan, INFINITY, INFINITY}; /* for now */
+    struct choose_point seen = {plan, INFINITY, INFINITY};
     const struct record_setup o = task_setup(t, plan, limit);
     task_run(t, &r, &o);
     if (r.end != MODELS_COSTLY)

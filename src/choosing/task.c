@@ -15,8 +15,8 @@ double task_first_tolerance(const struct task *t)
 }
 
 /* A passage of two bodies matters if it moves one of them by more than a
-   twentieth of the tolerance before the end (12.13, eq:choose-passage); for
-   a finer reference this threshold is lower, as two runs that both miss a
+   twentieth of the tolerance before the end (12.13, eq:choose-passage). For
+   finer references this threshold is lower, since two runs that both miss a
    passage would agree. */
 struct record_setup task_setup(const struct task *t,
                                struct models_plan plan, double limit)
@@ -25,7 +25,7 @@ struct record_setup task_setup(const struct task *t,
     plan.negligible = negligible * t->q->tolerance * t->view->length * less;
     plan.time_left = (double)t->c->rows * t->q->every;
     plan.start_limit =
-        fmax(task_budget(t) / 2, 1e-9); /* a twin starts, too */
+        fmax(task_budget(t) / 2, 1e-9); /* half, since a twin starts, too */
     plan.contact_margin =
         plan.tolerance > 0 ? t->q->tolerance * t->view->length : 0;
     return (struct record_setup){.scene = t->q->scene,
@@ -146,9 +146,9 @@ void task_refuse_plan(const struct task *t, const struct models_plan *p,
                  plan, role, t->q->budget, t->c->spent);
 }
 
-/* Refuses a scene whose bodies come to rest on each other: runs with two
-   tolerances have shown it after equal numbers of rows, so it is due
-   neither to rounding nor to a fork. */
+/* Refuses a scene whose bodies come to rest on each other. Runs with two
+   tolerances have stopped after equal numbers of rows, so neither rounding
+   nor the order of simultaneous collisions is the cause. */
 static void refuse_standstill(const struct task *t, const struct record *r)
 {
     snprintf(t->c->refusal, CHOOSE_REFUSAL,

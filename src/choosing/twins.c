@@ -1,11 +1,11 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 2310225773 of the lines below */
+/* checksum 2747443795 of the lines below */
 /* Bounds the rounding errors of a run by its twins, in other units. */
 #include "choosing/task.h"
 
 #include <math.h>
 
-/* Runs a plan beside its twin; returns whether they differ. */
+/* Runs a plan and its twin side by side. Returns whether they differ. */
 bool twins_run(const struct task *t, struct record_setup one,
                struct record *a, struct record *b)
 {
@@ -23,8 +23,8 @@ bool twins_run(const struct task *t, struct record_setup one,
 }
 
 const double twins_margin[TWINS] = {4800, 43, 9.2, 4.3, 2.7, 2};
-/* Runs another twin and returns its distance from the run; if most > 0,
-   records a horizon where they differ by more. */
+/* Runs another twin and returns its distance from the run. If most > 0,
+   records a horizon where the distance exceeds most. */
 double twins_add(const struct task *t, const struct record *r,
                  unsigned number, double most)
 {
@@ -55,7 +55,8 @@ static double error_of_clock(const struct task *t, const struct record *r)
 }
 static const double trifle = 1e-3; /* cost that is not worth saving, s */
 
-/* Returns a bound of the error of run a; it and its twin b are complete. */
+/* Returns a bound on the error of run a. Both a and its twin b must be
+   complete. */
 double twins_bound(const struct task *t, const struct record *a,
                    const struct record *b)
 {

@@ -1,4 +1,4 @@
-/* Reports as a table, CSV, JSON and XML, each whole or absent. */
+/* Writes reports on marks as a table, CSV, JSON and XML. */
 #define _XOPEN_SOURCE 700 /* wcwidth */
 #include "examiner/publish.h"
 #include "examiner/text.h"
@@ -31,8 +31,8 @@ static int earned(const struct marks *m)
     return marks_earned(m, false) + marks_earned(m, true);
 }
 
-/* Returns the points that an exercise can earn: the most for any student,
-   because an exercise that was not graded has no tests. */
+/* Returns the points possible in an exercise. This is the maximum over all
+   students, because an exercise that was not graded has no tests. */
 static int possible(const struct course *c, size_t e)
 {
     int most = 0;
@@ -79,9 +79,9 @@ static double seconds_of_all(const struct course *c, size_t s)
     return sum;
 }
 
-/* Returns a formatted and escaped text, for the caller to free. All words
-   are escaped here: the course's name is that of a folder, and others come
-   from the environment. */
+/* Returns a formatted and escaped text; the caller frees it. All texts are
+   escaped here: the course's name is that of a folder, and others come from
+   the environment. */
 static char *compose(const char *format, ...)
 {
     va_list arguments, again;
@@ -97,8 +97,8 @@ static char *compose(const char *format, ...)
     return text;
 }
 
-/* Cuts a text to at most this many bytes between two characters, and
-   returns it. Only bytes that continue a character begin with the bits
+/* Cuts a text to at most `most` bytes, between two characters, and returns
+   it. In UTF-8 only a byte that continues a character begins with the bits
    10. */
 static char *shorten(char *text, size_t most)
 {
@@ -110,9 +110,10 @@ static char *shorten(char *text, size_t most)
     return text;
 }
 
-/* Returns the name of a test as students may see it. Of a hidden test they
-   see neither its name, which may tell its subject, nor its report, which
-   has the inputs, nor the program's output, which might be the inputs. */
+/* Returns the name of a test that students may see. They do not see the
+   name of a hidden test, which may reveal its subject. They also see
+   neither its report, which contains the inputs, nor the program's output,
+   which might be the inputs. */
 static const char *shown_name(const struct marks *m, int test,
                               char room[32])
 {
@@ -125,9 +126,9 @@ static const char *shown_name(const struct marks *m, int test,
     return room;
 }
 
-/* Returns the state of a test as students may see it. In the marks a test
-   that could not run is not begun; but if the file does not build the
-   student has begun, and sees "does not build". */
+/* Returns the state of a test that students see. If the file does not
+   build, the marks say that each test is not begun; students see "does not
+   build". */
 static enum state state_of(const struct marks *m, int test)
 {
     const enum state state = m->marks[test].state;
@@ -135,9 +136,9 @@ static enum state state_of(const struct marks *m, int test)
                                                             : state;
 }
 
-/* Returns the state of an exercise as its student may see it, from the
-   public tests: the state of all tests would reveal hidden ones, as
-   "failed" above nine of nine points. */
+/* Returns the state of an exercise that students see, from the public tests
+   only. The state of all tests would reveal hidden ones, for example as
+   "failed" above 9 of 9 points. */
 static enum state shown_state(const struct marks *m)
 {
     for (int i = 0; i < m->count; ++i)
@@ -160,7 +161,7 @@ struct draft {
     FILE *file;
 };
 
-/* Removes a report that cannot be written, and ends. */
+/* Removes a report that cannot be written, and exits. */
 static _Noreturn void give_up(const struct draft *draft)
 {
     const int why = errno;
@@ -174,8 +175,8 @@ static void make_folder(const char *path)
         text_fail("cannot make the folder '%s': %s", path, strerror(errno));
 }
 
-/* Makes the path of a report. A path that is too long is an error: if it
-   were cut it would be another file's. */
+/* Makes the path of a report. A path that is too long is an error, because
+   a cut path would be that of another file. */
 static void draft_name(struct draft *draft, const char *folder,
                        const char *name)
 {
@@ -185,7 +186,7 @@ static void draft_name(struct draft *draft, const char *folder,
         text_fail("the path '%s/%s' is too long", folder, name);
 }
 
-/* Opens a report; only its owner may read it if it is about people. */
+/* Opens a report. If it is about people, only its owner may read it. */
 static void draft_open(struct draft *draft, const char *folder,
                        const char *name, bool about_people)
 {
@@ -206,9 +207,9 @@ static void draft_remove(const char *folder, const char *name)
         text_fail("cannot remove '%s': %s", draft.path, strerror(errno));
 }
 
-/* Finishes a report and gives it its name. fprintf only fills a buffer, so
-   a full disk is noticed late: all errors are checked here, and fsync waits
-   for the disk. */
+/* Finishes a report and gives it its name. All errors are checked here:
+   fprintf only fills a buffer, so a full disk is noticed late, and fsync
+   waits for the disk. */
 static void draft_close(struct draft *draft)
 {
     if (fflush(draft->file) != 0 || ferror(draft->file) ||
@@ -220,8 +221,8 @@ static void draft_close(struct draft *draft)
         text_fail("cannot write '%s': %s", draft->path, strerror(errno));
 }
 
-/* Returns whether no other student has this student's name: the later one
-   would overwrite the other's marks. */
+/* Returns whether a student's name is unique. If it is not, the marks of
+   one student would overwrite those of another. */
 static bool alone(const struct course *c, size_t s)
 {
     const char *student = marks_of(c, s, 0)->student;
@@ -233,10 +234,10 @@ static bool alone(const struct course *c, size_t s)
 
 enum { FILE_NAME = 180 };
 
-/* Makes a file name from a student's name and returns its length. Letters,
-   digits, space, . - _ and all that is not ASCII stay; the rest becomes %
-   and two digits, and so does a first dot (a hidden file) or minus (an
-   option of rm). */
+/* Makes a file name from a student's name and returns its length. Keeps
+   letters, digits, space, . - _ and all characters that are not ASCII.
+   Other characters become % and two digits. So does a dot at the beginning,
+   which would hide the file, or a minus, which would be an option of rm. */
 static size_t spell(const char *text, char *name)
 {
     static const char plain[] =
@@ -263,10 +264,10 @@ static char *file_name(const struct course *c, size_t s)
                : compose("%s%%_%zu.json", name, s + 1);
 }
 
-/* Returns whether a spreadsheet would compute a cell, because it begins
-   with =, +, - or @, with a tab or line end, or with the wide form of a
-   sign. A student may call his folder =HYPERLINK(...). An apostrophe before
-   it makes the cell text. */
+/* Returns whether a spreadsheet would take a cell for a formula. A formula
+   begins with =, +, - or @, with the wide form of such a sign, or with a
+   tab or line end. A student may call a folder =HYPERLINK(...). An
+   apostrophe before it makes the cell text. */
 static bool is_formula(const char *text)
 {
     static const char *const signs[] = {
@@ -289,8 +290,9 @@ static void put_cell(FILE *out, const char *text)
     putc('"', out);
 }
 
-/* A function that receives one line about a student's exercise ("-": about
-   all files of the student), and `to' from its caller. */
+/* A function that receives one line about a student's exercise. The
+   exercise is "-" if the line is about all files of the student. `to` is an
+   argument of the caller. */
 typedef void take_line(void *to, const char *student, const char *exercise,
                        const char *text);
 
@@ -316,11 +318,11 @@ static char *first_advice(const struct marks *m)
     return compose("advice: %.*s", (int)strcspn(text, "\n"), text);
 }
 
-/* Passes on what a person should look at: a file that was refused; a
-   time-out, which might not recur on another day; a sanitizer's finding
-   that costs no points; a student who passes all public tests but fails
-   hidden ones, who may have learnt the answers by heart, unless the hidden
-   test is wrong. */
+/* Passes on what a lecturer should look at: a refused file; a time-out,
+   which might not recur on another day; a sanitizer's finding that costs no
+   points; and a student who passes all public tests but fails hidden ones.
+   Such a student may have learnt the answers by heart, or the hidden test
+   may be wrong. */
 static void tell_marks(const struct marks *m, take_line *take, void *to)
 {
     const int hidden = marks_possible(m, true);
@@ -425,9 +427,9 @@ static void put_row(FILE *out, const struct course *c, size_t s)
     put_notes(out, c, s);
 }
 
-/* Writes the marks as comma-separated values: RFC 4180, in UTF-8 without a
-   byte-order mark, which programs that follow the standard would read as
-   part of the first column's name. Numbers have no quotes; the cell of an
+/* Writes the marks as comma-separated values (RFC 4180), in UTF-8 without a
+   byte-order mark: programs that follow the standard would read the mark as
+   part of the first column's name. Numbers have no quotes. The cell of an
    exercise that was not graded is empty. */
 static void report_csv(const struct course *c, const char *folder)
 {
@@ -451,8 +453,8 @@ static void report_csv(const struct course *c, const char *folder)
     draft_close(&draft);
 }
 
-/* Adds a member to a JSON object, or ends: jansson fails when memory is
-   short or a text is not UTF-8. */
+/* Adds a member to a JSON object, or exits. jansson fails if memory runs
+   out or if a text is not UTF-8. */
 static void put(json_t *object, const char *key, json_t *value)
 {
     if (json_object_set_new(object, key, value) != 0)
@@ -472,7 +474,7 @@ static json_t *take(char *text)
     return value;
 }
 
-/* Writes JSON to a file. JSON_REAL_PRECISION keeps 0.1 from being written
+/* Writes JSON to a file. Without JSON_REAL_PRECISION, 0.1 would be written
    with 17 digits. */
 static void write_tree(const char *folder, const char *name, json_t *json)
 {
@@ -486,7 +488,8 @@ static void write_tree(const char *folder, const char *name, json_t *json)
 }
 
 /* Writes one JSON file for each student whose exercises were all graded.
-   Somebody will ask for a missing file, but nobody about too few points. */
+   Somebody will ask for a missing file, but nobody would notice too few
+   points. */
 static void write_json(const struct course *c, const char *folder,
                        const char *kind,
                        json_t *build(const struct course *, size_t))
@@ -573,8 +576,8 @@ static json_t *sum_up(const struct course *c, size_t s)
     return json;
 }
 
-/* Returns the field extra_data, which Gradescope stores and does not show;
-   it tells how the marks were made. */
+/* Returns the field extra_data, which says how the marks were made.
+   Gradescope stores it but does not show it. */
 static json_t *gradescope_extra(const struct course *c, size_t s)
 {
     json_t *json = json_object();
@@ -587,8 +590,8 @@ static json_t *gradescope_extra(const struct course *c, size_t s)
 }
 
 /* Returns a student's results for Gradescope. Output is declared as plain
-   text, since Gradescope may otherwise read it as HTML. Students do not see
-   what this program prints. */
+   text, since Gradescope may otherwise read it as HTML. stdout_visibility
+   hides what this program prints. */
 static json_t *gradescope(const struct course *c, size_t s)
 {
     json_t *json = json_object(), *tests = json_array();
@@ -610,9 +613,9 @@ static json_t *gradescope(const struct course *c, size_t s)
 
 enum { CLASSROOM_NAME = 100, CLASSROOM_OUTPUT = 4000 };
 
-/* Returns a test for Classroom 50. Its schema requires different names of
-   at most 100 bytes; ours begin with exercise and number. Its collector
-   refuses files above 10 MiB, so reports on tests are cut. */
+/* Returns a test for Classroom 50. Its schema requires unique names of at
+   most 100 bytes; our names begin with the exercise and the test's number.
+   Its collector refuses files above 10 MiB, so reports on tests are cut. */
 static json_t *classroom_test(const struct marks *m, int test)
 {
     const struct mark *mark = &m->marks[test];
@@ -632,9 +635,10 @@ static json_t *classroom_test(const struct marks *m, int test)
     return json;
 }
 
-/* Returns a variable of the environment, or a substitute. Classroom 50 sets
-   variables that tell the student and the task; elsewhere its collector
-   refuses the file until somebody fills them in. */
+/* Returns the value of an environment variable, or `otherwise` if it is not
+   set. Classroom 50 sets these variables, which identify the student and
+   the task. Elsewhere its collector refuses the file until somebody fills
+   them in. */
 static json_t *known(const struct course *c, const char *variable,
                      const char *otherwise)
 {
@@ -670,8 +674,8 @@ static void put_owner(json_t *json, const struct course *c, size_t s)
 }
 
 /* Returns a student's result for Classroom 50. datetime should be the time
-   of handing in, which decides whether it is late; we know only the time of
-   grading, and the collector's own runner corrects it. */
+   when the work was handed in, which decides whether it is late. We know
+   only the time of grading; the collector's own runner corrects it. */
 static json_t *classroom(const struct course *c, size_t s)
 {
     json_t *json = json_object(), *tests = json_array();
@@ -688,8 +692,8 @@ static json_t *classroom(const struct course *c, size_t s)
     return json;
 }
 
-/* Returns a test for GitHub Classroom. A test without a verdict is in
-   error, not failed. */
+/* Returns a test for GitHub Classroom. A test without a verdict has the
+   status error, not fail. */
 static json_t *github_test(const struct marks *m, int test)
 {
     const struct mark *mark = &m->marks[test];
@@ -734,10 +738,10 @@ static json_t *github(const struct course *c, size_t s)
     return json;
 }
 
-/* A report in JUnit's XML, being written. The format has no standard;
-   GitLab and Jenkins have to read it. GitLab drops the second of two cases
-   with the same class and name, so a case's name has the student and the
-   test's number. */
+/* A report in JUnit's XML while it is written. The format has no standard;
+   GitLab and Jenkins must be able to read the report. GitLab drops the
+   second of two cases with the same class and name, so the name of a case
+   contains the student and the test's number. */
 struct junit {
     struct draft draft;
     xmlTextWriterPtr xml;
@@ -749,8 +753,8 @@ static void checked(int result)
         text_fail("out of memory");
 }
 
-/* Writes bytes for libxml2 and always reports success, since libxml2 would
-   print messages of its own; ferror shows errors at the end. */
+/* Writes bytes for libxml2. Always reports success, since libxml2 would
+   print messages of its own; ferror finds errors at the end. */
 static int write_bytes(void *context, const char *bytes, int length)
 {
     struct junit *j = context;
@@ -797,9 +801,9 @@ struct tally {
     double seconds;
 };
 
-/* Returns the JUnit element of a state. A wrong number is a failure; a
+/* Returns the JUnit element of a state. A wrong number is a failure. A
    crash, a time-out and a file that does not build are errors, because the
-   test came to no verdict; a test that is not begun is skipped. */
+   test came to no verdict. A test that is not begun is skipped. */
 static const char *element_of(enum state state)
 {
     switch (state) {
@@ -810,7 +814,7 @@ static const char *element_of(enum state state)
     }
 }
 
-/* Counts tests by the elements that are written for them later, so that the
+/* Counts tests by the same elements that are written later, so that the
    numbers agree. */
 static void count_endings(struct tally *tally, const struct marks *m)
 {
@@ -835,9 +839,9 @@ static void put_tally(struct junit *j, const struct tally *tally)
     attribute(j, "time", compose("%.3f", tally->seconds));
 }
 
-/* Writes how a test ended. If the file does not build the first test has
-   the compiler's messages, even if it is hidden: they are only about the
-   student's file. */
+/* Writes how a test ended. If the file does not build, the first test has
+   the compiler's messages. This holds even for a hidden test, since the
+   messages are only about the student's file. */
 static void put_ending(struct junit *j, const char *element,
                        const struct marks *m, int test)
 {
@@ -849,7 +853,6 @@ static void put_ending(struct junit *j, const char *element,
     end(j);
 }
 
-/* Writes a test with its time. */
 static void put_case(struct junit *j, const char *student,
                      const struct marks *m, int test)
 {
@@ -868,8 +871,8 @@ static void put_case(struct junit *j, const char *student,
     end(j);
 }
 
-/* Writes an exercise that was not graded as one test in error: a suite
-   without tests would count as passed. */
+/* Writes an exercise that was not graded as one test with an error, because
+   a suite without tests would count as passed. */
 static void put_lost(struct junit *j, const char *student,
                      const struct marks *m)
 {
@@ -927,10 +930,11 @@ static void report_junit(const struct course *c, const char *folder)
     draft_close(&j.draft);
 }
 
-/* Returns how many columns the next character takes: two for a Chinese one,
-   none for an accent. wcwidth knows that only in a UTF-8 locale. Returns
-   -1, for a question mark, if the character is unknown or turns the
-   direction of writing, which would also turn the numbers after a name. */
+/* Returns how many columns the next character takes: two for a Chinese
+   character, none for an accent. wcwidth needs a UTF-8 locale for this.
+   Returns -1 if a question mark should replace the character: if it is
+   unknown, or changes the direction of writing, which would also affect the
+   numbers after a name. */
 static int columns(const char *text, size_t *bytes)
 {
     mbstate_t state = {0};
@@ -946,9 +950,9 @@ static int columns(const char *text, size_t *bytes)
     return turns ? -1 : wcwidth(c);
 }
 
-/* Returns how many of `room' columns a text fills, and sets *length to the
-   bytes in them, which are limited as well: a name of ten thousand accents
-   is as wide as a letter. */
+/* Returns how many of `room` columns a text fills, and sets *length to the
+   number of bytes in them. That number is limited as well: a name of ten
+   thousand accents is as wide as a letter. */
 static int fit(const char *text, int room, size_t *length)
 {
     int taken = 0;
@@ -1014,7 +1018,7 @@ static struct layout lay_out(const struct course *c)
 }
 
 /* Prints a cell of the table: the points or, if they are 0, a letter for
-   the state, since a column of zeros is harder to read. */
+   the state. A column of zeros would be harder to read. */
 static void show_earned(const struct marks *m, int width)
 {
     static const char letters[] = {
@@ -1063,7 +1067,7 @@ struct screen {
     bool any; /* a note was printed */
 };
 
-/* Prints a note for a person, on as many lines of the screen as needed. */
+/* Prints a note for the lecturer, on as many lines as needed. */
 static void show_line(void *to, const char *student, const char *exercise,
                       const char *text)
 {
@@ -1123,8 +1127,8 @@ static void report_table(const struct course *c, const char *folder)
         text_fail("cannot write the table: %s", strerror(errno));
 }
 
-/* The reports: each is written by a function, or is a JSON file for each
-   student, built by another. */
+/* The reports. If `write` is not NULL it writes the report; otherwise
+   `build` returns a JSON file for each student. */
 static const struct {
     const char *name;
     void (*write)(const struct course *course, const char *folder);

@@ -6,11 +6,11 @@
 
 #include <stddef.h>
 
-/* The marks of a course, sorted by student, then by exercise; at least one
-   student. Every exercise has all its tests, also if it was not handed in,
-   since the points that can be earned must be the same for all. An exercise
-   has no tests only where the grader itself failed; then its file says why,
-   and no report shows it as zero points. */
+/* The marks of a course, sorted by student, then by exercise, with at least
+   one student. An exercise has all its tests even if it was not handed in,
+   since the points possible must be the same for all students. It has no
+   tests only if the grader itself failed. Its `file` then says why, and no
+   report shows it as zero points. */
 struct course {
     size_t students, exercises;
     const struct marks *marks; /* those of student s in exercise e
@@ -22,20 +22,20 @@ struct course {
     const char *when;          /* time of grading, 2026-10-05T09:30:00Z */
 };
 
-/* publish_names lists the reports that may be asked for, "gradescope, ...";
-   publish_known returns whether a name is in it. The reports for people
-   (table, csv, notes) are always written. */
+/* publish_names is a list of the reports that may be asked for,
+   "gradescope, ..."; publish_known returns whether a name is in it. The
+   reports for people (table, csv, notes) are always written. */
 extern const char publish_names[];
 bool publish_known(const char *report);
 
-/* Writes a report: table to standard output, csv, notes, junit to
-   FOLDER/grades.csv, FOLDER/by-hand/notes.txt (if there are any),
+/* Writes a report: table to standard output; csv to FOLDER/grades.csv;
+   notes, if there are any, to FOLDER/by-hand/notes.txt; junit to
    FOLDER/junit.xml; gradescope, classroom50 and github to
-   FOLDER/gradescope/STUDENT.json, ..., where characters of a student's name
-   that are unfit for a file's name become %XX. A file is whole or absent.
-   Exits with status 2 when it cannot write. JSON is written by jansson and
-   XML by libxml2, never by printf, which is right only for names one has
-   thought of. */
+   FOLDER/gradescope/STUDENT.json, ... In STUDENT, characters that a file
+   name should not have become %XX. A file is written whole or not at all.
+   Exits with status 2 if it cannot be written. JSON is written by jansson
+   and XML by libxml2. printf would be right only for the names that its
+   author has thought of. */
 void publish(const char *report, const struct course *course,
              const char *folder);
 

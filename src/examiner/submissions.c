@@ -1,4 +1,5 @@
-/* Walks a folder of submissions; notes what is not graded. */
+/* Finds the files to grade in a folder of submissions, and notes the
+   others. */
 #include "examiner/submissions.h"
 #include "examiner/marks.h"
 #include "examiner/text.h"
@@ -16,10 +17,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* Opens a folder inside another. All functions here use descriptors and
-   follow no links, so that no file can be exchanged between its check and
-   its opening, and no name is given to a shell. A file might be a link to
-   /etc/passwd, or a named pipe. */
+/* Opens the folder `name` in the folder `parent`. A student's file might be
+   a link to /etc/passwd, or a named pipe. So all functions here use
+   descriptors and follow no links: no file can be exchanged between its
+   check and its opening, and no name is given to a shell. */
 static int open_folder(int parent, const char *name)
 {
     return openat(parent, name,
@@ -71,11 +72,11 @@ static void free_names(char **names, size_t count)
     free(names);
 }
 
-/* Most notes on one student; the last one says that there are more. */
+/* The most notes on one student. If there are more, a last line says so. */
 enum { NOTES = 12 };
 
-/* Returns one formatted line for a person, to be freed. A line end in a
-   name, which marks_text leaves, is escaped as well. */
+/* Returns a formatted line; the caller frees it. Also escapes line ends,
+   which marks_text keeps, because a name may contain them. */
 static char *compose(const char *format, ...)
 {
     char raw[8192], *text, *line, *end;
@@ -92,7 +93,8 @@ static char *compose(const char *format, ...)
     return line;
 }
 
-/* Returns a path without the student's folder, which notes already name. */
+/* Returns a path without the student's folder, which the notes name anyway.
+ */
 static const char *below(const char *path)
 {
     const char *slash = strchr(path, '/');
@@ -130,9 +132,9 @@ static bool is_exercise(const char *name)
            !isalnum(s[3]);
 }
 
-/* Returns the place in a file's name where the exercise begins, or NULL.
-   Windows may have made it 01A-SOMETHING.C, and a platform may have put a
-   prefix before it that ends in _. */
+/* Returns where the name of an exercise begins in a file's name, or NULL.
+   The name may be in capitals, 01A-SOMETHING.C, because of Windows. A
+   platform may have put a prefix before it that ends in _. */
 static const char *find_exercise(const char *name)
 {
     const char *found = is_exercise(name) ? name : NULL;
@@ -163,23 +165,23 @@ static const char *const made[] = {".o", ".exe", ".out", ".h", NULL};
 static const char canvas[] =
     "^((LATE_)?anon_[[:alnum:]]+|[^_]+(_LATE)?_[0-9]+)_[0-9]+_";
 
-/* The owner of a file, according to the name of the file or folder. Moodle
-   puts the student's name, a number and assignsubmission_file_ before the
-   file's name, or makes a folder of this name. Canvas puts the name, LATE,
-   the numbers of user and file, or, where names are hidden, anon and some
-   letters. Any other text before an exercise's name is taken as an owner,
-   with a note: in doubt there should be too many students, never one too
-   few. */
+/* The owner of a file, from the name of the file or its folder. Moodle puts
+   the student's name, a number and assignsubmission_file_ before the file's
+   name, or makes a folder with such a name. Canvas puts the student's name,
+   LATE if the file was late, and the numbers of user and file; where names
+   are hidden, anon and some letters replace the name. Any other text before
+   the name of an exercise is taken as the owner, with a note: one student
+   too many is better than one too few. */
 struct owner {
     char name[256]; /* the student's name, without LATE_ */
     bool late, guessed, canvas;
     long long attempt; /* date or number in the name, or 0 */
 };
 
-/* Regular expressions for names with a date. Blackboard:
-   TASK_USER_attempt_2026-11-28-09-05-00_FILE, whose date sorts by time.
-   Brightspace: 123-456 - NAME - Nov 28, 2026 905 AM - FILE, or a folder of
-   that name without the file. */
+/* Regular expressions for names with a date. Blackboard writes
+   TASK_USER_attempt_2026-11-28-09-05-00_FILE, where the date sorts by time.
+   Brightspace writes 123-456 - NAME - Nov 28, 2026 905 AM - FILE, or makes
+   a folder of that name without the file. */
 static const char blackboard[] =
     "^(.+)_attempt_([0-9]{4}-[0-9]{2}-[0-9]{2}-[0-9]{2}-[0-9]{2}-[0-9]{2})"
     "(_(.*)|\\.txt)?$";
@@ -221,7 +223,8 @@ static long long read_date(const char *text)
     return ((year * 100LL + which) * 100 + day) * 10000 + clock;
 }
 
-/* Returns whether a name has this form; fills in its parts. */
+/* Returns whether a name matches the regular expression `form`, and fills
+   in the parts. */
 static bool matches(const char *name, const char *form, regmatch_t part[5])
 {
     regex_t compiled;
@@ -232,8 +235,9 @@ static bool matches(const char *name, const char *form, regmatch_t part[5])
     return found;
 }
 
-/* Reads an owner's name that ends with the date of the attempt. Returns the
-   rest, "" for a folder; NULL if the name has no such form. */
+/* Reads the owner and the date of the attempt from a name. Returns the rest
+   of the name, which is "" for a folder. Returns NULL if there is no date.
+   */
 static const char *part_attempt(const char *name, struct owner *owner)
 {
     regmatch_t part[5];
@@ -254,8 +258,8 @@ static const char *part_attempt(const char *name, struct owner *owner)
     return part[4].rm_so < 0 ? "" : name + part[4].rm_so;
 }
 
-/* Reads the owner in a name; returns the rest of the name, or NULL without
-   an owner. */
+/* Reads the owner from a name. Returns the rest of the name, or NULL if it
+   contains no owner. */
 static const char *part_name(const char *name, struct owner *owner)
 {
     static regex_t compiled;
@@ -293,9 +297,10 @@ static const char *part_name(const char *name, struct owner *owner)
     return rest;
 }
 
-/* Terms of an answer's rank, the lowest of which is best: for each folder
-   above the file, for a folder not called exercises, for an unusual name,
-   for a name that does not end in .c. */
+/* Terms that add up to an answer's rank; the lowest rank is best. DEEPER is
+   added for each folder above the file, ELSEWHERE if the folder is not
+   called exercises, UNUSUAL for an unusual name, and MISNAMED for a name
+   that does not end in .c. */
 enum { DEEPER = 4, ELSEWHERE = 2, UNUSUAL = 1, MISNAMED = 1000 };
 
 /* Returns the number that Canvas adds to the name of a file handed in
@@ -341,7 +346,8 @@ static void add_answer(struct submission *s, const char *path,
     memcpy(answer->exercise, its, 3);
 }
 
-static const char *page_key(const char *name) /* returns "P1g" or "P1t" */
+/* Returns "P1g" for the file P1.gp, "P1t" for P1.txt. */
+static const char *page_key(const char *name)
 {
     static char key[4] = "P";
     key[1] = name[1];
@@ -349,9 +355,9 @@ static const char *page_key(const char *name) /* returns "P1g" or "P1t" */
     return key;
 }
 
-/* Adds a file to the student's answers, or notes why not. A text or a C++
-   file with an exercise's name is added as well: a note names it if there
-   is no better file. */
+/* Adds a file to the student's answers, or notes why not. Also adds a text
+   or C++ file with the name of an exercise: a note mentions it if there is
+   no better file. */
 static void take(struct submission *s, const char *const usual[],
                  const char *path, const char *name, mode_t mode, int depth)
 {
@@ -391,9 +397,10 @@ static mode_t mode_of(int folder, const char *name)
     return asked == 0 ? about.st_mode : 0;
 }
 
-/* Returns whether a folder is part of a copy of the whole kit, that is, has
-   a folder `exercises' beside it. Such folders have files with the names of
-   answers, solutions among them, which are not the student's. */
+/* Returns whether a folder is part of a copy of the whole kit: its name is
+   one of the kit's, and a folder `exercises` is beside it. Such folders
+   have files with the names of answers, some of them solutions, which are
+   not the student's. */
 static bool is_kit(int folder, const char *name)
 {
     static const char *const kit[] = {"tests",    "solutions", "src",
@@ -432,9 +439,9 @@ static void walk(struct submission *s, const char *const usual[],
     close(folder);
 }
 
-/* Returns the submission of a student, a new one if needed. Each folder is
-   a student, and so is each owner of a file. If there are only exercises'
-   files the whole folder is one student's. */
+/* Returns the submission of a student, and adds it if it is new. There is a
+   student for each folder and for each owner in the name of a file. If
+   there are only files of exercises, they all belong to one student. */
 static struct submission *student(struct submissions *all,
                                   const char *entry, const char *name)
 {
@@ -514,8 +521,8 @@ static int compare_entries(const void *a, const void *b)
     return strcmp(one->entry, other->entry);
 }
 
-/* Returns whether a name begins with `start'. Canvas puts LATE_ before
-   names that it has hidden. */
+/* Returns whether a name begins with `start`, or with LATE_, which Canvas
+   puts before hidden names. */
 static bool is_wanted(const char *name, const char *start)
 {
     return text_after(name, start) || text_after(name, "LATE_");
@@ -563,9 +570,10 @@ struct submissions submissions_find(const char *folder,
     return all;
 }
 
-/* Returns a positive number if the first answer is to be preferred, a
-   negative one for the second, 0 if neither: files that can be graded come
-   before others, later attempts before earlier ones, then lower ranks. */
+/* Returns a positive number if the answer `one` is better, a negative
+   number if `other` is better, and 0 if they are equal. A file that can be
+   graded is better than one that cannot; among equals, a later attempt is
+   better, and then a lower rank. */
 static int prefer(const struct answer *one, const struct answer *other)
 {
     const bool graded = one->rank < MISNAMED;
@@ -576,17 +584,17 @@ static int prefer(const struct answer *one, const struct answer *other)
     return (one->rank < other->rank) - (one->rank > other->rank);
 }
 
-/* Returns whether both paths begin with the same folder, which then need
-   not be named. */
+/* Returns whether both paths begin with the same folder. Notes then leave
+   it out. */
 static bool together(const char *one, const char *other)
 {
     const size_t length = strcspn(one, "/");
     return one[length] && strncmp(one, other, length + 1) == 0;
 }
 
-/* Returns the file to be graded as the answer to an exercise, the one
-   preferred to all others, or NULL: if two are equally good none is graded.
-   *note names the other files. */
+/* Returns the best answer to an exercise, or NULL if there is none, it
+   cannot be graded, or two are equally good. Sets *note to a remark on the
+   choice. */
 static const struct answer *choose(const struct submission *s,
                                    const char *usual, char **note)
 {
@@ -640,8 +648,8 @@ static const struct answer *choose(const struct submission *s,
     return best->rank >= MISNAMED || tie ? NULL : best;
 }
 
-/* Opens the file of a path below a folder, one name after the other, none
-   of which may be a link. */
+/* Opens the file `path` below a folder, one name after the other. None of
+   the names may be a link. */
 static int open_below(const char *folder, const char *path)
 {
     int at = open_folder(AT_FDCWD, folder);
@@ -666,8 +674,8 @@ static int open_below(const char *folder, const char *path)
     return -1;
 }
 
-/* Returns the bytes of a file, or NULL if there are too many. It asks for
-   one byte more than is allowed, to notice a file that grows meanwhile. */
+/* Returns the bytes of a file, or NULL if it is too large. Reads up to one
+   byte more than is allowed, to notice a file that grows meanwhile. */
 static char *read_all(int file, size_t *length)
 {
     char *bytes = malloc(SUBMISSIONS_BYTES + 1);
@@ -684,8 +692,9 @@ static char *read_all(int file, size_t *length)
     return bytes;
 }
 
-/* Returns the bytes of a regular file, or NULL and a reason in *refusal.
-   The file was opened without waiting, so that a pipe can be recognised. */
+/* Returns the bytes of a regular file. On failure returns NULL and sets
+   *refusal to the reason. The file was opened with O_NONBLOCK, so that a
+   named pipe can be recognised. */
 static char *read_regular(int file, const char *name, size_t *length,
                           char **refusal)
 {

@@ -4,18 +4,18 @@
 
 #include <string.h>
 
-/* Mixes a number into a sum. Multiplying by an odd number carries bits only
-   upwards; the shift brings the high bits down. Two files have equal sums
-   with a probability of 5e-20, but can be made so on purpose: this is no
-   protection. */
+/* Mixes a number into a sum. The multiplication moves bits only upwards;
+   the shift moves the high bits down. Two files have equal sums with a
+   probability of 5e-20. That protects against accidents only: somebody can
+   make files with equal sums on purpose. */
 uint64_t sum_number(uint64_t sum, uint64_t number)
 {
     sum = (sum ^ number) * 0x9e3779b97f4a7c15u;
     return sum ^ sum >> 32;
 }
 
-/* Mixes bytes and their number into a sum; without the number a file that
-   ends in zeros would equal a shorter one. */
+/* Mixes bytes and their number into a sum. Without the number, a file that
+   ends in zeros would have the same sum as a shorter file. */
 uint64_t sum_bytes(uint64_t sum, const void *bytes, size_t length)
 {
     const char *from = bytes;

@@ -8,8 +8,8 @@
 
 const char *text_program = "examine";
 
-/* Exits with status 2, which is no verdict: a full disk, say, is no fault
-   of the student's. */
+/* Exits with status 2, which is not a verdict: a full disk, for example, is
+   not the student's fault. */
 void text_fail(const char *format, ...)
 {
     va_list arguments;
@@ -34,8 +34,8 @@ FILE *text_stream(char **text, size_t *size)
     return text_must(open_memstream(text, size ? size : &ignored));
 }
 
-/* Returns the length of the UTF-8 character that begins here and sets
- *code to it; returns 0 if there is none. */
+/* Returns the length of the UTF-8 character at s, which has `left` bytes,
+   or 0 if there is none. Sets *code to the character's number. */
 static size_t character(const unsigned char *s, size_t left,
                         unsigned long *code)
 {
@@ -61,10 +61,11 @@ static size_t character(const unsigned char *s, size_t left,
     return valid ? length : 0;
 }
 
-/* Returns whether a character is safe to show. Unsafe are controls (below
-   32, and 127 to 159), characters that turn the direction of writing, by
-   which one line of code can look like another, Unicode's line ends, two
-   characters without width, and two that XML forbids. */
+/* Returns whether a character is safe to show. These are not: control
+   characters (below 32, and 127 to 159); characters that change the
+   direction of writing, which can make one line of code look like another;
+   Unicode's line ends; two characters without width; and two that XML
+   forbids. */
 static bool is_seen(unsigned long code)
 {
     static const unsigned long unseen[][2] = {
@@ -99,15 +100,16 @@ char *text_escaped(const char *bytes, size_t length)
     return text;
 }
 
-/* Refuses other kinds of files: opening a named pipe would wait. */
+/* Other kinds of files are refused, because opening a named pipe would
+   block. */
 bool text_plain(const char *path)
 {
     struct stat about;
     return stat(path, &about) == 0 && S_ISREG(about.st_mode);
 }
 
-/* Reads at most a mebibyte, the limit on a test's output. Escaping keeps a
-   student's output from moving the cursor up and writing "passed" over the
+/* Reads at most 1 MiB, the limit on a test's output. Without escapes, a
+   student's program could move the cursor up and write "passed" over the
    line above. */
 char *text_read(const char *path)
 {
@@ -159,8 +161,8 @@ const char *text_after(const char *line, const char *prefix)
     return strncmp(line, prefix, length) == 0 ? line + length : NULL;
 }
 
-/* Keeps a word longer than a line whole, since a path with a line break in
-   it could not be copied. */
+/* Does not break a word that is longer than a line, because a path with a
+   line break in it cannot be copied. */
 size_t text_fold(const char *text, size_t room)
 {
     const size_t length = strlen(text);
@@ -183,9 +185,9 @@ void text_field(FILE *out, const char *label, const char *text)
     }
 }
 
-/* Shows a line after a bar, so that a program's "passed" is not taken for
-   the examiner's. The line is cut, not folded, because a compiler's caret
-   in the next line may point at a column. */
+/* Writes a line after a bar, so that a "passed" from a student's program is
+   not taken for the examiner's. Cuts long lines instead of folding them,
+   because a compiler's caret in the next line may point at a column. */
 static void quote(FILE *out, const char *line, size_t length)
 {
     const size_t room = TEXT_WIDTH - 4;

@@ -44,13 +44,13 @@ int transport_receive(void);
 /* true when this side is to send, false when it is to receive */
 extern bool transport_sending;
 
-/* Sends or receives this many bytes, as transport_sending says. No message
-   has a length: the receiver reads as many bytes as it expects, so that the
-   other side cannot give a false length. */
+/* Sends or receives `bytes` bytes at x, as transport_sending says. Messages
+   contain no lengths. The receiver reads as many bytes as it expects, so
+   that the other side cannot give a false length. */
 void transport_move(void *x, size_t bytes);
 
-/* Ends the program, because its partner has ended or sent nonsense; defined
-   by each side. */
+/* Ends the program, because the other side has ended or sent nonsense. Each
+   side defines it. */
 _Noreturn void transport_lost(void);
 
 #endif

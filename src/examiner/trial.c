@@ -14,8 +14,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* Returns the words that students read and tests look for, none of which is
-   "error" or "fatal". */
+/* Students read these words, and the kit's tests look for them. None of the
+   words is "error" or "fatal". */
 const char *state_name(enum state state)
 {
     static const char *const names[] = {"not begun", "does not build",
@@ -24,18 +24,18 @@ const char *state_name(enum state state)
     return names[state];
 }
 
-/* Counts an exercise that is not begun as not wrong, so that a fresh copy
-   of the kit shows no red. */
+/* An exercise that is not begun is not wrong, so that a fresh copy of the
+   kit shows no red. */
 bool state_wrong(enum state state)
 {
     return state != NOT_BEGUN && state != PASSED;
 }
 
-/* Limits. A test computes for less time than it takes to start; five
-   seconds are hundreds of times that, even with sanitizers, and about as
-   long as people look at a silent terminal. Every machine has 512 MiB, more
-   than exercises need. An endless loop that prints would fill a disk within
-   a minute, so a file may have 1 MiB. */
+/* The limits of a test. It may use 512 MiB of memory, which every machine
+   has and no exercise needs. It may write files of 1 MiB, since an endless
+   loop that prints would fill a disk within a minute. It may compute for
+   five seconds by default: hundreds of times longer than needed, even with
+   sanitizers, and about as long as people look at a silent terminal. */
 enum { MIB = 1 << 20, MEMORY_MIB = 512, SANITIZER_STATUS = 86 };
 
 struct result {
@@ -59,9 +59,9 @@ static void draw_nonce(char nonce[REPORT_NONCE + 1])
         snprintf(nonce + 2 * i, 3, "%02x", bytes[i]);
 }
 
-/* Creates a file (O_EXCL: it must not exist). O_APPEND writes at its end: a
-   program that closes one descriptor too many and opens a file instead
-   could otherwise write over the verdict. */
+/* Creates a file, which must not exist (O_EXCL). With O_APPEND all writes
+   go to its end. Otherwise a program that closes one descriptor too many
+   and opens a file instead could write over the verdict. */
 static int open_fresh(const char *path)
 {
     unlink(path);
@@ -71,8 +71,8 @@ static int open_fresh(const char *path)
     return file;
 }
 
-/* Removes words from a text: the announcement of a deadly signal, which the
-   address sanitizer prints before its report. */
+/* Removes all occurrences of `words` from a text. Used for the line that
+   the address sanitizer prints before its report on a deadly signal. */
 static void drop_words(char *text, const char *words)
 {
     const size_t length = strlen(words);
@@ -80,12 +80,13 @@ static void drop_words(char *text, const char *words)
         memmove(text, text + length, strlen(text + length) + 1);
 }
 
-/* Cuts the sanitizers' report off the output and returns it, or NULL. (With
-   some compilers the sanitizer for undefined behaviour always writes to
-   standard error, never to a file.) The report begins with the line that
-   names a sanitizer or says "runtime error", or with a line of equals signs
-   before that. It is only called when the status is a sanitizer's, so that
-   a program that prints these words keeps its output. */
+/* Cuts the sanitizers' report off the output. Returns the report, or NULL
+   if there is none. (With some compilers the sanitizer for undefined
+   behaviour always writes to standard error, never to a file.) The report
+   begins with a line that names a sanitizer or says "runtime error", or
+   with a line of equals signs before it. Called only if the status is a
+   sanitizer's, so that a program that prints these words keeps its output.
+   */
 static char *cut_error(char *output)
 {
     char *error = strstr(output, "AddressSanitizer:");
@@ -103,8 +104,9 @@ static char *cut_error(char *output)
     return copy;
 }
 
-/* Finds the next line of the report, from `from' on, with the nonce and
-   this word; copies the text after them and returns its place, or NULL. */
+/* Finds the next line of the report, after `from`, that begins with the
+   nonce and `word`. Copies the rest of the line to `text` and returns its
+   place in the report, or NULL if there is no such line. */
 static const char *find_line(const char *from, const struct result *result,
                              const char *word, char text[REPORT_LINE])
 {
@@ -123,17 +125,17 @@ static struct {
         orders; /* descriptors of the waiting runner, or 0 */
 } served;
 
-/* Starts a runner for one test and waits for it; or, if end is NULL, a
-   runner that waits for orders. It works in an empty folder `desk' inside
-   ours, so that a file of its own called `output' is not ours, and its
-   temporary files are removed with it.
+/* Starts a runner for one test and waits for it. If `end` is NULL, starts a
+   runner that waits for orders, and does not wait. The runner works in an
+   empty folder `desk` inside ours. So a student's file called output cannot
+   replace ours, and temporary files are removed with the folder.
 
-   The sanitizers get options from the environment: a status that tells us
-   of them, to catch abort, and to search for leaks only when asked. The
-   address sanitizer maps some fourteen terabytes at its start, so that a
-   limit on addresses would end it before main; instead it watches the
-   memory in use, in a thread. A copy of the process has no such thread:
-   there process_copy watches. A judge has no sanitizers, even if the
+   The environment contains options for the sanitizers: they exit with a
+   special status, catch abort, and search for leaks only on request. The
+   address sanitizer maps some fourteen terabytes at its start, so a limit
+   on the address space would end it before main. Instead it watches the
+   memory in use, in a thread. A forked copy has no such thread; there
+   process_copy watches the memory. A judge has no sanitizers, even if the
    program in its sandbox has. */
 static bool start_runner(const struct trial *trial, const char *test,
                          const struct process_files *files,
@@ -169,10 +171,11 @@ static bool start_runner(const struct trial *trial, const char *test,
                : process_start(command, desk, files, &limits);
 }
 
-/* Starts the waiting runner. It gets a socket for orders and for the
-   numbers of its copies, and ends when our end is closed. Only Linux can
-   make such copies. In the grader the judge waits so, and has the pipes to
-   its sandbox from the start. */
+/* Starts a runner that waits for orders and copies itself for each test. A
+   socket carries the orders and the process numbers of the copies; the
+   runner ends when our end is closed. Only Linux can make such copies. In
+   the grader this runner is the judge, which gets the pipes to its sandbox
+   at its start. */
 void trial_open(const struct trial *trial)
 {
 #ifdef __linux__
@@ -208,14 +211,15 @@ void trial_close(void)
     served.orders = 0;
 }
 
-/* Runs one test. If the waiting runner has died, perhaps killed by its own
-   copy before it could send that copy's number, everything that it left is
-   killed and the test gets a runner of its own, with a new report. Report
-   and output are read when no process is left that could write to them.
+/* Runs one test. The waiting runner may have died, for example if its own
+   copy killed it before it could send the copy's number. Then kills
+   everything that it left, and gives the test a runner of its own with a
+   new report. Reads the report and the output only when no process is left
+   that could write to them.
 
-   In the grader the program in the sandbox has written the output to a
-   file. If its user is ours it may have removed our permission to read, so
-   we restore it. */
+   In the grader the program in the sandbox has written its output to the
+   file `prints`. If it ran as our user it may have removed our permission
+   to read, so chmod restores that. */
 static void run_runner(const struct trial *trial, int number,
                        struct result *result)
 {
@@ -304,10 +308,9 @@ static void tell_time_out(const struct trial *trial,
     text_field(story, "what", text);
 }
 
-/* Explanations of the end of a process, by a sanitizer's word or by a
-   signal. Not all are certain: SIGSEGV is nearly always a pointer or an
-   index; a SIGKILL that is not ours came from a kernel short of memory, or
-   from a person. */
+/* Explanations of how a process ended, found by a sanitizer's word or by a
+   signal. Some are only likely: SIGSEGV is nearly always caused by a
+   pointer or an index; a SIGKILL that is not ours, by a lack of memory. */
 static const struct {
     const char *word;
     int signal;
@@ -352,9 +355,9 @@ static const char *meaning(const char *word, int signal)
     return NULL;
 }
 
-/* Explains a sanitizer's report in a sentence. For undefined behaviour its
-   own words are used, and for a word that the table lacks, from a newer
-   compiler. */
+/* Explains a sanitizer's report in a sentence. Quotes the report if it is
+   about undefined behaviour, or if the table lacks its word, which is from
+   a newer compiler. */
 static void error_text(const char *report, char *text, size_t room)
 {
     const char *undefined = strstr(report, "runtime error: ");
@@ -369,8 +372,8 @@ static void error_text(const char *report, char *text, size_t room)
              known ? known : word);
 }
 
-/* Explains a crash in a sentence. The sanitizer's report comes first, since
-   sanitizers end a program with a status, too. */
+/* Explains a crash in a sentence. Checks first for a sanitizer's report,
+   because a sanitizer also ends the program with a status. */
 static void crash_text(const struct result *result, char *text, size_t room)
 {
     const int status = result->end.status;
@@ -391,11 +394,11 @@ static void crash_text(const struct result *result, char *text, size_t room)
     }
 }
 
-/* Shows the student's line that was running: in a list of calls, which
-   begins with the innermost, it is the first mention of his file, even if
-   the error is in a library function. Paths may be absolute, so only the
-   end is compared. The function's name comes before the path, after " in
-   ". */
+/* Shows the line of the student's file that was running. The report has a
+   list of calls, the innermost first. So the line is in the first call that
+   mentions the student's file, even if the error is in a library function.
+   Paths in the report may be absolute, so only their ends are compared. The
+   function's name comes before the path, after " in ". */
 static void tell_place(const char *report, const char *source, FILE *story)
 {
     char name[4096], text[4600], function[128] = "";
@@ -435,8 +438,8 @@ static void tell_crash(const struct trial *trial,
         text_field(story, "where", nowhere);
 }
 
-/* Tells where the first leaked block was allocated. A leak costs no
-   point. */
+/* Shows where the first leaked block was allocated. A leak costs no points.
+ */
 bool trial_leak(const char *prints, const char *source, FILE *story)
 {
     char *text = text_read(prints);
@@ -452,9 +455,10 @@ bool trial_leak(const char *prints, const char *source, FILE *story)
     return own;
 }
 
-/* Returns the number of an equation in the book. A suite knows only its
-   label, since numbers change when an equation is added. A label that the
-   table lacks (the chapter is still being written) is returned itself. */
+/* Returns "equation (NUMBER)", with the number of the equation in the book.
+   A suite knows only its label, since numbers change when an equation is
+   added. If the table lacks the label, because the chapter is still being
+   written, returns the label itself. */
 static const char *equation_in_book(const char *label,
                                     char text[REPORT_LINE])
 {
@@ -470,9 +474,9 @@ static const char *equation_in_book(const char *label,
     return text;
 }
 
-/* Writes the report of a failed test, as a teacher would put it: the
-   quantity, the input, the expected and the actual answer, the tolerance
-   and its reason, the equation, a question. It never says what to type. */
+/* Writes the report of a failed test: the quantity, the input, the expected
+   and the actual answer, the tolerance and its reason, the equation, and a
+   question. The report never says what to type. */
 static void tell_failure(const struct result *result, FILE *story)
 {
     char text[REPORT_LINE], book[REPORT_LINE];
@@ -509,11 +513,11 @@ static bool is_mistake(const char *report)
 
 /* Judges a test. The order of the conditions must stay. A program that was
    stopped has timed out, whatever it reported. A program that ended by a
-   signal or with a status has crashed (sanitizers use a status), and so has
-   one without a signed verdict: it called exit or closed the report. A
-   reached gap comes before the verdict, since a program that forked may
-   report both. "Passed" comes last: if it came first, a program that
-   overruns its stack after the verdict would pass. */
+   signal or with a status other than 0 has crashed; sanitizers use such a
+   status. A program without a signed verdict has crashed, too: it called
+   exit or closed the report. A reached gap comes before the verdict, since
+   a program that forked may report both. "Passed" comes last; otherwise a
+   program that overruns its stack after the verdict would pass. */
 enum state trial_run(const struct trial *trial, int number, FILE *story)
 {
     struct result result = {0};

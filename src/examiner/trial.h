@@ -22,12 +22,13 @@ struct trial {
     bool sanitized;     /* compiled with the address sanitizer */
     bool leaks;         /* search for leaks as well */
     int seconds;        /* limit of processor time; wall-clock: twice */
-    const char *runner; /* path of the runner, from folder/desk */
-    const char *seed;   /* seed of the inputs; NULL: that of all students */
+    const char *runner; /* path of the runner, relative to folder/desk */
+    const char *seed;   /* seed of the inputs; NULL: the usual seed */
     long user;          /* user id that a judge takes, or 0 */
     int sandbox[2];     /* pipes to a program in a sandbox, or zeros */
     int later;          /* limit in seconds after a time-out, or 0 */
-    const char *prints; /* file to which that program prints, or NULL */
+    const char
+        *prints; /* output file of the program in the sandbox, or NULL */
 };
 
 /* Returns the name of a state: "not begun", "does not build", ... */
@@ -36,15 +37,15 @@ const char *state_name(enum state state);
 /* Returns whether a state is neither "not begun" nor "passed". */
 bool state_wrong(enum state state);
 
-/* Runs test number (from 1) and returns PASSED, FAILED, CRASHED, TIMED_OUT
-   or NOT_BEGUN. Unless it passed, writes a report on it to story. When the
-   examiner itself fails, prints why on standard error and exits with status
-   2. */
+/* Runs test `number`, from 1, and returns PASSED, FAILED, CRASHED,
+   TIMED_OUT or NOT_BEGUN. Unless the test passed, writes a report on it to
+   `story`. If the examiner itself fails, prints why on standard error and
+   exits with status 2. */
 enum state trial_run(const struct trial *trial, int number, FILE *story);
 
-/* Starts a runner for all tests until trial_close, where the system can do
-   that; otherwise each test starts its own. Does nothing if a runner is
-   already started. */
+/* Starts a runner that serves all tests until trial_close, if the system
+   can do that. Otherwise each test starts its own runner. Does nothing if a
+   runner is already started. */
 void trial_open(const struct trial *trial);
 void trial_close(void);
 
@@ -56,8 +57,9 @@ bool trial_waited(void);
    mistake, and not because memory ran out. */
 bool trial_mistake(void);
 
-/* Returns whether the sanitizers have reported, after a test had passed, a
-   leak of memory that source had allocated; if so, explains it in story. */
+/* Returns whether `prints`, the output of a test that passed, reports a
+   leak of memory that `source` had allocated. If so, explains it in
+   `story`. */
 bool trial_leak(const char *prints, const char *source, FILE *story);
 
 #endif

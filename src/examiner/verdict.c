@@ -9,8 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Names the other tests that failed: two failures that are both about walls
-   say more than one. */
+/* Names the other tests that failed. Together they may show the cause, for
+   example if all are about walls. */
 static void tell_others(const struct exercise *e, const enum state states[],
                         int decides, int run, FILE *story)
 {
@@ -32,9 +32,9 @@ static int gap_line(const char *account)
 }
 
 /* Returns whether running the tests again would give the same verdict. A
-   test that timed out may have shared the processor; one that crashed may
-   have run out of memory or read beyond an array. All other outcomes are
-   reported by our own runner and are reproducible. */
+   test that timed out may have shared the processor. A test that crashed
+   may have run out of memory or read beyond an array. All other outcomes
+   are reported by our own runner and are reproducible. */
 static bool repeatable(const enum state states[], int run)
 {
     for (int i = 0; i < run; ++i)
@@ -43,9 +43,9 @@ static bool repeatable(const enum state states[], int run)
     return true;
 }
 
-/* Reports memory that a passing answer has leaked; returns whether there
-   was any. One search for leaks in each exercise is enough: the last test
-   makes it, if the others have passed. A verdict with a leak is not stored,
+/* Reports memory that a passing answer has leaked. Returns whether there
+   was a leak. One search for leaks per exercise is enough: the last test
+   makes it, if all others have passed. A verdict with a leak is not stored,
    since it is more than a plain pass. */
 static bool tell_leak(const struct exercise *e, const struct trial *trial,
                       FILE *story)
@@ -63,12 +63,11 @@ static bool tell_leak(const struct exercise *e, const struct trial *trial,
     return leaks;
 }
 
-/* Runs the tests of an exercise and sets its state; returns whether the
-   verdict can be stored. One test decides the state and is told in full:
-   the first that failed or, if gaps were reached but nothing failed, the
-   first gap. An exercise with gaps and failures is begun, since there is
-   something to correct. After a time-out no more tests run, since nobody
-   wants to wait five seconds for each. */
+/* Runs the tests of an exercise and sets its state. Returns whether the
+   verdict can be stored. One test decides the state and is reported in
+   full: the first that failed or, if none failed, the first that reached a
+   gap. After a time-out no more tests are run, since nobody wants to wait
+   five seconds for each. */
 static bool run_tests(struct exercise *e, const struct trial *trial,
                       FILE *story)
 {
@@ -113,9 +112,9 @@ static bool run_tests(struct exercise *e, const struct trial *trial,
     return !tell_leak(e, trial, story) && repeatable(states, run);
 }
 
-/* Judges an exercise; returns whether the verdict can be stored. That a
-   file does not build is certain only if the compiler has found an error in
-   it, since the disk may have been full. */
+/* Judges an exercise. Returns whether the verdict can be stored. "Does not
+   build" can be stored only if the compiler has found an error in the
+   student's file; otherwise the disk may have been full. */
 static bool build_and_test(struct exercise *e,
                            const struct verdict_rules *rules, FILE *story)
 {
@@ -143,8 +142,8 @@ static void forget(struct exercise *e)
     e->earned = e->gap = e->wants = 0;
 }
 
-/* Reports that the student's file is missing, which counts as not begun.
-   The examiner never writes one unasked. */
+/* Reports that the student's file is missing; the exercise counts as not
+   begun. The examiner never creates the file unasked. */
 static void tell_missing(struct exercise *e)
 {
     char text[4 * COURSE_PATH];
@@ -174,11 +173,11 @@ void verdict_from_cache(struct exercise *e,
         tell_missing(e);
 }
 
-/* Judges in the cheapest way: comparing with the stub takes microseconds, a
-   stored verdict a fraction of a millisecond, building and running a
-   quarter of a second. The key is computed before the compiler starts; if
-   it has changed at the end the file was saved meanwhile, and the verdict
-   is not stored. */
+/* Judges in the cheapest way that is possible: comparing with the stub
+   takes microseconds, reading a stored verdict a fraction of a millisecond,
+   building and running a quarter of a second. The key is computed before
+   the compiler starts. If it has changed at the end, the file was saved
+   meanwhile, and the verdict is not stored. */
 void verdict_reach(struct exercise *e, const struct verdict_rules *rules)
 {
     verdict_from_cache(e, rules);

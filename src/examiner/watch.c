@@ -18,9 +18,10 @@ static void give_terminal_back(void)
     tcsetpgrp(STDIN_FILENO, before);
 }
 
-/* Puts this process into the terminal's foreground, in a group of its own.
-   Ctrl-C goes to every process of the foreground group, and make would end
-   with an error message. Ctrl-Z is ignored, or make would wait for ever. */
+/* Puts this process into the terminal's foreground, in a process group of
+   its own. Ctrl-C goes to every process of the foreground group; if make
+   were in it, make would end with an error message. Ctrl-Z is ignored;
+   otherwise make would wait for ever. */
 static void take_terminal(void)
 {
     before = getpgrp();
@@ -34,14 +35,15 @@ static void take_terminal(void)
 }
 
 struct seen {
-    uint64_t judged, last; /* checksums of the file judged and seen last */
+    uint64_t judged,
+        last; /* checksums when last judged and when last seen */
 };
 
-/* Returns whether a file was saved and has to be judged: its checksum
-   differs from that of the file last judged, and is that of the previous
-   check, because an editor may empty a file before writing it. If an editor
-   pauses for more than a tenth of a second in between, half a file is
-   judged. */
+/* Returns whether a file was saved and must be judged. Its checksum must
+   differ from that of the file last judged. It must also be the same as at
+   the previous check, because an editor may empty a file before writing it.
+   If the editor pauses for more than a tenth of a second in between, half a
+   file is judged. */
 static bool saved(struct exercise *e, struct seen *seen)
 {
     if (!text_plain(e->file))
@@ -77,9 +79,9 @@ static void show(const struct course *course, const struct exercise *e)
 
 enum { WATCH_PAUSE = 100 }; /* time between two checks, ms */
 
-/* Waits a tenth of a second for a command from the keyboard; returns
-   whether to go on. Commands end with Enter: reading single keys needs
-   another mode of the terminal, which would remain if this process were
+/* Waits a tenth of a second for a command from the keyboard. Returns
+   whether to continue. A command ends with Enter. To read single keys, the
+   terminal would need another mode, which would remain if this process were
    killed. */
 static bool key_goes_on(const struct exercise *shown)
 {
@@ -97,10 +99,10 @@ static bool key_goes_on(const struct exercise *shown)
     return line[0] != 'q';
 }
 
-/* Judges every chosen file that was saved. Forty checksums ten times a
-   second take half a millisecond each time; the ways by which systems
-   announce a changed file differ, and fail for a file that an editor
-   replaces, as most editors do. */
+/* Judges every chosen file that was saved. This computes forty checksums
+   ten times a second; each time takes half a millisecond. Notifications of
+   changed files differ between systems, and fail if an editor replaces the
+   file, as most editors do. */
 static void judge_saved(struct course *course,
                         const struct verdict_rules *rules,
                         struct seen seen[], const struct exercise **shown)

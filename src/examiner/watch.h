@@ -4,8 +4,8 @@
 
 #include "examiner/verdict.h"
 
-/* Shows the next step, and again whenever a chosen file was saved; returns
-   after a signal, or after a q on the keyboard. */
+/* Shows the next step at once, and again whenever a chosen file was saved.
+   Returns after a signal, or when the user types q. */
 void watch_files(struct course *course, const struct verdict_rules *rules);
 
 #endif

@@ -1,4 +1,4 @@
-/* A temporary folder, removed at the end of the program. */
+/* Makes a temporary folder and removes it at the end of the program. */
 #include "examiner/work.h"
 #include "examiner/folder.h"
 #include "examiner/text.h"
@@ -17,10 +17,9 @@ static void remove_folder(void)
                 strerror(errno));
 }
 
-/* Returns the name of the temporary folder, which the first call makes. It
-   is in build/, since on some machines programs in /tmp may not be
-   executed, and has a new name each time, so that two examiners running at
-   once do not share it. */
+/* The folder is in build/, since some machines do not execute programs in
+   /tmp. It has a new name each time, so that two examiners running at once
+   do not share it. */
 const char *work_folder(void)
 {
     static bool made;

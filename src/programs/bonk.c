@@ -15,13 +15,13 @@
 
 #define PROGRAM "bonk"
 
-/* The settings from the command line. */
+/* Settings from the command line. */
 static struct {
     const char *scene;
-    double until;     /* time at which to stop, s */
-    double tolerance; /* largest error allowed, a fraction of the scale */
-    double every;  /* time from row to row, s; 0: a sixteenth of the run */
-    double budget; /* largest cost of choosing and running, s */
+    double until;     /* end of the run, s */
+    double tolerance; /* largest error, as a fraction of the scale */
+    double every;     /* time between rows, s; 0: run / 16 */
+    double budget;    /* maximum cost of choosing and running, s */
     const char *observe, *model;
     bool explain;
     const char *chart, *output, *summary, *command;
@@ -30,46 +30,46 @@ static struct {
            .tolerance = NAN,
            .summary = "/dev/null"};
 
-/* ROWS is the number of rows without --every. Sixteen rows show where a run
-   went wrong, and can be compared at a glance. Errors are judged at sixteen
-   times or more: two runs that are compared only once may agree because one
-   of them is late by a whole period, and the cheapest run that agrees would
-   often be such a run. */
+/* ROWS is the default number of rows. Sixteen rows show where a run went
+   wrong and can be read at a glance. Errors are also judged at sixteen
+   times or more. Two runs that are compared only once may agree although
+   one of them is late by a whole period, and the cheapest run that agrees
+   would often be such a run. */
 enum { ROWS = 16, ROWS_MOST = 1000000 };
 
-/* The prefix of an average in --observe. */
+/* Prefix of an average in --observe. */
 static const char mean_prefix[] = "mean:";
 enum { MEANS_MOST = 16, PREFIX = sizeof mean_prefix - 1 };
 
-/* An average requested with --observe, and its result. */
 struct mean {
     struct averages_quantity quantity;
     struct averages_found found;
 };
 
-/* A request and its answer: either a run (choice) or averages (mean). */
+/* A request and its result: either a run, in `choice`, or averages, in
+   `mean`. */
 struct run {
     struct scene scene;
     struct observables asked;
     struct choose_request request;
-    size_t judged; /* rows compared for each row written */
+    size_t judged; /* compared rows per written row */
     struct choose_choice choice;
-    struct models_plan plan; /* given with --model */
+    struct models_plan plan; /* plan of --model */
     struct progress progress;
     struct mean mean[MEANS_MOST];
-    size_t means; /* averages in --observe; 0: a run is wanted */
+    size_t means; /* averages in --observe; 0 if a run is requested */
     struct table *out, *summary, *chart;
-    FILE *explanation; /* stream for --explain */
+    FILE *explanation; /* output of --explain */
 };
 
-/* Sets the times of the rows, which divide the time from the scene's clock
-   to --until into equal intervals: the last row is at --until, and a
-   shorter last interval would need steps of another length. An interval
-   longer than a sixteenth of the run is divided, so that errors are also
-   judged between the rows that are written.
+/* Sets the times of the rows. They divide the time from the scene's clock
+   to --until into equal intervals, so the last row is at --until. A shorter
+   last interval would need steps of another length. An interval longer than
+   a sixteenth of the run is divided further, because errors are also judged
+   between the written rows.
 
-   The 1e-9 allows for rounding: 0.001 divides 1 although neither it nor the
-   quotient is exact in binary, and 0.3 must be refused. */
+   The 1e-9 allows for rounding: 0.001 divides 1 although 0.001 and the
+   quotient are not exact in binary, and 0.3 must be refused. */
 static void set_rows(struct run *r)
 {
     const double length = given.until - r->scene.time;
@@ -91,8 +91,8 @@ static void set_rows(struct run *r)
 }
 
 /* Reads the averages of --observe, mean:NAME,mean:NAME... Averages and
-   values cannot be requested together: values cannot be predicted beyond
-   the horizon, whereas averages can. */
+   values cannot be requested together, because only averages can be
+   predicted beyond the horizon. */
 static void read_means(struct run *r)
 {
     char message[AVERAGES_TEXT], name[64];
@@ -118,8 +118,8 @@ static bool asks_for_means(void)
     return given.observe && strstr(given.observe, mean_prefix) != NULL;
 }
 
-/* Reads the scene. Leapfrog can run any scene, so if motion_view cannot set
-   up leapfrog for it, the scene itself is wrong. */
+/* Reads the scene. Leapfrog can run any valid scene, so a scene that
+   motion_view refuses is wrong. */
 static void read_scene(struct run *r)
 {
     struct motion m;
@@ -133,19 +133,20 @@ static void read_scene(struct run *r)
                        given.scene);
 }
 
-/* Shows the cost spent so far on choosing. choose() calls it after each
-   run. Progress is counted in integers, so the unit is a millisecond. */
+/* Shows the cost of choosing so far. choose() calls this function after
+   each run. The unit is a millisecond, because progress is counted in
+   integers. */
 static void show_progress(void *with, double spent)
 {
     const uint64_t ms = (uint64_t)(1e3 * spent);
     progress_update(with, ms, ms);
 }
 
-/* Checks the command against the scene, and exits with status 2 before any
-   work is done. Most mistakes can be found only now, such as a body that
-   does not exist, a time that is past, or a model that cannot run the
-   scene. A --model with its number of steps is used unchanged. If it is
-   only the name of a method, the number of steps is chosen. */
+/* Checks the command against the scene. Exits with status 2 before any work
+   is done. Most mistakes can be found only with the scene, such as a
+   missing body, a time in the past, or a model that cannot run the scene. A
+   --model with a number of steps is used unchanged. If --model is only the
+   name of a method, the number of steps is chosen. */
 static void begin_run(struct run *r)
 {
     read_scene(r);
@@ -180,8 +181,7 @@ static void begin_run(struct run *r)
     }
 }
 
-/* Prints formatted text as part of the explanation, if --explain is
-   given. */
+/* Prints formatted text if --explain is given. */
 static void explain(const struct run *r, const char *format, ...)
 {
     va_list values;
@@ -192,8 +192,8 @@ static void explain(const struct run *r, const char *format, ...)
     va_end(values);
 }
 
-/* Explains, part 1: the interactions. A scene without any is valid, and its
-   bodies move uniformly. */
+/* Explains the interactions, the first part of the explanation. A scene
+   without interactions is valid; its bodies move uniformly. */
 static void explain_interactions(const struct run *r)
 {
     const struct models_acts *a = &r->choice.acts;
@@ -210,10 +210,10 @@ static void explain_interactions(const struct run *r)
             a->dimensions == 1 ? "" : "s");
 }
 
-/* Explains, part 2: the request, and the reference with which the
-   candidates are compared. The doubt is the difference between the
-   reference and a coarser one. An exact model is compared with no
-   reference, so there is no line about one. */
+/* Explains the request and the reference run, the second part of the
+   explanation. Candidates are compared with the reference. The doubt is the
+   difference between the reference and a coarser one. An exact model needs
+   no reference, and then the line about it is missing. */
 static void explain_request(const struct run *r)
 {
     const struct choose_choice *c = &r->choice;
@@ -230,9 +230,10 @@ static void explain_request(const struct run *r)
         explain(r, "horizon: t = %.10g\n", c->horizon);
 }
 
-/* Explains, part 3: all candidates, with a star at the one taken. A
-   candidate without a cost was never run to its end, and a reason is
-   printed instead. A candidate with a cost may still have no error. */
+/* Explains all candidates, the third part of the explanation, with a star
+   at the chosen one. A candidate without a cost was not run to its end, and
+   a reason is printed instead. A candidate with a cost may still have no
+   error. */
 static void explain_candidates(const struct run *r)
 {
     const struct choose_choice *c = &r->choice;
@@ -270,10 +271,10 @@ static void explain_choice(const struct run *r)
     }
 }
 
-/* Writes the head. The command in it must reproduce the same bytes, so the
-   chosen plan is added to it unless --model was given. The default columns
-   are the state of every body, as in the tables of step, so that a program
-   that plots those tables can read these as well. */
+/* Writes the table head. Its command must reproduce the same bytes, so the
+   chosen plan is added unless --model was given. The default columns are
+   the state of every body, as in tables of `step`, so the same plotting
+   programs can read them. */
 static void write_head(struct run *r)
 {
     char plan[MODELS_TEXT], command[8192];
@@ -313,7 +314,6 @@ static bool write_rows(struct run *r)
     return good;
 }
 
-/* Writes a point of the chart: the error and cost of one run. */
 static void write_point(const struct run *r, struct models_plan plan,
                         double error, double cost, int taken)
 {
@@ -336,8 +336,8 @@ static void write_chart_head(const struct run *r, const char *refusal)
 
 /* Writes the chart of error against cost. Consecutive runs of a model with
    the same simplifications form one block. Two blank lines between blocks
-   make gnuplot begin a new curve. The last block contains only the run that
-   was taken. After a refusal the chart shows how close each model came. */
+   make gnuplot start a new curve. The last block contains only the chosen
+   run. After a refusal the chart shows how close each model came. */
 static void write_chart(const struct run *r, const char *refusal)
 {
     const struct choose_choice *c = &r->choice;
@@ -357,7 +357,7 @@ static void write_chart(const struct run *r, const char *refusal)
 }
 
 /* Writes the summary. After a refusal the horizon is the most useful
-   result. Only the last line depends on the machine. */
+   result. Only `seconds`, the last line, depends on the machine. */
 static void summarise(const struct run *r, const char *refusal)
 {
     const struct choose_choice *c = &r->choice;
@@ -431,8 +431,8 @@ static bool same_file(const char *a, const char *b)
 }
 
 /* Refuses a command that is incomplete or contradicts itself. The tolerance
-   has no default, because users would seldom change it, and only they know
-   how large an error they can accept. */
+   has no default, because users would seldom change a default and only they
+   know the error they can accept. */
 static void check_settings(struct options *o)
 {
     const char *output = given.output ? given.output : "-";
@@ -452,8 +452,8 @@ static void check_settings(struct options *o)
                         "their own");
 }
 
-/* Reads the command line, after appending the names in the table of models
-   to model_help. A time may be negative, as the scene's clock may be. */
+/* Appends the names of the models to model_help and reads the command line.
+   A time may be negative, because the scene's clock may be. */
 static void read_settings(int argc, char *argv[])
 {
     struct options o;
@@ -492,8 +492,8 @@ static void read_settings(int argc, char *argv[])
     check_settings(&o);
 }
 
-/* Returns the diagonal (m) of the box that contains all bodies in all rows
-   of the run. Periodic axes are left out. */
+/* Returns the diagonal, m, of the box that contains all bodies in all rows
+   of the run. Leaves out periodic axes. */
 static double size_of_run(const struct run *r)
 {
     const struct choose_choice *c = &r->choice;
@@ -511,9 +511,9 @@ static double size_of_run(const struct run *r)
 }
 
 /* Prints a note if the bodies spread much farther than at the start, as on
-   an orbit that begins at its pericentre. Errors of positions are fractions
-   of the size at the start, and the user may have meant a fraction of the
-   larger size. */
+   an orbit that starts at its pericentre. Position errors are fractions of
+   the initial size, but the user may have meant a fraction of the larger
+   size. */
 static void warn_of_scale(const struct run *r)
 {
     const struct choose_choice *c = &r->choice;
@@ -528,9 +528,9 @@ static void warn_of_scale(const struct run *r)
 }
 
 /* Prints a note if one distant body makes the scale so large that the
-   tolerance cannot distinguish the positions of two others, with a
-   tolerance that would. It is printed without --explain, too: the result
-   meets the tolerance as written, but probably not as meant. */
+   tolerance does not resolve the distance between two other bodies.
+   Suggests a tolerance that does. The note does not need --explain: the
+   result meets the tolerance as written, but probably not as meant. */
 static void warn_of_hidden_pair(const struct run *r)
 {
     const struct choose_hidden *h = &r->choice.hidden;
@@ -561,8 +561,8 @@ static bool write_run(struct run *r, const char *refusal)
 static const char *const sure_names[] = {"exact", "bound", "estimate",
                                          "out"};
 
-/* Explains how an average was found: its value, its error, and whether the
-   error is exact, a bound or an estimate. */
+/* Explains how an average was found: its method, value and error, and
+   whether the error is exact, a bound or an estimate. */
 static void explain_mean(const struct run *r, const struct mean *m)
 {
     const struct averages_found *f = &m->found;
@@ -578,9 +578,9 @@ static void explain_mean(const struct run *r, const struct mean *m)
                 f->value, f->error * f->scale, f->error, f->scale);
 }
 
-/* Finds one average. Returns NULL, or the reason why there is none. Each
-   average has its own request, since two averages of a scene may be found
-   in different ways: the energy by a law and the pressure by events. */
+/* Finds one average. Returns NULL, or the reason for a refusal. Each
+   average has its own request, because two averages of a scene may be found
+   in different ways: the energy from a law and the pressure from events. */
 static const char *find_mean(struct run *r, struct mean *m)
 {
     const struct averages_request q = {.scene = &r->scene,
@@ -594,8 +594,8 @@ static const char *find_mean(struct run *r, struct mean *m)
     return m->found.sure == AVERAGES_OUT ? m->found.refusal : NULL;
 }
 
-/* Returns the name of the way in which the averages were found, or
-   "several" if they were found in different ways. */
+/* Returns the name of the method that found the averages, or "several" if
+   the methods differ. */
 static const char *mean_model(const struct run *r)
 {
     const char *name = NULL;
@@ -606,7 +606,7 @@ static const char *mean_model(const struct run *r)
     return name;
 }
 
-/* Writes one row, which contains each average and its error. */
+/* Writes one row with all averages and their errors. */
 static bool write_means(struct run *r)
 {
     double row[2 * MEANS_MOST];
@@ -623,7 +623,7 @@ static bool write_means(struct run *r)
                  given.tolerance, f->scale);
         table_column(r->out, error, unit, text);
         row[2 * j] = f->value;
-        /* In the unit of its column, whereas f->error is relative. */
+        /* f->error is relative; the column has the average's unit. */
         row[2 * j + 1] = f->error * f->scale;
     }
     const bool good = table_row(r->out, 2 * r->means, row);
@@ -631,8 +631,8 @@ static bool write_means(struct run *r)
 }
 
 /* Writes the summary of the averages: the sum of their costs and the
-   largest of their errors. Its keys are also in the summary of a run, so
-   that one script can read both kinds of summary. */
+   largest of their errors. The summary of a run has the same keys, so one
+   script can read both. */
 static void summarise_means(const struct run *r, const char *refusal)
 {
     struct table *t = r->summary;
@@ -647,9 +647,9 @@ static void summarise_means(const struct run *r, const char *refusal)
                   {"cost", cost}, {"deciding", 0});
 }
 
-/* Finds all averages, and writes them with a chart of one point for each.
-   Writes no row if one of them is refused. Sets *refusal to the reason, and
-   returns false if a file could not be written. */
+/* Finds all averages and writes them, with one point each in the chart.
+   Writes no row if one of them is refused. Sets *refusal to the reason.
+   Returns false if a file could not be written. */
 static bool answer_means(struct run *r, const char **refusal)
 {
     bool good = true;
@@ -674,8 +674,8 @@ static bool answer_means(struct run *r, const char **refusal)
 }
 
 /* Chooses a model, runs the scene with it, and writes the results. Sets
-   *refusal to the reason if there is no run, and returns false if a file
-   could not be written. */
+   *refusal to the reason if there is no run. Returns false if a file could
+   not be written. */
 static bool answer_run(struct run *r, const char **refusal)
 {
     progress_begin(&r->progress, PROGRAM, (uint64_t)(1e3 * given.budget),
@@ -695,15 +695,15 @@ static bool answer_run(struct run *r, const char **refusal)
     return good;
 }
 
-/* Runs bonk. All outputs are opened before the work begins, so that a
-   missing folder is noticed at once and not after ten minutes. */
+/* Runs bonk. Opens all outputs before the work begins, so a missing folder
+   is noticed at once and not after ten minutes. */
 int main(int argc, char *argv[])
 {
     static struct run r;
     const char *refusal = NULL;
     read_settings(argc, argv);
     begin_run(&r);
-    /* The explanation and the table go to different streams. */
+    /* Keep the explanation and the table in different streams. */
     r.explanation =
         given.output && strcmp(given.output, "-") ? stdout : stderr;
     r.out = program_table(PROGRAM, given.output);

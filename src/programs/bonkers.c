@@ -18,13 +18,13 @@
 
 #define PROGRAM "bonkers"
 
-enum { LISTED = 1000 }; /* most bodies in a list */
+enum { LISTED = 1000 }; /* maximum number of bodies in a list */
 
 static struct {
     struct start_request request;
     bool preset;
-    size_t listed; /* bodies in the lists; 0: no lists */
-    const double *mass, *x, *v, *radius; /* the lists, or NULL */
+    size_t listed;                       /* bodies in the lists, or 0 */
+    const double *mass, *x, *v, *radius; /* lists, or NULL */
     double restitution, gravity, every, until;
     uint64_t samples, collisions, members, threads;
     enum bonkers_engine engine;
@@ -37,10 +37,9 @@ static struct {
            .collisions = UINT64_MAX,
            .summary = "/dev/null"};
 
-/* The options. An ensemble needs a preset that draws random numbers. Its
-   members are averaged at common times, so --collisions cannot end them,
-   and --restitution is refused, since inelastic collapse would end a member
-   early. */
+/* An ensemble needs a preset that draws random numbers. Its members are
+   averaged at common times, so --collisions cannot end them. --restitution
+   is refused, because inelastic collapse would end a member early. */
 static const struct options_entry entries[] = {
     {"preset", 'p', "NAME",
      "four, mixed, cradle, thermal, piston, adiabatic,\n"
@@ -90,8 +89,8 @@ static const struct table_key keys[] = {
     {"members", "1", "averaged over"},
     {0}};
 
-/* Reads a list into values, each of which must be from low to high. The
-   first list determines the number of bodies. */
+/* Reads a list of numbers from `low` to `high` into values[]. The first
+   list determines the number of bodies. */
 static const double *read_list(struct options *o, double values[],
                                double low, double high)
 {
@@ -153,7 +152,7 @@ static void read_settings(int argc, char *argv[])
         case 'e': given.restitution = options_real(&o, 0, 1); break;
         case 'G': given.gravity = options_real(&o, 0, 1e100); break;
         case 'd': given.every = options_positive(&o, INFINITY); break;
-        case 't': /* 0: write the start only */
+        case 't': /* 0 writes only the start */
             given.until = options_real(&o, 0, INFINITY);
             break;
         case 'k':
@@ -185,10 +184,10 @@ static void read_settings(int argc, char *argv[])
     program_apart(&o, given.output, given.summary, "table");
 }
 
-/* Creates the start from the preset, with its numbers replaced by those of
-   the lists. Without a preset all numbers come from the lists, and the box
-   reaches from zero to a metre beyond the last body unless --walls is
-   given. Returns false if there is no memory. */
+/* Creates the start from the preset and replaces its numbers by those of
+   the lists. Without a preset all numbers come from the lists. The box then
+   extends from 0 to 1 m beyond the last body, unless --walls is given.
+   Returns false if there is no memory. */
 static bool make_start(struct start *s, uint64_t seed)
 {
     struct start_request request = given.request;
@@ -225,11 +224,11 @@ static void name_body(char text[], size_t size, size_t i, size_t gaps)
         snprintf(text, size, "mover %zu", i);
 }
 
-/* Begins a run, and sets *until to the default end of a run with this
-   start. Ends the program if the start is impossible, before anything is
-   written. Speeds whose squares are subnormal numbers are refused, since
-   these have fewer digits. There are two exceptions: falling bodies become
-   faster, and bodies that are all at rest never collide. */
+/* Begins a run and sets *until to the start's default end of the run. Ends
+   the program if the start is impossible, before anything is written.
+   Refuses speeds whose squares are subnormal, because subnormal numbers
+   have fewer digits. There are two exceptions: falling bodies become
+   faster, and bodies at rest never collide. */
 static void begin_or_exit(struct bonkers *b, uint64_t seed, double *until)
 {
     struct start s;
@@ -259,9 +258,9 @@ static void begin_or_exit(struct bonkers *b, uint64_t seed, double *until)
             most, BONKERS_SLOWEST);
 }
 
-/* A run. Between rows the engine runs in bites, which are so short that a
+/* A run. Between rows the engine runs in portions, short enough that a
    signal is noticed within a second. An engine can be stopped and continued
-   anywhere, so the bites do not change the results. */
+   anywhere, so the portions do not change the results. */
 struct run {
     struct bonkers b;
     double until, every;
@@ -272,9 +271,10 @@ struct run {
     struct progress *progress; /* or NULL */
 };
 
-/* Begins a run. It ends at the default time of its start unless the command
-   sets a limit. The clock is read only for a summary: reading it takes as
-   long as several collisions, and an ensemble may have ten million rows. */
+/* Begins a run. The run ends at the start's default time unless the command
+   sets a limit. The clock is read only if there is a summary: reading it
+   takes as long as several collisions, and an ensemble may have ten million
+   rows. */
 static void begin_run(struct run *r, uint64_t seed)
 {
     double usual;
@@ -290,9 +290,8 @@ static void begin_run(struct run *r, uint64_t seed)
 
 enum { PARTS = 1000000 };
 
-/* Shows the fraction of the run that is done, measured in time up to the
-   time limit or the last sample. If only a number of collisions limits the
-   run, the fraction remains zero. */
+/* Shows the fraction of the simulated time that is done. If only a number
+   of collisions limits the run, the fraction remains zero. */
 static void show_progress(const struct run *r)
 {
     const double end = fmin(r->until, r->samples < UINT64_MAX
@@ -303,43 +302,43 @@ static void show_progress(const struct run *r)
                     r->b.collisions);
 }
 
-/* Runs to the given time or number of collisions, whichever comes first, in
-   bites that take even a slow computer less than a second. naive and scan
+/* Runs until `until` or `collisions`, whichever comes first, in portions
+   that take less than a second even on a slow computer. naive and scan
    examine every gap at each collision. The other engines do not, and the
-   term 4 * gaps makes their bites longer than many slabs.
+   term 4 * gaps makes their portions longer than many slabs.
 
-   When slabs have to stop at a collision, the last slab is undone and run
-   by the heap, whereas stopping at a time costs nothing. So, once the
-   collision rate is known, each bite of slabs ends at an estimated time,
-   and twice the bite limits the number of collisions. After a bite without
-   a collision the next bite has no time limit of its own: if there is never
-   another collision, the engine finds that out. The comparison with `most`
-   is written as a difference, which cannot overflow when there is no
-   limit. */
-static enum bonkers_stop run_bites(struct run *r, double until,
-                                   uint64_t collisions)
+   To stop slabs at a collision, the last slab is undone and run again by
+   the heap. Stopping at a time costs nothing. So, once the collision rate
+   is known, each portion of slabs ends at an estimated time and is limited
+   to twice the usual number of collisions. After a portion without a
+   collision the next portion has no time limit, because only then can the
+   engine find out that there is never another collision. The comparison
+   with `most` is written as a difference, which cannot overflow when there
+   is no limit. */
+static enum bonkers_stop run_portions(struct run *r, double until,
+                                      uint64_t collisions)
 {
     struct bonkers *b = &r->b;
     const bool reads_all =
         b->engine == BONKERS_NAIVE || b->engine == BONKERS_SCAN;
-    const uint64_t bite = reads_all ? 100000000 / b->gaps + 1
-                                    : 1000000 + 4 * (uint64_t)b->gaps;
+    const uint64_t portion = reads_all ? 100000000 / b->gaps + 1
+                                       : 1000000 + 4 * (uint64_t)b->gaps;
     enum bonkers_stop stop;
     double pause;
     uint64_t before = 0;
     const clock_t start = r->timed ? clock() : 0;
     do {
-        const bool timed_bite =
+        const bool timed_portion =
             b->engine == BONKERS_SLAB && b->collisions > before;
-        const uint64_t most = timed_bite ? 2 * bite : bite;
+        const uint64_t most = timed_portion ? 2 * portion : portion;
         const uint64_t next = collisions - b->collisions > most
                                   ? b->collisions + most
                                   : collisions;
         before = b->collisions;
-        pause =
-            timed_bite
-                ? fmin(until, b->now * (1 + (double)bite / (double)before))
-                : until;
+        pause = timed_portion
+                    ? fmin(until,
+                           b->now * (1 + (double)portion / (double)before))
+                    : until;
         stop = bonkers_run(b, pause, next);
         if (r->progress)
             show_progress(r);
@@ -351,17 +350,17 @@ static enum bonkers_stop run_bites(struct run *r, double until,
     return stop;
 }
 
-/* Runs to the next row. Sets r->over if it is the last one. The time of a
-   row is a product, not a sum (2.4, eq:clock). Rounding may shift the last
-   row from the end of the run, and it is then moved to the end. A run that
+/* Runs to the next row. Sets r->over if it is the last row. The time of a
+   row is a product, not a sum (2.4, eq:clock). If rounding separates the
+   last row from the end of the run, the row is moved to the end. A run that
    is limited only by a number of collisions also ends when no more
-   collisions will come, since it would write rows without end. */
+   collisions will come; otherwise it would write rows forever. */
 static void run_to_row(struct run *r, uint64_t collisions)
 {
     const double clock =
         r->every > 0 ? (double)(r->rows + 1) * r->every : INFINITY;
     const bool last = clock >= r->until - 1e-9 * r->every;
-    r->stop = run_bites(r, last ? r->until : clock, collisions);
+    r->stop = run_portions(r, last ? r->until : clock, collisions);
     ++r->rows;
     r->over = last || r->stop != BONKERS_TIME || r->rows == r->samples ||
               (r->until == INFINITY && r->samples == UINT64_MAX &&
@@ -369,7 +368,7 @@ static void run_to_row(struct run *r, uint64_t collisions)
               progress_signal();
 }
 
-/* Describes the columns, `per` of them for each body. The walls have the
+/* Describes the columns, `per` columns for each body. The walls have the
    letters L and R instead of numbers. */
 static void name_columns(struct table *out, const struct bonkers *b,
                          const char *const symbols[],
@@ -396,11 +395,11 @@ static void name_columns(struct table *out, const struct bonkers *b,
         }
 }
 
-/* Writes the masses into the head, since energies cannot be computed from
-   velocities alone, unless there are too many to be read. Each is written
-   with as few digits as reproduce its inverse exactly: inverting the
-   inverse is off by a bit or two, and --masses 49 would be written as
-   49.000000000000007. */
+/* Writes the masses into the table head, because energies cannot be
+   computed from velocities alone. Omits them if there are more than LISTED.
+   Each mass is written with as few digits as reproduce its inverse exactly:
+   1/(1/m) is off by a bit or two, and --masses 49 would otherwise be
+   written as 49.000000000000007. */
 static void name_masses(struct table *out, const struct bonkers *b)
 {
     if (b->gaps > LISTED)
@@ -417,10 +416,10 @@ static void name_masses(struct table *out, const struct bonkers *b)
     table_print(out, "\n");
 }
 
-/* Writes a row, with position and velocity of each body side by side. `row`
-   has space for 2 + 3 * bodies numbers. The engine writes the positions
-   into the second half of the row and the velocities after it. Each
-   position is moved to its column before a later one is overwritten. */
+/* Writes a row with the position and velocity of each body side by side.
+   `row` has space for 2 + 3 * bodies numbers. The engine writes all
+   positions into the second half of the row, followed by the velocities.
+   Each position is moved to its column before that place is overwritten. */
 static void write_row(struct table *out, struct bonkers *b, double row[])
 {
     double *x = row + 2 + b->gaps + 1, *v = x + b->gaps + 1;
@@ -454,26 +453,27 @@ static bool write_run(struct table *out, struct run *r)
     return true;
 }
 
-/* The number of members in a batch. Members of an ensemble differ only in
-   their seeds, and each processor core runs its own member. The mean must
-   not depend on the number of cores, but floating-point sums depend on the
-   order of their terms. So the cores fill a batch of fixed size, and one of
-   them sums it in the order of the members. */
+/* Number of members in a batch. Members of an ensemble differ only in their
+   seeds, and each processor core runs its own member. The mean must not
+   depend on the number of cores, but floating-point sums depend on the
+   order of their terms. So the cores fill a batch of fixed size, and one
+   core sums it in the order of the members. */
 enum { BATCH = 16 };
 
-/* Statistics over the members. `mean` contains four numbers for each row
-   and body: the sums of x and v, the mean of the kinetic energy T, and the
-   sum of the squared deviations of T. A batch contains x, v and T. */
+/* Statistics over the members. `mean` has four numbers for each row and
+   body: the sums of x and of v, the mean of the kinetic energy T, and the
+   sum of the squared deviations of T. `batch` has three numbers: x, v and
+   T. */
 struct ensemble {
     size_t rows, bodies;
     uint64_t members;
     double *time, *mean;   /* [rows]; [rows * bodies * 4] */
     double *batch[BATCH];  /* [rows * bodies * 3] each */
-    struct run run[BATCH]; /* members of the latest batch */
+    struct run run[BATCH]; /* members of the current batch */
 };
 
-/* Runs one member and stores its rows in its own slot of the batch, so that
-   no core waits for another. */
+/* Runs one member and stores its rows in its own slot of the batch, so no
+   core waits for another. */
 static void run_member(struct ensemble *e, int place, uint64_t seed)
 {
     struct run *r = &e->run[place];
@@ -498,7 +498,7 @@ static void run_member(struct ensemble *e, int place, uint64_t seed)
 
 /* Adds a member to the means. Squared deviations are summed by Welford's
    rule, which never subtracts two large numbers: with the mean M_k of the
-   first k values the sum grows by (T_k - M_(k-1)) (T_k - M_k). */
+   first k values, the sum grows by (T_k - M_(k-1)) (T_k - M_k). */
 static void add_member(struct ensemble *e, int place)
 {
     const double k = (double)++e->members;
@@ -515,8 +515,8 @@ static void add_member(struct ensemble *e, int place)
 }
 
 /* Runs `count` members in parallel, then adds them to the means in order.
-   Returns how many were added: none after a signal, since some members may
-   be incomplete. */
+   Returns the number of members added, which is 0 after a signal, because
+   some members may be incomplete. */
 static int run_batch(struct ensemble *e, const uint64_t seeds[], int count)
 {
 #ifdef _OPENMP
@@ -531,8 +531,8 @@ static int run_batch(struct ensemble *e, const uint64_t seeds[], int count)
 }
 
 /* Allocates an ensemble. All members have the same number of rows, which is
-   computed from the settings of r. Returns false if they do not fit into
-   memory. */
+   computed from the settings of r. Returns false if the rows do not fit
+   into memory. */
 static bool make_ensemble(struct ensemble *e, const struct run *r)
 {
     const double until = fmin(r->until, r->samples < UINT64_MAX
@@ -574,8 +574,8 @@ static void write_ensemble(struct table *out, const struct ensemble *e,
     }
 }
 
-/* Totals over all members of an ensemble. The energy error is the largest
-   of any member. */
+/* Totals over all members of an ensemble. `energy_error` is the largest
+   error of any member. */
 struct totals {
     uint64_t collisions, disorder, rows;
     double time, seconds, energy_error;
@@ -595,8 +595,8 @@ static void add_run(struct totals *t, const struct run *r)
         t->energy_error = error;
 }
 
-/* Writes the summary. If collisions lose energy, the change of energy is
-   not an error, and its key is energy_change. */
+/* Writes the summary. If collisions lose energy, the energy change is not
+   an error, so its key is energy_change. */
 static void write_summary(struct table *out, const struct totals *t,
                           enum bonkers_engine engine)
 {
@@ -614,8 +614,8 @@ static void write_summary(struct table *out, const struct totals *t,
 }
 
 /* Runs the members in batches and writes the averaged rows. The seeds are
-   drawn in order, so that a longer ensemble begins with the members of a
-   shorter one. Returns false if it was interrupted. */
+   drawn in order, so a longer ensemble starts with the members of a shorter
+   one. Returns false after an interruption. */
 static bool run_ensemble(struct table *out, struct ensemble *e,
                          struct totals *t, struct progress *p)
 {
@@ -642,8 +642,8 @@ static bool run_ensemble(struct table *out, struct ensemble *e,
     return done > 0;
 }
 
-/* Creates an ensemble, runs it, writes it and frees it. Returns whether it
-   is complete. */
+/* Creates, runs, writes and frees an ensemble. Returns whether it is
+   complete. */
 static bool average_ensemble(struct table *out, const struct run *first,
                              struct totals *t, struct progress *p)
 {
@@ -669,9 +669,9 @@ static bool average_ensemble(struct table *out, const struct run *first,
     return done;
 }
 
-/* Reports a run that could not reach its end, and returns whether it did
-   so. The exit status is then that of a failed run, but the table up to
-   that time is correct and is kept. */
+/* Reports a run that could not reach its end. Returns whether it reported
+   one. The exit status is then that of a failure, but the table so far is
+   correct and is kept. */
 static bool say_collapse(const struct run *r)
 {
     const bool cold = r->stop == BONKERS_COLLAPSE && bonkers_is_cold(&r->b);
@@ -688,9 +688,9 @@ static bool say_collapse(const struct run *r)
     return true;
 }
 
-/* Ends the program if there would be more than 9e15 rows, which a double
-   cannot count, before the end of the run or, if that is not set, before
-   the first collision. */
+/* Ends the program if the run would have more than 9e15 rows, which a
+   double cannot count. Rows are counted up to the end of the run or, if
+   that is not set, up to the first collision. */
 static void check_rows(const struct run *r)
 {
     double end = r->until;
@@ -704,9 +704,8 @@ static void check_rows(const struct run *r)
                    r->every, end);
 }
 
-/* Runs bonkers. Even for an ensemble a single run is begun, but not
-   continued: it shows whether the start is possible, and how many rows
-   there will be. */
+/* Runs bonkers. Even for an ensemble it begins a single run, to check the
+   start and to find the number of rows. */
 int main(int argc, char *argv[])
 {
     struct run r;

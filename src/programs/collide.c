@@ -1,4 +1,4 @@
-/* Computes one collision given by hand, or tests many random ones. */
+/* Computes one given collision, or tests many random collisions. */
 #include "line/collide.h"
 #include "toolbox/options.h"
 #include "toolbox/program.h"
@@ -14,7 +14,7 @@
 
 #define PROGRAM "collide"
 
-enum { SHOWN = 10 }; /* up to this number of tests, each is printed */
+enum { SHOWN = 10 }; /* collisions are printed up to this many tests */
 
 static struct {
     bool velocities_given, masses_given;
@@ -74,16 +74,15 @@ struct pair {
     double before[2][COLLIDE_DIMENSIONS], after[2][COLLIDE_DIMENSIONS];
 };
 
-/* The conserved quantities, computed with 113 bits instead of 53, so that
-   any change in the momentum and energy of the rounded velocities comes
-   from collide alone. The momentum and energy of a wall are infinite, so
-   the sums omit it. Energies are then measured in the frame of the wall, in
-   which the energy of the ball is conserved. The wall takes the momentum
-   that the ball loses. */
+/* The conserved quantities, computed with 113 bits instead of 53. So any
+   change in the momentum and energy of the rounded velocities comes from
+   collide alone. A wall has infinite momentum and energy and is left out.
+   Energies are then measured in the wall's frame, where the ball's energy
+   is conserved. The wall takes the momentum that the ball loses. */
 struct totals {
-    quad energy;       /* in the frame of the wall, if there is one */
+    quad energy;       /* in the wall's frame if there is a wall */
     quad energy_scale; /* scale of the rounding error of energy */
-    quad momentum[COLLIDE_DIMENSIONS]; /* without a wall's */
+    quad momentum[COLLIDE_DIMENSIONS]; /* excludes a wall */
     quad scale;                        /* sum of m |v| */
 };
 
@@ -101,10 +100,9 @@ static double length(size_t dimensions, const double v[])
     return sqrt(square);
 }
 
-/* Returns whether im is the inverse of an admissible mass, or 0, which
-   stands for a wall. The limits of masses and velocities admit every real
-   body. Beyond them a square may overflow or underflow, and the result
-   would be infinity or NaN. */
+/* Returns whether im is a valid inverse mass, or 0 for a wall. The limits
+   of masses and velocities admit every real body. Beyond them a square may
+   overflow or underflow, and the result would be infinity or NaN. */
 static bool is_inverse_mass(double im)
 {
     return im == 0 || (im >= 1e-290 && im <= 1e290);
@@ -182,10 +180,10 @@ static void read_settings(int argc, char *argv[])
     program_apart(&o, given.output, given.summary, "report");
 }
 
-/* Returns the totals of a pair with velocities v. With a wall the energy
-   scale also includes the product of the wall's speed and the ball's
-   momentum: the rounding error of a velocity depends on its size in the
-   frame of the ground, not in that of the wall. */
+/* Returns the totals of a pair with velocities v. With a wall, energy_scale
+   also includes the wall's speed times the ball's momentum. The reason is
+   that the rounding error of a velocity depends on its size in the ground's
+   frame, not in the wall's. */
 static struct totals totals_of(struct pair *p,
                                double v[2][COLLIDE_DIMENSIONS])
 {
@@ -211,7 +209,7 @@ static struct totals totals_of(struct pair *p,
     return sum;
 }
 
-/* Returns the energy that an inelastic collision loses (1.9,
+/* Returns the energy that an inelastic collision should lose (1.9,
    eq:energy-loss). */
 static quad expected_loss(struct pair *p, double restitution)
 {
@@ -225,9 +223,9 @@ static quad expected_loss(struct pair *p, double restitution)
            nn / ((quad)p->im[0] + p->im[1]);
 }
 
-/* Returns the change of the momentum from a to b divided by the sum of m
-   |v|, in machine epsilons. The total momentum itself may be zero, and is
-   no scale. */
+/* Returns the change of momentum from a to b, divided by the sum of m |v|,
+   in machine epsilons. The total momentum may be zero, so it cannot be the
+   scale. */
 static double momentum_error(struct pair *p, const struct totals *a,
                              const struct totals *b)
 {
@@ -313,10 +311,10 @@ static void print_collision(struct table *out, struct pair *p,
     table_print(out, "\n");
 }
 
-/* Draws a pair of bodies. Without --mass-ratio each inverse mass is drawn
-   from 0.1 to 1.1. With it the logarithm of the mass ratio is uniform from
-   log(1/R) to log R. The normal has a random direction and a length from
-   1/2 to 3/2, so that a forgotten division by n.n is noticed. */
+/* Draws a pair of bodies. Without --mass-ratio each inverse mass is uniform
+   from 0.1 to 1.1. With --mass-ratio R the logarithm of the mass ratio is
+   uniform from log(1/R) to log R. The normal has a random direction and a
+   length from 1/2 to 3/2, so a forgotten division by n.n is noticed. */
 static void draw_pair(struct random *r, struct pair *p)
 {
     p->dimensions = given.dimensions;
@@ -337,9 +335,9 @@ static void draw_pair(struct random *r, struct pair *p)
         p->normal[i] *= length;
 }
 
-/* Collides random pairs, and writes the largest and the root-mean-square
-   error. The latter determines how the errors of many collisions
-   accumulate. Returns false if it was interrupted. */
+/* Collides random pairs and writes the largest and the root-mean-square
+   error. The root mean square determines how the errors of many collisions
+   accumulate. Returns false after an interruption. */
 static bool run_tests(struct table *out, struct table *summary)
 {
     struct errors worst = {0, 0}, rms = {0, 0};
@@ -384,14 +382,15 @@ static bool run_tests(struct table *out, struct table *summary)
     return complete;
 }
 
-/* Collides the pair given on the command line. Warns on standard error in
-   two cases. Bodies that move apart along the normal do have a result (with
-   e = 1 the state before their last collision), but probably not the one
-   that was meant. And rounding cannot explain an error above 16 machine
-   epsilons: the largest error in a million random collisions is 2.9 on a
-   line and 7.7 in space. The limit is relative, so that it does not depend
-   on the units. An absolute one, such as 1e-4, would miss errors of small
-   bodies and warn of correct results for large ones. */
+/* Collides the pair given on the command line. Prints a note or a warning
+   in two cases. The first is bodies that move apart along the normal: they
+   have a result (with e = 1 the state before their last collision), but
+   probably not the intended one. The second is an error above 16 machine
+   epsilons, which rounding cannot explain: the largest error in a million
+   random collisions is 2.9 on a line and 7.7 in space. The limit is
+   relative and so does not depend on the units. An absolute limit, such as
+   1e-4, would miss errors of small bodies and warn of correct results for
+   large bodies. */
 static void run_by_hand(struct table *out, struct table *summary)
 {
     struct pair p = {.dimensions = given.dimensions};

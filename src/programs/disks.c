@@ -1,4 +1,4 @@
-/* Simulates hard disks or spheres in a box, and measures them. */
+/* Simulates and measures hard disks or spheres in a box. */
 #include "box/blocks.h"
 #include "box/cells.h"
 #include "box/disks.h"
@@ -20,17 +20,17 @@
 #define PROGRAM "disks"
 
 enum {
-    NO_BOUNDARY = DISKS_BOUNDARIES, /* no boundary was given */
-    PARTS = 1000000                 /* units in which progress is counted */
+    NO_BOUNDARY = DISKS_BOUNDARIES, /* no --boundary */
+    PARTS = 1000000                 /* units of progress in a run */
 };
 
-/* The settings from the command line. An option that was not given is 0,
-   NULL or NaN, unless a default is set below. */
+/* Settings from the command line. An option that was not given is 0, NULL
+   or NaN, unless a default is set below. */
 static struct {
-    size_t disks, dimensions, axes; /* axes: numbers given for the box */
+    size_t disks, dimensions, axes; /* axes: numbers in --box */
     size_t boundary, engine, measure;
     double radius, packing, box[DISKS_AXES];
-    double heavy[2]; /* mass and radius */
+    double heavy[2]; /* mass, kg; radius, m */
     double speed, temperature, restitution, gravity;
     const char *species, *start;
     double warmup, until, every;
@@ -47,9 +47,8 @@ static struct {
            .seed = 1,
            .summary = "/dev/null"};
 
-/* Returns whether the start is read from a file. The program creates the
-   starts "lattice" and "random" itself; every other name is that of a
-   file. */
+/* Returns whether the start is read from a file. All names other than
+   "lattice" and "random" are names of files. */
 static bool starts_from_file(void)
 {
     return strcmp(given.start, "lattice") != 0 &&
@@ -63,7 +62,6 @@ static const char *const measure_names[] = {
     "states",     "positions", "speeds", "pressure",
     "relaxation", "brownian",  NULL};
 
-/* Reads the mass and radius of --heavy. */
 static void read_heavy(struct options *o, double heavy[2])
 {
     if (options_list(o, heavy, 2) != 2 ||
@@ -78,8 +76,9 @@ static void make_sums(struct blocks *b, size_t width)
 
 enum { KINDS = 100 };
 
-/* The kinds of disks; the disks of a kind have consecutive numbers. Usually
-   there is one kind. A heavy disk is a separate kind and comes first. */
+/* The kinds of disks. Disks of the same kind have consecutive numbers.
+   Usually there is one kind. A heavy disk is a separate kind and comes
+   first. */
 struct mixture {
     size_t kinds, total;
     struct {
@@ -88,8 +87,8 @@ struct mixture {
     } kind[KINDS];
 };
 
-/* Adds a kind. Returns false if its numbers, which may come from a file,
-   are not valid. */
+/* Adds a kind. Returns false if its numbers are invalid; they may come from
+   a file. */
 static bool add_kind(struct mixture *m, double count, double mass,
                      double radius)
 {
@@ -104,8 +103,7 @@ static bool add_kind(struct mixture *m, double count, double mass,
     return m->total <= DISKS_MOST;
 }
 
-/* Reads a file of kinds, with three numbers in each line. The text after a
-   # is a comment. */
+/* Reads a file of kinds, three numbers per line. A # starts a comment. */
 static void read_kinds(struct mixture *m, const char *path)
 {
     FILE *file = fopen(path, "r");
@@ -126,9 +124,10 @@ static void read_kinds(struct mixture *m, const char *path)
     fclose(file);
 }
 
-/* Returns the side of a square of the area `size`, or of a cube of that
-   volume. Newton's method from above, continued for as long as it descends,
-   gives the same rounded result on all machines, which cbrt() does not. */
+/* Returns the side of a square of area `size` or of a cube of volume
+   `size`. Newton's method, started above the root and continued while it
+   descends, gives the same rounded result on all machines. cbrt() does
+   not. */
 static double side_of(double size, size_t dimensions)
 {
     if (dimensions == 2)
@@ -142,7 +141,8 @@ static double side_of(double size, size_t dimensions)
 }
 
 /* Sets the box. Any two of packing, radius and box determine the third. In
-   a box of size 1, the packing is the total area or volume of the disks. */
+   a box of size 1, disks_packing is the total area or volume of the
+   disks. */
 static void choose_box(struct disks *d)
 {
     for (size_t k = 0; k < d->dimensions; ++k)
@@ -155,8 +155,8 @@ static void choose_box(struct disks *d)
         d->box[k] = side;
 }
 
-/* Returns the radius. If it follows from packing and box, the area or
-   volume of the heavy disk is subtracted first. */
+/* Returns the radius. If the packing and the box determine the radius, the
+   area or volume of the heavy disk is subtracted first. */
 static double choose_radius(void)
 {
     const double pi = 3.14159265358979324;
@@ -176,7 +176,7 @@ static double choose_radius(void)
     return side_of(room / unit / (double)given.disks, given.dimensions);
 }
 
-/* Creates the disks, with masses and radii by kind, and sets the box. */
+/* Creates the disks of all kinds and sets the box. */
 static void fill_box(struct disks *d)
 {
     struct mixture m = {0};
@@ -198,8 +198,8 @@ static void fill_box(struct disks *d)
     choose_box(d);
 }
 
-/* Draws velocities. The temperature of random velocities is random, too, so
-   they are rescaled to that of --temperature. */
+/* Draws velocities. Random velocities have a random temperature, so they
+   are rescaled to --temperature. */
 static void set_velocities(struct disks *d, struct random *r)
 {
     if (given.temperature == 0) {
@@ -222,7 +222,7 @@ static double widest(const struct disks *d)
     return most;
 }
 
-/* Creates a start: draws the positions, then the velocities, from one
+/* Creates a start. Draws the positions and then the velocities from one
    seed. */
 static void make_start(struct disks *d)
 {
@@ -251,8 +251,8 @@ static void make_start(struct disks *d)
     set_velocities(d, &r);
 }
 
-/* Reads a start and its box from a file. --box and --boundary replace those
-   of the file. */
+/* Reads a start and its box from a file. --box and --boundary override
+   those of the file. */
 static void read_start(struct disks *d)
 {
     char message[STATES_MESSAGE];
@@ -277,28 +277,30 @@ static void read_start(struct disks *d)
    and the progress of sampling. */
 struct run {
     struct disks d;
-    struct cells cells; /* the engine if fast is true */
-    bool fast;          /* use cells, not all pairs */
+    struct cells cells; /* engine if fast */
+    bool fast;          /* use cells instead of all pairs */
     struct table *out;
-    double kT, energy;          /* at the start */
-    double common[DISKS_AXES];  /* velocity of the centre of mass, m/s */
-    double begin, piece, until; /* start, piece and end of the run, s */
+    double kT, energy;         /* initial values, J */
+    double common[DISKS_AXES]; /* velocity of the centre of mass, m/s */
+    double begin;              /* start of the run, s */
+    double piece;              /* length of the first pieces, s */
+    double until;              /* end of the run, s */
     struct blocks pressure;
     double impulse[DISKS_AXES], virial; /* before the current piece */
-    uint64_t row, rows; /* number of the sampling time; samples taken */
+    uint64_t row, rows; /* index of the sampling time; samples taken */
     double seconds;
     enum disks_stop stop;
     struct progress progress;
-    double drift;         /* largest drift of an average, in errors */
-    const char *drifting; /* name of the average with that drift */
+    double drift; /* largest drift of an average, in standard errors */
+    const char *drifting; /* average with the largest drift */
 };
 
-/* Up to this number of disks, examining all pairs is as fast as cells. */
+/* Up to FEW disks, examining all pairs is as fast as using cells. */
 enum { FEW = 16 };
 
-/* Chooses the engine. With few disks it is faster to examine all pairs, and
-   a small periodic box is too narrow for cells. The results of both engines
-   are identical, so tables do not name the engine. */
+/* Chooses the engine. Cells are slower for few disks and do not fit into a
+   small periodic box. Both engines give identical results, so tables do not
+   name the engine. */
 static void choose_engine(struct run *r)
 {
     const bool suit = cells_suit(&r->d);
@@ -309,8 +311,8 @@ static void choose_engine(struct run *r)
                        (given.engine == AUTO && r->d.count > FEW));
 }
 
-/* Prepares the engine for the current state. This must be repeated when the
-   state has been changed by anything but the engine. */
+/* Prepares the engine for the current state. Must be called again after
+   anything but the engine has changed the state. */
 static void plan(struct run *r)
 {
     cells_free(&r->cells);
@@ -319,8 +321,8 @@ static void plan(struct run *r)
                    "for the events");
 }
 
-/* Runs to a time or a number of collisions. The cells stop earlier only if
-   there is no memory for longer neighbour lists. */
+/* Runs until `until` or `collisions`. Cells stop earlier only if there is
+   no memory for longer neighbour lists. */
 static enum disks_stop advance(struct run *r, double until,
                                uint64_t collisions)
 {
@@ -340,7 +342,7 @@ static double shortest(const struct disks *d)
     return least;
 }
 
-/* Returns the length (s) of the first pieces of time over which the
+/* Returns the initial length, s, of the pieces of time over which the
    pressure is averaged: about the time between two collisions in the box.
    Pieces become longer when blocks are joined. */
 static double first_piece(const struct disks *d)
@@ -352,11 +354,11 @@ static double first_piece(const struct disks *d)
     return shortest(d) / speed / (double)d->count;
 }
 
-/* Returns the time (s) at which the current piece ends. The division into
-   pieces does not affect the results. The pressure of disks that lose
-   energy is not measured, and the interval between their collisions may
-   double each time. So their pieces become longer as they slow down, and
-   infinitely long when they are at rest. */
+/* Returns the time at which the current piece ends, s. The division into
+   pieces does not affect the results. If disks lose energy, no pressure is
+   measured, and the interval between their collisions may double each time.
+   So their pieces become longer as the disks slow down, and infinitely long
+   when the disks are at rest. */
 static double end_of_piece(const struct run *r)
 {
     const size_t per = r->pressure.per;
@@ -366,10 +368,10 @@ static double end_of_piece(const struct run *r)
     return r->d.now + (double)(1000 + r->d.count) * first_piece(&r->d);
 }
 
-/* Runs to a time or a number of collisions, piece by piece. At the end of
-   each piece the blocks receive its sums: the momentum transferred to the
-   walls along each axis, and the virial. Progress is measured as a fraction
-   of the time or, if there is no time limit, of the collisions. */
+/* Runs until `until` or `collisions`, piece by piece. At the end of each
+   piece, appends to the blocks the momentum transferred to the walls along
+   each axis, and the virial. Progress is shown as a fraction of the time
+   or, if there is no time limit, of the collisions. */
 static void run_to(struct run *r, double until, uint64_t collisions)
 {
     const double start = bench_seconds();
@@ -404,8 +406,8 @@ static void run_to(struct run *r, double until, uint64_t collisions)
     r->seconds += bench_seconds() - start;
 }
 
-/* Stores the largest drift of all averages, which is reported if the run
-   was not steady. */
+/* Stores the drift of an average if it is the largest so far. report_drift
+   reports it if the run was not steady. */
 static void watch_drift(struct run *r, const char *of, double drift)
 {
     if (r->drifting && !(fabs(drift) > fabs(r->drift)))
@@ -415,9 +417,9 @@ static void watch_drift(struct run *r, const char *of, double drift)
 }
 
 /* Returns whether collisions can be expected. A disk that crosses the box
-   hits each of the others with a probability of about (4r/L)^(D-1). If it
-   would need more than 1e9 crossings for a collision, a run to a collision
-   is refused. */
+   hits each other disk with a probability of about (4r/L)^(D-1). A run to a
+   collision is refused if a collision would take more than 1e9
+   crossings. */
 static bool can_meet(const struct disks *d)
 {
     const double across = 4 * widest(d) / shortest(d);
@@ -425,10 +427,9 @@ static bool can_meet(const struct disks *d)
     return fraction * (double)(d->count - 1) > 1e-9 && disks_heat(d) > 0;
 }
 
-/* Runs until the disks have had `each` collisions on average, continues to
-   a time shortly after the last collision, and sets all counts to zero. It
-   runs in slices, so that a signal is noticed even if collisions are
-   rare. */
+/* Runs until each disk has had `each` collisions on average, continues
+   until shortly after the last collision, and sets all counts to zero. Runs
+   in slices, so a signal is noticed even if collisions are rare. */
 static void warm_up(struct run *r, double each)
 {
     const double count = (double)r->d.count;
@@ -447,7 +448,7 @@ static void warm_up(struct run *r, double each)
     disks_settle(&r->d);
 }
 
-/* Prepares the engine and the sums at the end of the warm-up. */
+/* Prepares the engine and the sums after the warm-up. */
 static void begin_run(struct run *r)
 {
     make_sums(&r->pressure, DISKS_AXES + 1);
@@ -459,26 +460,26 @@ static void begin_run(struct run *r)
     r->piece = first_piece(&r->d);
 }
 
-/* Returns P V/(N kT) from the impulse that the two walls across axis k
-   received during the given time. The area or length of each wall is
-   V/L. */
+/* Returns P V/(N kT) from the impulse on the two walls across axis k during
+   `time`. The area or length of each wall is V/L. */
 static double Z_wall(const struct run *r, size_t k, double impulse,
                      double time)
 {
     return impulse * r->d.box[k] / (2 * time * (double)r->d.count * r->kT);
 }
 
-/* Returns P V/(N kT) in a periodic box from the virial (7.5, eq:virial).
-   With walls the result is the mean of Z_wall (1 - 2R/L), since the centres
-   stay a radius away from the walls (7.6, eq:gas-walls). */
+/* Returns P V/(N kT) in a periodic box, from the virial (7.5, eq:virial).
+   With walls, the result is the mean of Z_wall (1 - 2R/L), because the
+   centres stay a radius away from the walls (7.6, eq:gas-walls). */
 static double Z_virial(const struct run *r, double virial, double time)
 {
     return 1 +
            virial / ((double)(r->d.dimensions * r->d.count) * r->kT * time);
 }
 
-/* The measurements. Each has a function before the run (begin_), one at
-   each sampling time (sample_), and one at the end (end_) or NULL. */
+/* The measurements. Each has a function begin_ that is called before the
+   run and a function sample_ that is called at each sampling time. Some
+   also have a function end_ that is called after the run. */
 static void begin_states(struct run *r)
 {
     states_begin(r->out, &r->d);
@@ -495,10 +496,10 @@ enum { BINS = 100 };
 
 static const char *const axis_names[] = {"x", "y", "z"};
 
-static struct blocks counted; /* counts of positions or speeds */
+static struct blocks counted; /* positions or speeds */
 
-/* Begins the table of positions, which are counted in BINS bins along each
-   axis. The integral of each density over the box is 1. */
+/* Begins the table of positions, with BINS bins along each axis. The
+   integral of each density over the box is 1. */
 static void begin_positions(struct run *r)
 {
     make_sums(&counted, r->d.dimensions * BINS);
@@ -513,8 +514,8 @@ static void begin_positions(struct run *r)
     }
 }
 
-/* Counts the positions in bins. A position that rounding has put just
-   outside the box is counted in the first or last bin. */
+/* Counts the positions in bins. A position that is outside the box because
+   of rounding is counted in the first or last bin. */
 static void sample_positions(struct run *r)
 {
     static double sample[DISKS_AXES * BINS];
@@ -534,8 +535,9 @@ static void sample_positions(struct run *r)
     blocks_add(&counted, sample);
 }
 
-/* Writes the distribution of positions. The row gives the lower end of the
-   bin along x; along other axes it is the same fraction of the box. */
+/* Writes the distribution of positions. The first column is the lower end
+   of the bin along x. Along the other axes the bin has the same fraction of
+   the box. */
 static void end_positions(struct run *r, struct table *summary)
 {
     (void)summary;
@@ -551,8 +553,8 @@ static void end_positions(struct run *r, struct table *summary)
     }
 }
 
-/* The number of bins of the scaled speed from 0 to 4. With 42 bins the
-   speed 1, at which the gas of MPPhys starts, is in the middle of a bin. */
+/* Number of bins of the scaled speed from 0 to 4. With 42 bins the speed 1,
+   at which MPPhys's gas starts, is in the middle of a bin. */
 enum { SPEEDS = 42 };
 
 static double edge_of(size_t bin)
@@ -566,8 +568,8 @@ static size_t bin_of(double u)
     return bin < SPEEDS ? (size_t)bin : SPEEDS;
 }
 
-/* Returns the speed of disk i in units of sqrt(2kT/m), with its mass m, and
-   sets parts to the absolute values of its components. */
+/* Returns the speed of disk i in units of sqrt(2kT/m), where m is its mass.
+   Sets parts[] to the absolute values of the components. */
 static double scaled_speed(const struct run *r, size_t i, double parts[])
 {
     const double *v = r->d.disk[i].velocity;
@@ -580,8 +582,9 @@ static double scaled_speed(const struct run *r, size_t i, double parts[])
     return sqrt(square);
 }
 
-/* Begins the table of speeds. A sample consists of the densities of the
-   speed and of a component's absolute value, and the means of u and u^4. */
+/* Begins the table of speeds. A sample consists of the density of the
+   speed, the density of a component's absolute value, and the means of u
+   and u^4. */
 static void begin_speeds(struct run *r)
 {
     make_sums(&counted, 2 * SPEEDS + 2);
@@ -596,8 +599,8 @@ static void begin_speeds(struct run *r)
                   {"Maxwell", "", "law of infinitely many"});
 }
 
-/* Counts the speeds and the components of the velocities. All components
-   have the same distribution and are counted together. */
+/* Counts the speeds and the velocity components. All components have the
+   same distribution and are counted together. */
 static void sample_speeds(struct run *r)
 {
     static double sample[2 * SPEEDS + 2];
@@ -620,9 +623,9 @@ static void sample_speeds(struct run *r)
 
 enum { FINITE, MAXWELL, SPEED = 0, PART = 2, LAWS = 4 };
 
-/* Returns chi-square of the speeds against a law, and sets *bins to the
-   number of bins in the sum. These are the bins with a density above 1e-3;
-   the others contain too few disks for a reliable error. */
+/* Returns chi-square of the speeds against a law and sets *bins to the
+   number of bins in the sum. Omits bins with a density of 1e-3 or less,
+   which contain too few disks for a reliable error. */
 static double chi_square(const double density[], size_t *bins)
 {
     double sum = 0;
@@ -638,8 +641,8 @@ static double chi_square(const double density[], size_t *bins)
     return sum;
 }
 
-/* Writes the measured densities and those of both laws, and writes the
-   means into the summary. */
+/* Writes the measured densities and the densities of both laws. The summary
+   gets the means. */
 static void end_speeds(struct run *r, struct table *summary)
 {
     static double density[LAWS][SPEEDS];
@@ -689,8 +692,8 @@ static void begin_relaxation(struct run *r)
                   {"H", "", "Boltzmann's H, v in sqrt(2kT/m)"});
 }
 
-/* Returns the area or volume of the shell in velocity space that belongs to
-   a bin of speeds. Boltzmann's H is a sum over these shells. */
+/* Returns the area or volume, in velocity space, of the shell that belongs
+   to a bin of speeds. Boltzmann's H is a sum over these shells. */
 static double shell(size_t bin, size_t dimensions)
 {
     const double pi = 3.14159265358979324;
@@ -699,8 +702,8 @@ static double shell(size_t bin, size_t dimensions)
                            : 4 * pi / 3 * (b * b * b - a * a * a);
 }
 
-/* Writes a row. The ratio has no unit. H is computed with velocities in
-   units of sqrt(2kT/m). Speeds beyond the last bin are counted in it. */
+/* Writes a row. H is computed with velocities in units of sqrt(2kT/m).
+   Speeds beyond the last bin are counted in the last bin. */
 static void sample_relaxation(struct run *r)
 {
     const double N = (double)r->d.count;
@@ -743,8 +746,8 @@ static void begin_pressure(struct run *r)
                        : "P V/(N kT) from collisions");
 }
 
-/* Writes a row with the pressure since the last one. At the first sampling
-   time no time has passed, and no row is written. */
+/* Writes a row with the pressure since the previous row. Writes nothing at
+   the first sampling time, when no time has passed. */
 static void sample_pressure(struct run *r)
 {
     const struct disks *d = &r->d;
@@ -769,9 +772,9 @@ static struct {
     double (*row)[2 * DISKS_AXES];
 } path;
 
-/* Begins the table of Brownian motion. The heavy disk is disk 1. Its
-   position, not folded into the box, and its velocity are stored at each
-   sampling time. */
+/* Begins the table of Brownian motion. The heavy disk is the first disk.
+   sample_heavy stores its velocity and its position, which is not folded
+   back into the box. */
 static void begin_brownian(struct run *r)
 {
     TABLE_COLUMNS(r->out, {"lag", "s", "a time"},
@@ -781,8 +784,7 @@ static void begin_brownian(struct run *r)
                   {"error", "m2", "its standard error"});
 }
 
-/* Appends a state of the heavy disk to the path, whose memory doubles when
-   it is full. */
+/* Appends a state of the heavy disk to the path. */
 static void sample_heavy(struct run *r)
 {
     if (path.rows == path.space) {
@@ -816,8 +818,8 @@ static double square_of(const double a[], const double b[], size_t D)
 
 typedef double of_rows(const double a[], const double b[], size_t D);
 
-/* Returns the average of f over all pairs of rows `lag` apart, with an
-   error from blocking. */
+/* Returns the average of f over all pairs of rows that are `lag` apart,
+   with an error from blocking. */
 static struct blocks_average over_path(of_rows *f, size_t lag, size_t D,
                                        double x[])
 {
@@ -827,8 +829,8 @@ static struct blocks_average over_path(of_rows *f, size_t lag, size_t D,
     return blocks_average_of(n, x);
 }
 
-/* Returns -dC/dt of the velocity autocorrelation at lag 0. Twice the slope
-   to the first lag minus the slope to the second eliminates the
+/* Returns -dC/dt of the velocity autocorrelation C at lag 0. Twice the
+   slope to the first lag minus the slope to the second lag eliminates the
    curvature. */
 static struct blocks_average first_slope(const struct run *r, double x[])
 {
@@ -844,10 +846,10 @@ static struct blocks_average first_slope(const struct run *r, double x[])
 }
 
 /* Writes the correlation and the mean square displacement for lags that
-   grow by a seventh. Compares the initial decay with the theory, which
-   needs only the measured collision rate. In a box with walls that rate
-   would include wall collisions, with another reduced mass, so no
-   theoretical value is written. */
+   grow by a seventh. Compares the initial decay with theory, which needs
+   only the measured collision rate. With walls the rate would include wall
+   collisions, which have another reduced mass, so no theoretical value is
+   written. */
 static void end_brownian(struct run *r, struct table *summary)
 {
     const size_t D = r->d.dimensions;
@@ -991,9 +993,9 @@ static const struct table_key keys[] = {
     {"slope_exact", "m2/s3", "from heavy_rate"},
     {0}};
 
-/* Reads the command line, and refuses options that contradict each other.
-   By default there is no warm-up for a gas that cools, a measurement of
-   relaxation, or a start from a file. */
+/* Reads the command line and refuses options that contradict each other.
+   There is no default warm-up for a gas that cools, for a measurement of
+   relaxation, or for a start from a file. */
 static void read_settings(int argc, char *argv[])
 {
     struct options o;
@@ -1070,10 +1072,10 @@ static void read_settings(int argc, char *argv[])
                            : 100;
 }
 
-/* Writes the results that are common to all measurements. The energy has
-   another key if it is meant to change. The pressure is written only for a
-   gas that keeps its energy: the compressibility from the walls and from
-   the virial over the whole run, with errors from blocking. */
+/* Writes the results common to all measurements. The energy has another key
+   if it is meant to change. The pressure is written only for a gas that
+   conserves energy: the compressibility from the walls and from the virial
+   over the whole run, with errors from blocking. */
 static void summarise(struct run *r, struct table *out)
 {
     const double time = r->d.now - r->begin;
@@ -1115,7 +1117,7 @@ static void summarise(struct run *r, struct table *out)
                r->seconds > 0 ? all / r->seconds : 0);
 }
 
-/* Warns if an average changed during the run by more than its error
+/* Prints a note if an average changed during the run by more than its error
    explains, unless the run writes no averages. */
 static void report_drift(const struct run *r)
 {
@@ -1130,11 +1132,11 @@ static void report_drift(const struct run *r)
 }
 
 /* Runs from one sampling time to the next and takes a sample at each.
-   Sampling times are multiples of --every counted from 0, not from the
-   start, so that a continued run has the same ones as an uninterrupted run.
-   A histogram must not include the state at the last collision, in which
-   two disks touch. A list of states does end with that state, and a
-   pressure without --every is averaged over the whole run. */
+   Sampling times are multiples of --every counted from time 0, so a
+   continued run has the same sampling times as an uninterrupted run. A
+   histogram must not include the state at the last collision, in which two
+   disks touch. A list of states does end with that state, and a pressure
+   without --every is averaged over the whole run. */
 static void run_and_sample(struct run *r)
 {
     const double every = given.every;
@@ -1158,8 +1160,8 @@ static void run_and_sample(struct run *r)
     }
 }
 
-/* Sets the end of the run and the number of its first sampling time. A time
-   that is just below a multiple of --every because of rounding is taken as
+/* Sets the end of the run and the index of its first sampling time. A time
+   that is just below a multiple of --every because of rounding counts as
    that multiple. */
 static void choose_end(struct run *r)
 {
@@ -1179,9 +1181,9 @@ static void choose_end(struct run *r)
 }
 
 /* Returns whether all disks are inside the box and no two overlap.
-   Otherwise *a and *b are the overlapping disks, or *a is the disk outside
-   and *b the number of disks. Many disks are compared in cells, few in
-   pairs. */
+   Otherwise sets *a and *b to two overlapping disks, or *a to a disk
+   outside and *b to the number of disks. Many disks are compared in cells,
+   few disks in pairs. */
 static bool is_valid_start(struct run *r, size_t *a, size_t *b)
 {
     if (!r->fast)
@@ -1194,8 +1196,9 @@ static bool is_valid_start(struct run *r, size_t *a, size_t *b)
     return cells_fit(&r->cells, a, b);
 }
 
-/* Refuses more rows than can be counted before the end of the run or, if it
-   ends at a collision, in about the time between two collisions. */
+/* Refuses a run with more rows than a double can count. Rows are counted up
+   to the end of the run or, if the run ends at a collision, over about the
+   time between two collisions. */
 static void check_rows(const struct run *r)
 {
     const struct disks *d = &r->d;
@@ -1216,9 +1219,9 @@ static double shortest_periodic(const struct disks *d)
     return least;
 }
 
-/* Refuses a start that is invalid, or that cannot be measured in the given
-   way. A periodic box must be so wide that only one image is nearest. Only
-   disks from a file can overlap or be outside the box. */
+/* Refuses a start that is invalid or does not allow the requested
+   measurement. A periodic box must be so wide that only one image of a disk
+   is nearest. Only disks from a file can overlap or be outside the box. */
 static void check_start(struct run *r)
 {
     const struct disks *d = &r->d;
@@ -1270,9 +1273,8 @@ static void check_start(struct run *r)
                    a + 1, b + 1);
 }
 
-/* Switches gravity on. Since their last collision the disks have moved
-   uniformly, so their positions are updated first; from now on they
-   fall. */
+/* Switches gravity on. Before that, the positions are updated for the
+   uniform motion since the last collisions. */
 static void begin_to_fall(struct disks *d, double gravity)
 {
     for (size_t i = 0; i < d->count && gravity > 0; ++i) {
@@ -1283,7 +1285,7 @@ static void begin_to_fall(struct disks *d, double gravity)
 }
 
 /* Prints why a run ended early: a disk at rest on the floor, inelastic
-   collapse, speeds that are too low, or rest of all disks. */
+   collapse, speeds that are too low, or all disks at rest. */
 static void report_collapse(const struct disks *d)
 {
     const size_t lying = disks_lying(d);
@@ -1300,10 +1302,9 @@ static void report_collapse(const struct disks *d)
             (unsigned long long)d->collisions);
 }
 
-/* Runs disks. The start is created before files are opened, so that a
-   refused start leaves no file. The head is written before the warm-up, so
-   that a run interrupted during the warm-up leaves a table. An interrupted
-   run has no summary. */
+/* Runs disks. Creates the start before opening files, so a refused start
+   leaves no file. Writes the head before the warm-up, so a run interrupted
+   during the warm-up leaves a table. An interrupted run has no summary. */
 int main(int argc, char *argv[])
 {
     static struct run r;

@@ -24,34 +24,34 @@ enum kind { HISTOGRAM, COLUMNS, BLOCKS, CORRELATION, COST };
 static struct {
     const char *columns, *against, *file, *output, *summary_path, *command;
     enum kind kind;
-    uint64_t bins, skip; /* bins = 0: chosen from the data */
+    uint64_t bins, skip; /* bins: 0 to choose from the data */
     bool fit, block;
     double range[MOST_COLUMNS][2];
     struct law law[MOST_COLUMNS];
-    size_t ranges, laws; /* 0, 1 for all columns, or one for each column */
+    size_t ranges, laws; /* 0, 1 (for all columns), or one per column */
     struct table *out, *summary;
 } given = {.columns = "all", .summary_path = "/dev/null"};
 
 struct column {
-    size_t number; /* in the file, counted from 1 */
+    size_t number; /* column number in the file, from 1 */
     char name[NAME_LENGTH], unit[NAME_LENGTH];
     double *x;
-    struct statistics_description d; /* description of x */
+    struct statistics_description d;
 };
 
-/* The requested columns of the table. No others are stored, because a table
-   may have a million rows. */
+/* The requested columns of the table. Other columns are not stored, because
+   a table may have a million rows. */
 struct columns {
     size_t count, rows, capacity, last; /* last: largest column number */
     struct column column[MOST_COLUMNS];
     bool against;  /* the last column is that of --against */
-    uint64_t line; /* line number for messages; 0: none */
+    uint64_t line; /* line number for messages, or 0 */
     uint64_t seed;
-    char *made_by; /* command in the head of the file, or NULL */
+    char *made_by; /* command from the head of the file, or NULL */
 };
 
-/* Prints an error in the input after FILE:LINE, a form that editors
-   recognise, and ends the program. */
+/* Prints an error in the input and ends the program. The message starts
+   with FILE:LINE, which editors recognise. */
 static _Noreturn void bad_input(const struct columns *c, const char *format,
                                 ...)
 {
@@ -78,9 +78,9 @@ struct head {
     } column[MOST_COLUMNS];
 };
 
-/* Reads "# 3 x1 [m] ...", "# command: ..." or "# seed: ..."; any other line
-   is a comment. Command and seed are copied to the output, so that a
-   histogram shows the origin of its samples. */
+/* Reads "# 3 x1 [m] ...", "# command: ..." or "# seed: ...". Other lines
+   are comments. Command and seed are copied to the output, so a histogram
+   shows the origin of its samples. */
 static void read_head(struct head *h, struct columns *c, const char *text)
 {
     char name[NAME_LENGTH], unit[NAME_LENGTH];
@@ -96,16 +96,16 @@ static void read_head(struct head *h, struct columns *c, const char *text)
         c->made_by = strdup(text + 11);
 }
 
-/* Returns whether a letter separates fields. A file from Windows has '\r'
-   at the end of each line. */
+/* Returns whether a character separates fields. Files from Windows have
+   '\r' at the end of each line. */
 static bool is_blank(char letter)
 {
     return letter == ' ' || letter == '\t' || letter == '\n' ||
            letter == '\r';
 }
 
-/* Returns the field after this one, or the end of the row. A row is never
-   copied: a field is a pointer into it. */
+/* Returns the next field, or the end of the row. Rows are never copied: a
+   field is a pointer into its row. */
 static const char *next_field(const char *text)
 {
     while (*text && !is_blank(*text))
@@ -115,10 +115,9 @@ static const char *next_field(const char *text)
     return text;
 }
 
-/* Returns the number of the column that is given at the start of `name`, up
-   to a comma, either as a number, as in gnuplot, or as a name from the
-   head. Names may begin with a digit, so only an entry that consists of
-   digits is a number. */
+/* Returns the number of a column. `name` is, up to a comma, either a
+   number, as in gnuplot, or a name from the head. Names may begin with a
+   digit, so only an entry that consists of digits is a number. */
 static size_t find_column(struct columns *c, const struct head *h,
                           const char *name, size_t fields)
 {
@@ -138,8 +137,8 @@ static size_t find_column(struct columns *c, const struct head *h,
               (int)length, name);
 }
 
-/* Adds a column. The keys of the summary need a name, so a column without
-   one is named after its number, such as c3. */
+/* Adds a column. Keys of the summary need a name, so a column without a
+   name is named after its number, such as c3. */
 static void add_column(struct columns *c, const struct head *h,
                        size_t number)
 {
@@ -157,9 +156,9 @@ static void add_column(struct columns *c, const struct head *h,
     ++c->count;
 }
 
-/* Chooses the columns when the first row is read, which determines how many
-   there are. The column of --against comes last. One law or range applies
-   to all columns; otherwise there must be one for each. */
+/* Chooses the columns when the first row is read, because that row
+   determines their number. The column of --against comes last. A single law
+   or range applies to all columns; otherwise each column needs its own. */
 static void choose_columns(struct columns *c, const struct head *h,
                            const char *row)
 {
@@ -183,7 +182,7 @@ static void choose_columns(struct columns *c, const struct head *h,
         bad_input(c, "%zu ranges for %zu columns", given.ranges, wanted);
 }
 
-/* Makes space for more rows. The memory is doubled each time, so that on
+/* Makes space for another row. Doubles the memory each time, so that on
    average a number is copied less than twice. */
 static void grow_columns(struct columns *c)
 {
@@ -200,7 +199,7 @@ static void grow_columns(struct columns *c)
 }
 
 /* Reads a field that must be a finite number. strtod alone would accept nan
-   and inf, and would ignore the end of 1.5abc. One NaN in a million rows
+   and inf and would ignore the letters in 1.5abc. One NaN in a million rows
    would make every mean NaN. */
 static double read_number(struct columns *c, const struct column *column,
                           const char *text)
@@ -217,8 +216,8 @@ static double read_number(struct columns *c, const struct column *column,
     return value;
 }
 
-/* Stores a row. Only the requested columns are read as numbers, so the
-   others may contain text. */
+/* Stores a row. Only the requested columns must be numbers; other columns
+   may contain text. */
 static void take_row(struct columns *c, const char *text)
 {
     const char *field[MOST_COLUMNS];
@@ -418,9 +417,9 @@ struct bins {
     size_t count;
 };
 
-/* Returns the bins of a column. Without --range they reach from the least
-   sample to the greatest. Without --bins their number is computed from
-   (3.19, eq:width). */
+/* Returns the bins of a column. Without --range they extend from the least
+   to the greatest sample. Without --bins their number follows from (3.19,
+   eq:width). */
 static struct bins choose_bins(size_t i,
                                const struct statistics_description *d)
 {
@@ -428,7 +427,7 @@ static struct bins choose_bins(size_t i,
     struct bins b = {given.ranges > 0 ? range[0] : d->least,
                      given.ranges > 0 ? range[1] : d->greatest, given.bins};
     if (b.low == b.high) { /* all samples are equal */
-        /* Wide enough that a thousand bin edges are distinct doubles. */
+        /* Keep a thousand bin edges distinct as doubles. */
         const double half = fmax(0.5, fabs(b.low) * 0x1p-40);
         b.low -= half;
         b.high += half;
@@ -438,9 +437,8 @@ static struct bins choose_bins(size_t i,
     return b;
 }
 
-/* Ends the program if no table can be made from a column. All columns are
-   checked before anything is written, so that no incomplete table is
-   left. */
+/* Ends the program if a column does not allow the requested table. All
+   columns are checked before any output, so no incomplete table is left. */
 static void refuse_column(const struct columns *c,
                           const struct column *column)
 {
@@ -451,7 +449,7 @@ static void refuse_column(const struct columns *c,
                   "%s reaches from %g to %g, expected a range that is less "
                   "than %g",
                   column->name, d->least, d->greatest, DBL_MAX);
-    /* Leaves a factor of 1e15 for the error of the variance. */
+    /* Leave a factor of 1e15 for the error of the variance. */
     if ((given.kind == BLOCKS || given.kind == COST) && d->sd > 0 &&
         !(square > DBL_MIN * 1e15 && square < DBL_MAX / 1e15))
         bad_input(c,
@@ -465,10 +463,10 @@ static void refuse_column(const struct columns *c,
                   column->name);
 }
 
-/* Computes the description of a column. Ends the program if no table can be
-   made from it, if a law would take a standard deviation from it that is 0
-   or infinite, or if its bins would be so narrow that the density exceeds
-   the largest double. */
+/* Computes the description of a column. Ends the program if the column does
+   not allow the requested table, if a law would take from it a standard
+   deviation of 0 or infinity, or if its bins would be so narrow that the
+   density exceeds the largest double. */
 static void describe(struct columns *c, size_t i)
 {
     struct column *column = &c->column[i];
@@ -495,8 +493,8 @@ static void describe(struct columns *c, size_t i)
     }
 }
 
-/* Writes a row with nine digits. These suffice for estimates that are
-   uncertain in the third digit, and they hide the last bits of exp and log,
+/* Writes a row with nine digits. Nine digits suffice for estimates that are
+   uncertain in the third digit, and hide the last bits of exp and log,
    which differ between C libraries. */
 static void print_row(struct table *out, size_t n, const double row[])
 {
@@ -505,10 +503,10 @@ static void print_row(struct table *out, size_t n, const double row[])
     table_print(out, "\n");
 }
 
-/* Compares a column with its law. Kolmogorov's distance and the deviations
-   of mean and standard deviation in units of their errors (3.13, eq:zscore)
-   are left out if the law took parameters from the column, since they would
-   be meaningless. */
+/* Compares a column with its law. If the law took parameters from the
+   column, Kolmogorov's distance and the deviations of mean and standard
+   deviation in units of their errors (3.13, eq:zscore) would be meaningless
+   and are omitted. */
 static void test_law(const struct columns *c, size_t i,
                      const struct statistics_description *d)
 {
@@ -547,7 +545,7 @@ static void test_law(const struct columns *c, size_t i,
 
 enum { CELLS = 5 }; /* cells along each axis */
 
-/* Tests whether a column is independent of the column of --against. Its
+/* Tests whether a column is independent of the column of --against. The
    samples may be correlated in time, so chi-square of the cells is divided
    by the larger statistical inefficiency of the two columns. */
 static void compare(const struct columns *c, size_t i,
@@ -575,9 +573,9 @@ static void compare(const struct columns *c, size_t i,
 }
 
 /* Writes a row for each bin, even if no Gaussian fits. The densities of the
-   law and the fit are probabilities of the bin divided by its width, not
-   values at its centre. These differ in a wide bin, and the arcsine law is
-   infinite at its ends. */
+   law and of the fit are the probability of the bin divided by its width,
+   not the value at its centre. The two differ in wide bins, and the arcsine
+   law is infinite at its ends. */
 static void write_histogram(const struct columns *c, size_t i,
                             const struct statistics_description *d)
 {
@@ -631,8 +629,8 @@ static void write_histogram(const struct columns *c, size_t i,
     free(h);
 }
 
-/* Returns a copy of column i divided by its statistics_unit. The caller
-   must free it. */
+/* Returns a copy of column i, divided by its statistics_unit. The caller
+   must free the copy. */
 static double *in_unit(const struct columns *c, size_t i)
 {
     const double unit = statistics_unit(c->rows, c->column[i].x);
@@ -645,8 +643,8 @@ static double *in_unit(const struct columns *c, size_t i)
 }
 
 /* Returns (x - mean)^2, where x is column i divided by its statistics_unit.
-   The caller must free it. For a velocity this is proportional to the
-   kinetic energy. */
+   For a velocity this is proportional to the kinetic energy. The caller
+   must free the array. */
 static double *squares_of(const struct columns *c, size_t i)
 {
     double *y = in_unit(c, i);
@@ -704,7 +702,7 @@ static void write_correlation(const struct columns *c, size_t i,
         const double rho2 =
             spread2 > 0
                 ? statistics_covariance(d->n, y, mean2, lag) / spread2
-                : NAN; /* no spread */
+                : NAN;
         g += 2 * rho;
         g2 += 2 * rho2;
         print_row(given.out, 5, (double[]){(double)lag, rho, g, rho2, g2});
@@ -725,9 +723,9 @@ enum { WAYS = 3 };
 
 static const char *const ways[WAYS] = {"naive", "blocks", "correlation"};
 
-/* Returns the error of the mean of y by one of the three methods, and sets
-   *uncertainty to the uncertainty of that error as the method estimates it.
-   The method of correlations estimates the relative uncertainty of the
+/* Returns the error of the mean of y by method `way` of ways[]. Sets
+   *uncertainty to that method's estimate of the uncertainty of the error.
+   The correlation method estimates the relative uncertainty of the
    inefficiency. The error is proportional to the square root of the
    inefficiency, so its relative uncertainty is half as large. */
 static double error_by(int way, size_t n, const double y[],
@@ -753,7 +751,7 @@ static double error_by(int way, size_t n, const double y[],
 
 /* Measures the cost of each method of estimating an error. The first round
    fills the caches, and its times are overwritten. The methods alternate,
-   so that a disturbance of the machine affects all of them. */
+   so a disturbance of the machine affects all of them. */
 static void write_cost(const struct columns *c, size_t i,
                        const struct statistics_description *d)
 {
@@ -776,7 +774,8 @@ static void write_cost(const struct columns *c, size_t i,
     free(y);
 }
 
-/* Writes the head: the command and seed of the data, and the columns. */
+/* Writes the table head: the command and seed of the data, and the
+   columns. */
 static void begin_table(const struct columns *c)
 {
     struct table *const out = given.out;
@@ -838,8 +837,8 @@ static void begin_table(const struct columns *c)
     }
 }
 
-/* Writes the results of a column. If the errors are only lower bounds, a
-   note is printed on standard error, where it is noticed. */
+/* Writes the results of a column. If the errors are only lower bounds,
+   prints a note on standard error, where it is noticed. */
 static void write_column(const struct columns *c, size_t i)
 {
     if (c->against && i + 1 == c->count)

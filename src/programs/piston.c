@@ -11,7 +11,7 @@
 
 #define PROGRAM "piston"
 
-enum { MOST = 8 }; /* most numbers that one option takes */
+enum { MOST = 8 }; /* maximum number of values of --at */
 
 typedef bool stepper(const struct piston *p, struct piston_state *s,
                      double dt);
@@ -21,12 +21,12 @@ static const char *const stepper_names[] = {"leapfrog", "rk4", NULL};
 static struct {
     size_t method;
     struct piston piston;
-    double energies[2], masses[2]; /* of the gases, J and kg */
+    double energies[2], masses[2]; /* of the gases, J; kg */
     struct piston_state start;
     double step, every, until;
-    const char *path; /* table to be measured */
+    const char *path; /* path of the table to be measured */
     size_t body;
-    double window; /* averages are taken over this time, s */
+    double window; /* averaging time, s */
     double at[MOST], fit[2];
     size_t at_count;
 } own = {.piston = {40, 12, {0, 0, 0}, {0, 0, 0}},
@@ -48,9 +48,9 @@ static void read_pair(struct options *o, double pair[2], double low)
                      options_text(o), low);
 }
 
-/* Returns the state at the start. The piston sets the gases in motion,
-   which reduces its velocity from V to V M / M', where the moving mass M'
-   includes the added mass of the gases (4.10, eq:added-mass). */
+/* Returns the initial state. The piston sets the gases in motion, which
+   reduces its velocity from V to V M / M'. The moving mass M' includes the
+   added mass of the gases (4.10, eq:added-mass). */
 static struct piston_state first_state(const struct piston *p)
 {
     struct piston_state state = own.start;
@@ -58,7 +58,7 @@ static struct piston_state first_state(const struct piston *p)
     return state;
 }
 
-enum { POINTS = 64 }; /* points of the quadrature, more than needed */
+enum { POINTS = 64 }; /* quadrature points, more than needed */
 
 static double large_period(const struct piston *p, size_t points)
 {
@@ -66,8 +66,8 @@ static double large_period(const struct piston *p, size_t points)
     return piston_period(p, piston_energy(p, &state), points);
 }
 
-/* Writes the periods predicted by all theories, without the masses of the
-   gases and with them. */
+/* Writes the periods from all theories, without and with the masses of the
+   gases. */
 static void summarise_periods(struct table *summary)
 {
     struct piston bare = own.piston;
@@ -83,7 +83,7 @@ static void summarise_periods(struct table *summary)
                    2 * acos(-1) / piston_frequency_acoustic(&own.piston)});
 }
 
-enum { SWING = 3 }; /* number of leading keys that study cost lacks */
+enum { SWING = 3 }; /* number of leading keys that study_cost lacks */
 
 static const struct table_key run_keys[] = {
     {"x_min", "m", "leftmost place of the piston"},
@@ -97,10 +97,10 @@ static const struct table_key run_keys[] = {
     {"period_acoustic", "s", "small swings, with sound in the gases"},
     {0}};
 
-/* Writes the rows of a run of the model. The step is shortened so that a
-   whole number of steps leads from row to row. The largest energy error and
-   the extreme positions are taken over all steps, not over the rows
-   alone. */
+/* Writes the rows of a run of the model. Shortens the step, so that the
+   time between rows is a whole number of steps. The largest energy error
+   and the extreme positions are taken over all steps, not only over the
+   rows. */
 static void study_run(struct study *s)
 {
     const struct piston *p = &own.piston;
@@ -141,12 +141,12 @@ static void study_run(struct study *s)
 }
 
 /* Returns the period found with steps of dt, or NAN if a step fails. The
-   piston starts to the right, and the period ends when it passes its
-   starting position in the same direction. This usually happens between two
-   steps. Newton's method shortens the last step until it ends there. Each
+   piston starts to the right. The period ends when it passes its starting
+   position in the same direction, which usually happens between two steps.
+   Newton's method shortens the last step until it ends there. Each
    iteration divides the remaining distance by the velocity and doubles the
-   number of correct digits, so six suffice. The shortened step is as
-   accurate as the others. */
+   number of correct digits, so six iterations suffice. The shortened step
+   is as accurate as the others. */
 static double stepped_period(const struct piston *p, stepper *step,
                              double dt)
 {
@@ -173,8 +173,8 @@ enum way { LEAPFROG, RK4, QUADRATURE, SMALL, ACOUSTIC, WAYS };
 static const char *const way_names[WAYS] = {"leapfrog", "rk4", "quadrature",
                                             "small", "acoustic"};
 
-/* Returns the period, computed in the given way. `number` is the time step
-   of leapfrog and rk4, or the number of points of the quadrature. The
+/* Returns the period, computed by the given method. `number` is the time
+   step of leapfrog and rk4, s, or the number of quadrature points. The
    formulas ignore it. */
 static double period_by(enum way way, const struct piston *p, double number)
 {
@@ -187,16 +187,15 @@ static double period_by(enum way way, const struct piston *p, double number)
     }
 }
 
-/* Returns the processor time (s) for computing one period in the given way.
-   A formula takes less time than the clock resolves, so it is repeated for
-   ten milliseconds. The result is the median of five such rounds after a
-   warm-up round, which is not used. Reading the clock takes longer than
-   evaluating a formula, so the times of the two formulas are upper
-   limits. */
+/* Returns the processor time for computing one period, s. A formula takes
+   less time than the clock resolves, so it is repeated for 10 ms. The
+   result is the median of five such rounds after a discarded warm-up round.
+   Reading the clock takes longer than evaluating a formula, so the times of
+   the two formulas are upper limits. */
 static double cost_of(enum way way, const struct piston *p, double number)
 {
     double rounds[BENCH_ROUNDS];
-    volatile double kept; /* so that no call is optimised away */
+    volatile double kept; /* keeps the calls from being optimised away */
     for (int round = -1; round < BENCH_ROUNDS; ++round) {
         const double start = bench_seconds();
         double calls = 0, seconds = 0;
@@ -210,10 +209,10 @@ static double cost_of(enum way way, const struct piston *p, double number)
     return bench_median(rounds, BENCH_ROUNDS);
 }
 
-/* Writes the period and its cost for each way of computing it, without the
-   masses of the gases and with them. Steps are halved and points doubled
-   until only the leapfrog's last digits change. After a signal the study
-   ends, and the rows already written are kept. */
+/* Writes the period and its cost for each method, without and with the
+   masses of the gases. Steps are halved and points doubled until only
+   leapfrog's last digits change. After a signal the study ends, and the
+   rows already written are kept. */
 static void study_cost(struct study *s)
 {
     static const double first[WAYS] = {1, 1, 1, 0, 0};
@@ -245,27 +244,27 @@ static void study_cost(struct study *s)
 
 enum { MOVERS = 4096, KEPT = 6 };
 
-/* The columns of a table of bonkers that are used: time (s), position (m)
-   and velocity (m/s) of the piston, and the energies (J) of the piston, the
-   left gas and the right gas. */
+/* The values kept from each row of a table of bonkers: time (s), position
+   (m) and velocity (m/s) of the piston, and the energies (J) of the piston,
+   the left gas and the right gas. */
 struct run_rows {
     size_t rows, capacity, movers;
     double (*row)[KEPT];
 };
 
-/* Column numbers of the position of the piston (place) and of the
-   velocities [0] and energies [1] of the movers from left to right. The
-   table of an ensemble has the energies, such as T6, the mean for body 6.
-   That of a single run has velocities, and the masses in its head. */
+/* Column numbers of the piston's position (place) and of the velocities
+   (column[0]) and energies (column[1]) of the movers from left to right.
+   The table of an ensemble has energies, such as T6, the mean for body 6.
+   The table of a single run has velocities, and the masses in its head. */
 struct columns {
     size_t place, count[2], column[2][MOVERS];
     size_t masses;
-    double mass[MOVERS]; /* used if the table has no energies, kg */
+    double mass[MOVERS]; /* kg, used if the table has no energies */
 };
 
-/* Reads a line of the head that contains the masses or describes a column,
-   such as "# 5 T1 [J] ...". The symbol of a mover's column is a letter and
-   a number (xL belongs to a wall). The movers come in order. */
+/* Reads a line of the head. The line contains the masses or describes a
+   column, such as "# 5 T1 [J] ...". The symbol of a mover's column is a
+   letter and a number (xL belongs to a wall). The movers are in order. */
 static void read_head(const char *line, size_t body, struct columns *c)
 {
     static const char masses[] = "# masses:";
@@ -289,7 +288,7 @@ static void read_head(const char *line, size_t body, struct columns *c)
     }
 }
 
-/* Reads a row and sums the energies of each gas: the movers before the
+/* Reads a row and sums the energies of each gas. The movers before the
    piston belong to the left gas, those after it to the right gas. Returns
    false if numbers are missing. */
 static bool read_row(const char *line, size_t body, const struct columns *c,
@@ -319,8 +318,9 @@ static bool read_row(const char *line, size_t body, const struct columns *c,
     return next == c->count[kind];
 }
 
-/* Reads the table. Whether the head is complete can be checked only at a
-   row. On failure prints the reason, frees everything and returns false. */
+/* Reads the table. Checks the head at each row, because only then is the
+   head known to be complete. On failure prints the reason, frees everything
+   and returns false. */
 static bool read_table(struct study *study, struct run_rows *r)
 {
     static struct columns c;
@@ -367,8 +367,8 @@ static bool read_table(struct study *study, struct run_rows *r)
 }
 
 /* Writes the rows of the table for the state diagram, with the temperature
-   2 K / N and the pressure 2 K / l of each gas. Of the movers, body - 1
-   belong to the left gas. */
+   2 K / N and the pressure 2 K / l of each gas. body - 1 movers belong to
+   the left gas. */
 static void study_gases(struct study *s)
 {
     struct run_rows r = {0};
@@ -397,10 +397,10 @@ static void study_gases(struct study *s)
 
 enum { CROSSINGS = 8 };
 
-/* Writes the number of times that the piston crosses the middle, at most
-   CROSSINGS, and its periods. Times of crossings are interpolated linearly
-   between rows. With fewer than four crossings no spread of the periods can
-   be computed, and they are not written. */
+/* Writes how often the piston crosses the middle, at most CROSSINGS times,
+   and its periods. Interpolates the times of crossings linearly between
+   rows. Omits the periods if there are fewer than four crossings, which do
+   not give a spread. */
 static void summarise_crossings(struct table *summary,
                                 const struct run_rows *r)
 {
@@ -427,7 +427,6 @@ static void summarise_crossings(struct table *summary,
         {"period_spread", sqrt(fmax(0, square / count - mean * mean))});
 }
 
-/* Returns the piston's fraction of the energy. */
 static double piston_fraction(const double row[KEPT])
 {
     return row[3] / (row[3] + row[4] + row[5]);
@@ -435,8 +434,9 @@ static double piston_fraction(const double row[KEPT])
 
 /* Returns the piston's fraction of the energy, averaged over the rows from
    time t to t + window, or NAN if the table ends earlier. A window of half
-   a period averages out the swing. Its ends are shifted by 1e-9 of its
-   length, so that rounding does not decide whether a row belongs to it. */
+   a period averages out the swing. The ends of the window are shifted by
+   1e-9 of its length, so that rounding does not decide which rows belong to
+   it. */
 static double mean_fraction(const struct run_rows *r, double t)
 {
     const double margin = 1e-9 * own.window;
@@ -452,18 +452,19 @@ static double mean_fraction(const struct run_rows *r, double t)
     return sum / count;
 }
 
-enum { FEWEST_WINDOWS = 3 }; /* needed for a fit */
+enum { FEWEST_WINDOWS = 3 }; /* minimum for a fit */
 
 struct fit {
     size_t n;
     double tau, error, amplitude; /* excess = amplitude exp(-t/tau) */
 };
 
-/* Fits an exponential to windows that do not overlap, from the first whose
-   excess is below fit[0] to the last before the excess falls below fit[1].
-   The logarithm y is fitted by least squares. Its slope is -1/tau, so that
-   the error of tau is tau^2 times the error of the slope. Two windows
-   determine a line, but no scatter about it. */
+/* Fits an exponential to the excess in windows that do not overlap. The fit
+   starts at the first window with an excess below fit[0] and ends before
+   the first with an excess below fit[1]. The logarithm y is fitted by least
+   squares. Its slope is -1/tau, so the error of tau is tau^2 times the
+   error of the slope. Two windows determine a line but no scatter about
+   it. */
 static struct fit fit_decay(const struct run_rows *r)
 {
     struct fit f = {0, NAN, NAN, NAN};
@@ -504,8 +505,7 @@ static void study_measure(struct study *s)
     const struct fit f = fit_decay(&r);
     TABLE_COLUMNS(s->out, {"t", "s", "middle of a window"},
                   {"share", "", "the piston's, mean of the window"});
-    /* Without a fit there is no column for it, and the head gives the
-       reason. */
+    /* Without a fit, replace its column by the reason in the head. */
     const bool fitted = f.n >= FEWEST_WINDOWS;
     if (fitted)
         table_column(s->out, "fit", "", "the fitted decay");
@@ -578,7 +578,7 @@ static const struct options_entry entries[] = {
     {"fit", 'F', "A,B", "excess of the share (0.1,0.01)"},
     {0}};
 
-/* Reads the value of an option. The limits admit every real piston, and
+/* Reads the value of an option. The limits admit every real piston and
    exclude overflow. */
 static void take_option(struct options *o, int letter)
 {
@@ -601,7 +601,7 @@ static void take_option(struct options *o, int letter)
     }
 }
 
-/* Completes and checks the settings when all options have been read: the
+/* Completes and checks the settings after all options have been read. The
    start of the piston determines the lengths of the gases. */
 static void check_settings(struct options *o, const char *study)
 {
@@ -628,8 +628,7 @@ static void check_settings(struct options *o, const char *study)
         own.energies[1], length - own.start.x, own.masses[1]};
 }
 
-/* The defaults describe eleven particles, the sixth of which is the
-   piston. */
+/* The defaults describe eleven particles. The sixth is the piston. */
 STUDY_MAIN(.name = PROGRAM,
            .purpose = "A piston between two adiabatic springs of gas.",
            .events = "steps", .studies = studies, .usual = "run",

@@ -13,12 +13,12 @@
 #include <string.h>
 
 #define PROGRAM "sample"
-#define LONGEST 1e6 /* longest length accepted, m */
+#define LONGEST 1e6 /* maximum length in an option, m */
 
 enum {
-    MOST = 100000,    /* disks; each try examines all of them */
-    PILOT = 100000,   /* throws to estimate the number needed */
-    MOST_DIGITS = 15, /* more than 10^MOST_DIGITS throws are refused */
+    MOST = 100000,    /* most disks; each try examines all disks */
+    PILOT = 100000,   /* throws for an estimate of the number needed */
+    MOST_DIGITS = 15, /* refuse more than 10^MOST_DIGITS throws */
     SOME = 256        /* samples between updates of progress */
 };
 #define GIVE_UP 1e8      /* consecutive failed throws */
@@ -37,7 +37,7 @@ static struct {
     size_t method, boundary, measure;
     size_t dimensions, large, small, bins;
     double radius, small_radius, box[DISKS_AXES];
-    double step, length; /* m; if 0, one radius and ten radii */
+    double step, length; /* m; defaults: one radius, ten radii */
     uint64_t samples, seed;
     const char *output, *summary, *command;
 } given = {.dimensions = 2,
@@ -160,10 +160,11 @@ static void read_settings(struct options *o, int argc, char *argv[])
 }
 
 /* Returns whether the large disks certainly do not fit between the walls.
-   Their centres lie in a rectangle of the sides a = Lx - 2 r and b = Ly - 2
-   r. Two disks fit only if its diagonal is at least sigma = 2 r. Oler
+   Their centres are in a rectangle with the sides a = Lx - 2 r and b = Ly -
+   2 r. Two disks fit only if the diagonal is at least sigma = 2 r. Oler
    proved in 1961 that the rectangle contains at most 2 a b / (sqrt(3)
-   sigma^2) + (a + b) / sigma + 1 points at distances of at least sigma. */
+   sigma^2) + (a + b) / sigma + 1 points whose distances are at least
+   sigma. */
 static bool is_too_full(void)
 {
     const double sigma = 2 * given.radius;
@@ -180,9 +181,9 @@ static bool is_too_full(void)
             (given.dimensions == 2 && (double)given.large > most + 1e-9));
 }
 
-/* Ends the program if the disks cannot be in the box, because one is wider
-   than the box, or because they would exceed the densest packing, which is
-   pi/sqrt(12) = 0.9069 in the plane and pi/sqrt(18) = 0.7405 in space. */
+/* Ends the program if the disks cannot fit: if one is wider than the box,
+   or if their packing exceeds the densest one, pi/sqrt(12) = 0.9069 in the
+   plane and pi/sqrt(18) = 0.7405 in space. */
 static void check_room(struct options *o, const struct sampling *p)
 {
     const double widest =
@@ -219,8 +220,8 @@ static void check_room(struct options *o, const struct sampling *p)
 }
 
 /* Ends the program if direct sampling would need more than 10^15 throws,
-   which take years, or more than five million for each sample. The estimate
-   uses a separate generator, so that it does not change the run. */
+   which take years, or more than five million throws per sample. The
+   estimate uses its own random generator, so it does not change the run. */
 static void check_throws(struct options *o, struct sampling *p)
 {
     struct random r;
@@ -235,23 +236,22 @@ static void check_throws(struct options *o, struct sampling *p)
             floor(tries));
 }
 
-/* A run: its state, its sums, and its progress. */
 struct run {
     struct sampling p;
     struct random r;
     struct progress progress;
     struct means bins, numbers;
     uint64_t done, tries, accepted;
-    double *start; /* positions of the large disks when counting began */
-    double *row;   /* space for a row of the table */
-    double high;   /* longest distance counted, m */
+    double *start; /* positions of the large disks after the warm-up */
+    double *row;   /* buffer for a table row */
+    double high;   /* maximum distance counted, m */
     struct table *out;
     bool hopeless; /* too many consecutive throws failed */
 };
 
-/* The quantities whose means are in run.numbers. */
+/* Indices of the means in run.numbers. */
 enum number {
-    ACCEPTANCE, /* fraction of moves; if direct, throws per sample */
+    ACCEPTANCE, /* fraction of moves; throws per sample if direct */
     MEAN_X,     /* x of disk 1, m */
     WALL,       /* density at the walls across each axis, 1/m */
     PAIR = WALL + DISKS_AXES, /* density of pair distances at contact,
@@ -260,9 +260,9 @@ enum number {
     NUMBERS
 };
 
-/* Returns the longest distance that is counted. Between walls all distances
-   are counted. In a periodic box they are counted up to half of the
-   shortest side, so that a circle (sphere) of that radius is within the
+/* Returns the maximum distance that is counted. With walls, all distances
+   are counted. In a periodic box, distances are counted up to half of the
+   shortest side, so that a circle (sphere) of that radius is inside the
    box. */
 static double longest_distance(void)
 {
@@ -275,7 +275,7 @@ static double longest_distance(void)
     return given.boundary == DISKS_PERIODIC ? least : sqrt(square);
 }
 
-/* Allocates the memory of a run. If there is not enough, prints a message
+/* Allocates the memory of a run. Without enough memory, prints a message
    and returns false. */
 static bool begin_run(struct run *run)
 {
@@ -299,12 +299,12 @@ static bool begin_run(struct run *run)
     return false;
 }
 
-/* Throws until all disks fit. Returns false after a signal, or if the disks
-   do not seem to fit. No rule predicts this, so it is decided by the number
-   of failed throws: at an acceptance of 2e-7, a hundred million throws,
-   which take some seconds, all fail with a probability of e^-20. The
-   numbers of throws per sample are independent, so their mean is taken; the
-   acceptance is its inverse. */
+/* Throws until all disks fit. Returns false after a signal or if the disks
+   do not seem to fit. No rule predicts whether they fit, so the number of
+   failed throws decides: at an acceptance of 2e-7, a hundred million
+   throws, which take some seconds, all fail with a probability of e^-20.
+   The numbers of throws per sample are independent, so their mean is taken.
+   The acceptance is the inverse of the mean. */
 static bool next_direct(struct run *run)
 {
     uint64_t throws = 1;
@@ -323,8 +323,8 @@ static bool next_direct(struct run *run)
     return true;
 }
 
-/* Makes as many tries as there are disks. Returns how many tries moved a
-   disk. */
+/* Makes as many tries as there are disks. Returns the number of tries that
+   moved a disk. */
 static size_t sweep(struct run *run)
 {
     const size_t count = run->p.disks.count;
@@ -344,7 +344,7 @@ static bool next_markov(struct run *run)
     return true;
 }
 
-/* Makes an event chain along a random axis, with a random length: with a
+/* Makes an event chain along a random axis, with a random length. With a
    fixed length of five diameters, eight disks in a box four diameters wide
    would never leave the squares of the chessboard on which they start. No
    push is rejected. */
@@ -371,9 +371,9 @@ static bool next_sample(struct run *run)
     }
 }
 
-/* Finds a start, and equilibrates for a tenth of the number of samples
-   without measuring, since the first configurations are still near the
-   lattice. Returns false if there is no start. */
+/* Finds a start and equilibrates for a tenth of the number of samples
+   without measuring, because the first configurations are still close to
+   the lattice. Returns false if no start is found. */
 static bool warm_up(struct run *run)
 {
     const struct disks *d = &run->p.disks;
@@ -400,8 +400,8 @@ static bool warm_up(struct run *run)
     return true;
 }
 
-/* Returns the bin of x. The bins divide the whole length, so that they are
-   the same for all methods. */
+/* Returns the bin of x. The bins divide the whole length, so all methods
+   have the same bins. */
 static size_t bin_of(double x, double length, size_t bins)
 {
     const double bin = x / length * (double)bins;
@@ -422,7 +422,7 @@ static void count_positions(struct run *run)
     }
 }
 
-/* Counts the distance between the nearest images of each pair, once. */
+/* Counts the distance between the nearest images of each pair once. */
 static void count_distances(struct run *run)
 {
     const struct disks *d = &run->p.disks;
@@ -455,8 +455,9 @@ static void write_state(struct run *run)
 }
 
 /* Measures the contact densities of one disk with the walls and with up to
-   three other disks. All disks and pairs take turns, since measuring all of
-   them would take longer than making the sample. */
+   three other disks. Successive samples use successive disks and pairs,
+   because measuring all of them would take longer than making the
+   sample. */
 static void count_contacts(struct run *run)
 {
     const size_t n = run->p.large, i = run->done % n;
@@ -474,7 +475,7 @@ static void count_contacts(struct run *run)
     means_add(&run->numbers, MEAN_X, run->p.disks.disk[0].position[0]);
 }
 
-/* Takes all samples, or until a signal arrives. */
+/* Takes samples until all are taken or a signal arrives. */
 static void take_samples(struct run *run)
 {
     while (run->done < given.samples && !progress_signal() &&
@@ -525,8 +526,8 @@ static void name_columns(struct run *run)
     }
 }
 
-/* Writes the densities, which are counts divided by the width of a bin and
-   by the number of disks or pairs. */
+/* Writes the densities: counts divided by the width of a bin and by the
+   number of disks or pairs. */
 static void write_bins(struct run *run)
 {
     const size_t axes = given.measure == POSITIONS ? given.dimensions : 1;
@@ -548,7 +549,8 @@ static void write_bins(struct run *run)
     }
 }
 
-/* Writes factor times the mean of a quantity plus `more`, and the error. */
+/* Writes `more` plus `factor` times the mean of a quantity, and its
+   error. */
 static void write_number(struct table *out, const struct run *run,
                          const char *key, size_t quantity, double factor,
                          double more)
@@ -560,8 +562,8 @@ static void write_number(struct table *out, const struct run *run,
         {with, factor * means_error(&run->numbers, quantity)});
 }
 
-/* Returns the root mean square distance (m) of the large disks from their
-   positions after the warm-up, which shows whether a Markov chain moves at
+/* Returns the root mean square distance of the large disks from their
+   positions after the warm-up, m. It shows whether a Markov chain moves at
    all. */
 static double distance_moved(const struct run *run)
 {
@@ -575,12 +577,12 @@ static double distance_moved(const struct run *run)
     return sqrt(sum / (double)run->p.large);
 }
 
-/* Writes the summary, without results that are undefined for one disk or
-   with small disks. The acceptance of direct sampling is the inverse of the
-   mean number of throws per sample, so its error is acceptance^2 times that
+/* Writes the summary. Omits results that are undefined for one disk or with
+   small disks. The acceptance of direct sampling is the inverse of the mean
+   number of throws per sample, so its error is acceptance^2 times the error
    of the mean. By symmetry the mean x of every disk is the middle of the
-   box; the mean x of disk 1 shows whether a chain has lost the memory of
-   its start. */
+   box. So the mean x of disk 1 shows whether a chain has forgotten its
+   start. */
 static void write_summary(struct table *out, const struct run *run)
 {
     static const char *const walls[] = {"Z_wall_x", "Z_wall_y", "Z_wall_z"};
@@ -609,9 +611,10 @@ static void write_summary(struct table *out, const struct run *run)
         write_number(out, run, "Z_chain", GAIN, 1, 1);
 }
 
-/* Writes the results, and returns the exit status. A run interrupted by a
-   signal keeps its table but has no summary, which would look like that of
-   a complete run. A table without a configuration is not written. */
+/* Writes the results and returns the exit status. A run interrupted by a
+   signal keeps its table but has no summary, which would look like the
+   summary of a complete run. A table without a configuration is not
+   written. */
 static int finish(struct run *run, struct table *summary)
 {
     const bool complete = progress_end(&run->progress) && !run->hopeless;

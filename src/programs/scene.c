@@ -13,7 +13,6 @@
 
 #define PROGRAM "scene"
 
-/* The scenes of chapters 9, 10 and 11. */
 static const struct gallery_scene *const lists[] = {
     celestial_scenes, elastic_scenes, hard_scenes};
 enum { LISTS = sizeof lists / sizeof lists[0] };
@@ -26,9 +25,8 @@ static const struct gallery_scene *find_scene(const char *name)
     return g;
 }
 
-static char text[8192]; /* the text of --help without a scene */
+static char text[8192]; /* text of --help without a scene */
 
-/* Appends to the text of --help. */
 static void append(const char *format, ...)
 {
     const size_t used = strlen(text);
@@ -38,7 +36,7 @@ static void append(const char *format, ...)
     va_end(values);
 }
 
-/* Appends the names of a scene's keys in lines of 76 columns. */
+/* Appends the names of a scene's keys in lines of at most 76 columns. */
 static void append_keys(const struct gallery_scene *g)
 {
     const size_t margin = 20, most = 76;
@@ -68,7 +66,7 @@ static const char *describe_all(void)
     return text;
 }
 
-/* Refuses a name that is no scene, with the list of all scenes. */
+/* Prints an error with a list of all scenes and ends the program. */
 _Noreturn static void refuse_name(const char *name)
 {
     fprintf(stderr, PROGRAM ": '%s' is no scene; there are", name);
@@ -82,10 +80,9 @@ _Noreturn static void refuse_name(const char *name)
 
 enum { FIRST_KEY = 2, ENTRIES = FIRST_KEY + GALLERY_KEYS + 1 };
 
-/* Fills the table of options, which depends on the scene: --output, the
-   name of the scene, and one option for each key. The help of a key ends
-   with its default. The caller provides the array `help`, since the entries
-   point to its texts. */
+/* Fills the table of options: --output, the name of the scene, and one
+   option per key of the scene. The help of a key ends with its default. The
+   entries point into `help`, so the caller must keep that array. */
 static void make_entries(const struct gallery_scene *g,
                          struct options_entry entries[ENTRIES],
                          char help[GALLERY_KEYS][160])
@@ -110,8 +107,8 @@ struct settings {
     const char *output, *command;
 };
 
-/* Reads the value of key k, which must lie in the range of the key, and
-   must be an integer if the key is whole. */
+/* Reads the value of key k. The value must be in the range of the key, and
+   an integer if the key is whole. */
 static void read_key(struct settings *s, struct options *o, size_t k)
 {
     const struct gallery_key *key = &s->scene->key[k];
@@ -151,7 +148,7 @@ static void read_options(struct settings *s, struct options *o)
     refuse_unused(s, o);
 }
 
-/* Writes the command, and every key with its value, including defaults. */
+/* Writes the command and the values of all keys, including defaults. */
 static void write_head(const struct settings *s, struct table *out)
 {
     const struct gallery_scene *g = s->scene;
@@ -163,8 +160,8 @@ static void write_head(const struct settings *s, struct table *out)
                     g->key[k].help);
 }
 
-/* Writes the scene. Returns the exit status, which is 2 if the values
-   contradict each other. */
+/* Writes the scene. Returns the exit status, which is OPTIONS_FAILURE if
+   the values contradict each other. */
 static int write_scene(const struct settings *s)
 {
     struct scene scene;
@@ -182,8 +179,8 @@ static int write_scene(const struct settings *s)
     return out && table_close(out) ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
-/* Writes a scene. The first argument is its name. Without a name only
-   --help, which lists all scenes, and --version are accepted. */
+/* Writes a scene. The first argument is the scene's name. Without a name,
+   only --help, which lists all scenes, and --version are accepted. */
 int main(int argc, char *argv[])
 {
     struct settings s = {0};

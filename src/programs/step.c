@@ -30,14 +30,14 @@ static const char *const contact_names[] = {"stepwise", "located", NULL};
 
 static struct {
     const char *scene, *method;
-    double dt;    /* s; 0: that of the scene */
+    double dt;    /* s; 0: the scene's */
     double until; /* s; NaN: 1000 steps */
-    double every; /* s; 0: a hundredth of the run, or a thousandth */
+    double every; /* s; 0: 1/100 or 1/1000 of the run */
     const char *observe;
     const char *track;
     int threads, kernel;
     double theta;
-    size_t contact, rule, shift, order; /* options of contacts */
+    size_t contact, rule, shift, order; /* options for contacts */
     size_t sums;
     bool resume;
     double bound, tolerance;
@@ -52,10 +52,10 @@ static struct {
            .checkpoint = 60,
            .summary = "/dev/null"};
 
-/* The names and the help of --method, and the headings of the options that
-   belong to adaptive and to other methods, generated from the table of
-   methods in stepping.c. GSL's adaptive method has a name, too, though it
-   is not in that table. */
+/* Texts generated from the table of methods in stepping.c: the names and
+   the help of --method, and the headings of the options for adaptive and
+   for other methods. outside_name is the name of GSL's adaptive method,
+   which is not in that table. */
 static const char *method_names[STEPPING_MOST + 2];
 static const char outside_name[] = "rk8pd";
 static char method_help[128 * STEPPING_MOST] = "how to step:";
@@ -90,53 +90,53 @@ enum ending { WHOLE, INTERRUPTED, INFINITE, STUCK, TOO_MUCH, UNWRITTEN };
 
 /* The energy during the run, J. */
 struct watch {
-    double start;    /* E at the start */
-    double depth;    /* largest depth of the potential in a row */
-    double worst;    /* largest |E - start| of a row */
-    double seen;     /* last finite energy, in a row or between rows */
+    double start;    /* initial energy */
+    double depth;    /* largest depth of the potential in any row */
+    double worst;    /* largest |E - start| in any row */
+    double seen;     /* last finite energy, in or between rows */
     double when;     /* time of `seen`, s */
-    uint64_t passed; /* pairs moved through each other before this
+    uint64_t passed; /* pairs that passed through each other before this
                         process */
-    double overlap;  /* initial overlap of colliding bodies with each
-                        other or with walls, m; 0: rounding at most */
+    double overlap;  /* initial overlap of colliding bodies with each other
+                        or with walls, m; 0 if due to rounding */
 };
 
 struct run {
     struct scene scene;
     struct motion motion;
     struct reference reference;
-    struct opencl *device; /* sums gravity; NULL: the CPU does */
+    struct opencl *device; /* sums gravity; NULL if the CPU does */
     struct observables observables;
     size_t *tracked, tracks, columns;
     double *row;
     struct table *out, *summary, *save;
-    bool kept; /* rows are stored in FILE.rows for a checkpoint */
+    bool kept; /* rows go to FILE.rows, for checkpoints */
     struct checkpoint checkpoint;
-    uint64_t every, last, rows; /* steps per row, steps of the run, rows */
-    double last_step;     /* length of a shorter last step, s; 0: none */
-    bool last_taken;      /* the last step has been taken */
-    uint64_t evaluations; /* before this process */
-    uint64_t taken;       /* steps in this process */
-    double sum;           /* checksum of the scene's file */
-    double energy, time;  /* of the last row */
+    uint64_t every, last, rows; /* steps per row; steps in the run; rows */
+    double last_step;           /* length of a shorter last step, s, or 0 */
+    bool last_taken;            /* the last step has been taken */
+    uint64_t evaluations;       /* evaluations before this process */
+    uint64_t taken;             /* steps in this process */
+    double sum;                 /* checksum of the scene's file */
+    double energy, time;        /* at the last row */
     struct watch watch;
     double took;    /* wall-clock time of the last batch of steps, s */
-    uint64_t timed; /* steps whose CPU time was measured */
-    double stepped; /* their CPU time, s */
+    uint64_t timed; /* steps with measured CPU time */
+    double stepped; /* CPU time of the `timed` steps, s */
     double seconds; /* CPU time including rows, s */
     struct progress progress;
 };
 
-/* Returns whether the method chooses the lengths of its own steps. */
 static bool is_adaptive(void)
 {
     const struct stepping_method *const m = stepping_find(given.method);
     return m && m->adaptive;
 }
 
-/* Returns whether a located contact may lie ahead of the time of the run,
-   because an adaptive method has already stepped beyond it. A checkpoint
-   does not store such a contact, so these runs have no checkpoints. */
+/* Returns whether the run may know a located contact that is still in the
+   future, because an adaptive method has already stepped beyond it. A
+   checkpoint does not store such a contact, so these runs have no
+   checkpoints. */
 static bool contact_may_wait(void)
 {
     return is_adaptive() && given.contact == LOCATED;
@@ -147,8 +147,7 @@ static bool use_reference(void *with, double dt, double x[], double v[])
     return reference_step(with, dt, x, v);
 }
 
-/* Opens the device of --kernel opencl before the first step. Ends the
-   program if this fails. */
+/* Opens the device of --kernel opencl. Ends the program if this fails. */
 static void open_device(struct run *r)
 {
     struct gravity *g = &r->motion.gravity;
@@ -168,13 +167,12 @@ static void open_device(struct run *r)
     g->device = r->device;
 }
 
-/* Begins the motion and applies the settings to its parts. For GSL's
-   method, too, the motion is begun with leapfrog; only its time and its
-   forces are used. Waking a thread takes as long as the attraction of some
-   hundred bodies or some thousand springs, and much longer on a busy
-   machine, so small numbers of bodies are not divided among threads. The
-   results do not depend on the number of threads, which is written in the
-   summary. */
+/* Begins the motion and applies the settings to its parts. With GSL's
+   method the motion begins with leapfrog, but only its time and its forces
+   are used. Small numbers of bodies are not divided among threads: waking a
+   thread takes as long as the attraction of some hundred bodies or some
+   thousand springs, and much longer on a busy machine. The number of
+   threads does not affect the results; it is written to the summary. */
 static void set_in_motion(struct run *r)
 {
     struct motion *m = &r->motion;
@@ -208,7 +206,7 @@ static void set_in_motion(struct run *r)
         program_memory(motion_locate(m), "for the contacts");
 }
 
-/* Returns the number of steps of dt in a time, and sets *whole if it is an
+/* Returns the number of steps of dt in `time`. Sets *whole if it is an
    integer. The quotient of two decimal times is rarely an integer in
    binary, so a relative deviation of 1e-9 is allowed, but at most a
    hundredth of a step. */
@@ -222,11 +220,10 @@ static uint64_t steps_in(double time, double dt, bool *whole)
     return (uint64_t)(*whole ? round(n) : n);
 }
 
-/* Sets the numbers of steps in the run and between rows. Without --until a
-   thousand steps are taken; without --every there are as many rows as can
-   be drawn. A scene that was saved at the end of a run may be slightly
-   before or after that time because of rounding. It is then neither refused
-   nor stepped. */
+/* Sets the numbers of steps in the run and between rows. The default is a
+   thousand steps and as many rows as can be drawn. A scene saved at the end
+   of a run may be slightly before or after --until because of rounding.
+   Such a scene is neither refused nor stepped. */
 static void set_rows(struct run *r, double start)
 {
     const double dt = r->motion.stepping.dt;
@@ -252,7 +249,7 @@ static void set_rows(struct run *r, double start)
                        given.every, dt, nearest);
 }
 
-/* Reads the bodies of --track, in the order given. */
+/* Reads the bodies of --track in the given order. */
 static void track(struct run *r, const char *text)
 {
     while (true) {
@@ -293,7 +290,8 @@ static void choose_columns(struct run *r)
     program_memory(r->row, "for a row");
 }
 
-/* Writes the head. The seed is 0, since there are no random numbers. */
+/* Writes the table head. The seed is 0, because there are no random
+   numbers. */
 static void write_head(struct run *r)
 {
     table_begin(r->out, given.command, 0);
@@ -307,8 +305,8 @@ static double below_zero(double energy)
     return energy < 0 ? -energy : 0;
 }
 
-/* Returns the sum of the parts of the energy, and stores it as the last
-   energy seen if it is finite. */
+/* Returns the sum of the parts of the energy. If the sum is finite, stores
+   it as the last energy seen. */
 static double add_up(struct run *r, struct motion_energy e)
 {
     const double sum = e.kinetic + (e.gravity + e.springs + e.weight);
@@ -319,9 +317,9 @@ static double add_up(struct run *r, struct motion_energy e)
     return sum;
 }
 
-/* Computes the energy of a row, and updates the depth of the potential.
-   This is done for each row and not for each step, since with many bodies
-   it costs as much as a step. */
+/* Computes the energy of a row and updates the depth of the potential.
+   Called for each row but not for each step, because with many bodies it
+   costs as much as a step. */
 static void find_energy(struct run *r)
 {
     const struct motion_energy e = motion_energy(&r->motion);
@@ -331,10 +329,10 @@ static void find_energy(struct run *r)
                                  below_zero(e.weight));
 }
 
-/* Returns the energy that springs would have if each length had an error in
-   the tenth digit. The depth begins with this value and not with 0: springs
+/* Returns the energy that the springs would have if each length had an
+   error in the tenth digit. This is the initial depth instead of 0: springs
    at rest have the energy of their rounding errors, which may grow a
-   hundredfold although the run is correct. */
+   hundredfold in a correct run. */
 static double rounding_energy(const struct scene *s)
 {
     double size = 0, sum = 0;
@@ -345,8 +343,8 @@ static double rounding_energy(const struct scene *s)
     return 1e-10 * size * (1e-10 * size) * sum;
 }
 
-/* Computes the energy at the start. If it is not finite, no shorter step
-   will help, and the scene is refused. */
+/* Computes the initial energy. Refuses the scene if this energy is not
+   finite, because no shorter step will help. */
 static void begin_watch(struct run *r)
 {
     r->watch.depth = rounding_energy(&r->scene);
@@ -360,11 +358,11 @@ static void begin_watch(struct run *r)
                        r->energy);
 }
 
-/* Computes the energy of a row, and returns whether it is finite and within
-   the bound (11.16, eq:energy-bound), relative to the scale of the rows
-   before it. A scene that starts at rest at height 0 has the scale 0: any
-   energy gained by its next row, even by rounding, would exceed the bound.
-   So the bound is not applied if the scale is 0. */
+/* Computes the energy of a row. Returns whether it is finite and within the
+   bound (11.16, eq:energy-bound), relative to the scale of the previous
+   rows. A scale of 0 belongs to a scene that starts at rest at height 0.
+   Any energy gained by its next row, even by rounding, would exceed the
+   bound, so the bound is not applied. */
 static bool energy_is_in_bounds(struct run *r)
 {
     struct watch *w = &r->watch;
@@ -377,7 +375,7 @@ static bool energy_is_in_bounds(struct run *r)
     return true;
 }
 
-/* Returns how many steps are missing to the next larger power of two. */
+/* Returns the number of steps to the next larger power of two. */
 static uint64_t to_power_of_two(uint64_t steps)
 {
     uint64_t power = 1;
@@ -387,10 +385,10 @@ static uint64_t to_power_of_two(uint64_t steps)
 }
 
 /* Returns whether the energy should be constant: there is no friction, no
-   dashpot, and no contact that is a spring or loses energy. Only then are
-   energy and step examined at the end (find_complaint). A completed run may
-   still be wrong: the oscillator gains energy under Euler's method without
-   reaching the bound for a while, and with leapfrog at omega dt = 2 it
+   dashpot, and no contact that is a spring or loses energy. Only then does
+   find_complaint examine the energy and the step at the end. A completed
+   run may still be wrong. The oscillator gains energy under Euler's method
+   without reaching the bound for a while. With leapfrog at omega dt = 2 it
    jumps from side to side at constant energy. */
 static bool is_conservative(const struct run *r)
 {
@@ -410,9 +408,9 @@ enum complaint {
     NOTE_OVERLAP
 };
 
-/* Returns the square of the angular frequency (1/s^2) of two bodies that
-   oscillate along their spring while all others rest, D (w_1 + w_2), or 0
-   if they coincide. */
+/* Returns the squared angular frequency, 1/s^2, of two bodies that
+   oscillate along their spring while all others are at rest: D (w_1 + w_2),
+   or 0 if the bodies coincide. */
 static double omega_squared(const struct scene *s,
                             const struct scene_spring *l)
 {
@@ -430,9 +428,9 @@ static double omega_squared(const struct scene *s,
 
 /* Returns the step times the highest angular frequency of a spring between
    two bodies (omega_squared). If no spring is compressed, the fastest
-   motion of the scene is at least as fast, so a step that exceeds the limit
-   of the method is reported correctly. A chain may be faster by up to
-   sqrt(2), which is noticed only by the energy. */
+   motion of the scene is at least as fast, so a step above the limit of the
+   method is reported correctly. A chain may be faster by up to sqrt(2).
+   Only the energy then reveals a step that is too long. */
 static double stiffest_omega_dt(const struct run *r)
 {
     const struct scene *s = &r->scene;
@@ -442,7 +440,7 @@ static double stiffest_omega_dt(const struct run *r)
     return sqrt(most) * r->motion.dt;
 }
 
-/* Returns how many times a step has moved a pair through each other. */
+/* Returns how often a pair has passed through each other within a step. */
 static uint64_t passed(const struct run *r)
 {
     const struct motion *m = &r->motion;
@@ -470,7 +468,6 @@ static enum complaint find_complaint(const struct run *r)
     return keeps && r->watch.worst > 0.1 * scale ? NOTE_ENERGY : NO_NOTE;
 }
 
-/* Prints that bodies passed through each other within a step. */
 static void print_passed(const struct run *r)
 {
     const struct spheres *p = motion_contacts(&r->motion);
@@ -487,7 +484,6 @@ static void print_passed(const struct run *r)
                 r->motion.collides ? ", or --contact located" : "");
 }
 
-/* Prints the fault of a completed run, if any. */
 static void print_note(const struct run *r)
 {
     const enum complaint c = find_complaint(r);
@@ -510,7 +506,7 @@ static void print_note(const struct run *r)
             100 * r->watch.worst / (fabs(r->watch.start) + r->watch.depth));
 }
 
-/* Writes a checkpoint: the motion, and the numbers that the scene does not
+/* Writes a checkpoint: the motion and the numbers that the scene does not
    contain. */
 static bool keep_checkpoint(struct run *r)
 {
@@ -532,7 +528,7 @@ static bool keep_checkpoint(struct run *r)
     return checkpoint_write(&r->checkpoint, &r->motion, known);
 }
 
-/* Returns the time (s) of a clock that cannot be set back. */
+/* Returns the time of a clock that cannot be set back, s. */
 static double wall_clock(void)
 {
     struct timespec now;
@@ -540,7 +536,7 @@ static double wall_clock(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/* Writes a checkpoint if one is due. Returns false if writing failed. */
+/* Writes a checkpoint if it is due. Returns false if writing failed. */
 static bool keep_if_due(struct run *r, double *kept)
 {
     const double now = r->kept ? wall_clock() : 0;
@@ -591,14 +587,14 @@ static enum ending ending_of(enum stepping_end end)
                                       : STUCK;
 }
 
-/* Takes at most *batch steps, stopping at the next row, after a number of
-   steps that is a power of two, or at the end. A batch takes about a
-   thirtieth of a second, which is short enough for Ctrl-C, progress and
-   checkpoints, and too long for them to cost anything. For all methods the
-   results are independent of the division into batches. The speed in the
-   summary is that of the steps alone. Reading the CPU clock takes as long
-   as ten steps of two bodies, so it is read only if the last batch took
-   over 10 microseconds. If few batches do, the time includes the rows. */
+/* Makes at most *batch steps. Stops at the next row, at a power of two in
+   the number of steps, and at the end. A batch takes about 1/30 s, which is
+   short enough for Ctrl-C, progress and checkpoints, and long enough that
+   they cost nothing. The division into batches does not affect the results
+   of any method. The speed in the summary is that of the steps alone.
+   Reading the CPU clock takes as long as ten steps of two bodies, so it is
+   read only if the last batch took more than 10 microseconds. If few
+   batches do, the time includes the rows. */
 static enum ending run_batch(struct run *r, uint64_t *batch)
 {
     const bool timed = r->took > 1e-5;
@@ -622,9 +618,9 @@ static enum ending run_batch(struct run *r, uint64_t *batch)
     return ending_of(end);
 }
 
-/* Writes a row to FILE.rows, or directly into a table that cannot be
-   resumed, unless its energy is out of bounds. The energy of the first row
-   was examined at the start. */
+/* Writes a row, unless its energy is out of bounds. The row goes to
+   FILE.rows, or directly into a table that cannot be resumed. The energy of
+   the first row was examined at the start. */
 static enum ending add_row(struct run *r)
 {
     if (r->rows > 0 && !energy_is_in_bounds(r))
@@ -640,7 +636,7 @@ static enum ending add_row(struct run *r)
     return good ? WHOLE : UNWRITTEN;
 }
 
-/* Takes the shorter last step and writes its row. The last checkpoint is
+/* Makes the shorter last step and writes its row. The last checkpoint is
    written before this step, so a resumed run repeats the step. */
 static enum ending take_last_step(struct run *r)
 {
@@ -653,13 +649,12 @@ static enum ending take_last_step(struct run *r)
     return end == WHOLE ? add_row(r) : end;
 }
 
-/* Runs to the end. A checkpoint is never written between the step that
-   produces a row and that row, so that no row is lost between two
-   processes. The energy is also computed between rows, at steps whose
-   numbers are powers of two, since a run that blows up before its second
-   row would otherwise have no energy to report. These steps are few, and
-   depend only on the number of steps. The bound and the error of the energy
-   refer only to rows. */
+/* Runs to the end. No checkpoint is written between a step and its row, so
+   no row is lost between two processes. The energy is also computed between
+   rows, at steps whose numbers are powers of two, because a run that blows
+   up before its second row would otherwise have no energy to report. These
+   steps are few and depend only on the number of steps. The bound and the
+   energy error refer only to rows. */
 static enum ending run_on(struct run *r)
 {
     const uint64_t *steps = &r->motion.stepping.steps;
@@ -685,8 +680,8 @@ static enum ending run_on(struct run *r)
     return end;
 }
 
-/* Prints why a run failed, up to which time there are rows, and what to try
-   first. For a completed run it prints the fault, if any. */
+/* Prints why a run failed, the time of the last row, and what to try first.
+   For a completed run, prints the fault, if any. */
 static void explain(const struct run *r, enum ending end)
 {
     const size_t *body = r->motion.impact.between;
@@ -734,8 +729,8 @@ static void open_outputs(struct run *r)
     r->out = NULL;
 }
 
-/* Ends the program if a companion file of the output (FILE.rows or
-   FILE.checkpoint) is the scene, which would be overwritten. */
+/* Ends the program if the scene is a companion file of the output
+   (FILE.rows or FILE.checkpoint) and would be overwritten. */
 static void refuse_scene_as_companion(const char *suffix)
 {
     char name[4096];
@@ -745,8 +740,8 @@ static void refuse_scene_as_companion(const char *suffix)
                        name);
 }
 
-/* Ends the program if a summary or saved scene has the name of a companion
-   file. */
+/* Ends the program if `file`, a summary or a saved scene, has the name of a
+   companion file. */
 static void refuse_companion(const char *option, const char *file)
 {
     const char *const suffix[] = {".rows", ".checkpoint"};
@@ -758,8 +753,8 @@ static void refuse_companion(const char *option, const char *file)
                            file);
 }
 
-/* Reads the scene and returns false, or opens a checkpoint to continue from
-   and returns true. */
+/* Opens the checkpoint to be resumed and returns true, or reads the scene
+   and returns false. */
 static bool read_start(struct run *r, struct checkpoint_numbers *known)
 {
     r->kept = checkpoint_possible(given.output) && !contact_may_wait();
@@ -779,7 +774,7 @@ static bool read_start(struct run *r, struct checkpoint_numbers *known)
     return again;
 }
 
-/* Ends the program if an option would have no effect in this scene. */
+/* Ends the program if an option has no effect in this scene. */
 static void refuse_unused(struct options *o, const struct motion *m)
 {
     const bool pulls =
@@ -821,7 +816,7 @@ static void begin_run(struct run *r, struct options *o)
                                            : EXIT_FAILURE);
 }
 
-/* Writes the table: its head, then the rows from FILE.rows. */
+/* Writes the table: the head and then the rows from FILE.rows. */
 static bool make_table(struct run *r)
 {
     r->out = table_open(PROGRAM, given.output);
@@ -835,10 +830,10 @@ static bool make_table(struct run *r)
 }
 
 /* Completes the table and the saved scene. Returns whether everything was
-   written. The checkpoint is kept if the run was interrupted or a write
-   failed, so that the run can be continued. If the run was interrupted, or
-   was completed but its table could not be written, a checkpoint of its
-   last state is written first. A run that blew up writes none. */
+   written. After an interruption or a failed write the checkpoint is kept,
+   so the run can be continued. First a checkpoint of the last state is
+   written if the run was interrupted, or if it was completed but its table
+   could not be written. A run that blew up writes no checkpoint. */
 static bool close_outputs(struct run *r, enum ending end)
 {
     bool good = r->kept ? make_table(r) : table_close(r->out);
@@ -858,8 +853,9 @@ static bool close_outputs(struct run *r, enum ending end)
     return good && end != UNWRITTEN;
 }
 
-/* Writes the summary. For a run that blew up it contains the last finite
-   energy and its time. Timings are written here and never in the table. */
+/* Writes the summary. For a run that blew up, the summary contains the last
+   finite energy and its time. Timings are written here and never in the
+   table. */
 static void summarise(const struct run *r, enum ending end)
 {
     static const char *const names[] = {
@@ -1014,8 +1010,8 @@ static const struct table_key keys[] = {
 /* Ends the program if settings contradict each other. Forces from a tree
    are discontinuous where a body comes so close that a cell is opened. A
    method that estimates its error from differences would mistake the jumps
-   for errors and shorten its steps in vain, and the equations of an
-   implicit step might have no solution. */
+   for errors and shorten its steps in vain. The equations of an implicit
+   step might have no solution. */
 static void check_settings(struct options *o)
 {
     if (!given.scene)
@@ -1096,8 +1092,8 @@ static void read_settings(struct options *o, int argc, char *argv[])
     check_settings(o);
 }
 
-/* Runs step. A run that blew up has a summary, too, since how it ended is a
-   result. An interrupted run has no summary. */
+/* Runs step. A run that blew up also has a summary, because the way it
+   ended is a result. An interrupted run has no summary. */
 int main(int argc, char *argv[])
 {
     static struct run r;

@@ -819,6 +819,7 @@ static void study_ring(struct study *s)
     const double period = 2 * KEPLER_PI / CELESTIAL_K * 2.25 * sqrt(2.25);
     const double orbits = duration(2);
     struct sky k;
+    /* An orbit in the middle of the ring takes 200 steps. */
     begin_sky(&k, "ring",
               GALLERY_CHOICES({"factor", own.factor}, {"moon", own.moon},
                               {"moon-distance", 2.7}, {"mixed", own.mixed},
@@ -863,7 +864,7 @@ static double precession(double e, double softening)
               "kahan-li8", period / 400);
     k.gravity.softening = softening;
     now = 0;
-    do {
+    do { /* until the next aphelion */
         stepping_run(&k.stepping, 1);
         relative_to_first(&k.scene, 1, x, v);
         before = now;
@@ -990,7 +991,7 @@ static void accelerate_single(void *what, const double x[],
 {
     const struct scene *s = what;
     const size_t n = s->bodies;
-    (void)x, (void)v;
+    (void)x, (void)v; /* x is s->position */
     for (size_t i = 0; i < n; ++i) {
         float sum[2] = {0, 0};
         add_single(s, i, 0, n, sum, NULL);

@@ -45,7 +45,7 @@ static const char *const ways[WAYS] = {"paper", "approaching", "back"};
 struct run {
     struct scene scene;
     struct spheres spheres;
-    double dt;
+    double dt; /* step, s */
 };
 
 /* Prepares the scene in r for steps of dt, after which overlaps are
@@ -527,6 +527,7 @@ static double moved_centre(uint64_t seed, int way, double dt)
     return fabs(moved) / 0.1;
 }
 
+/* Returns the angular momentum about the origin. */
 static double spin(const struct scene *s)
 {
     const size_t n = s->bodies;
@@ -852,7 +853,7 @@ static void make_break(struct scene *s, double jitter, uint64_t seed)
                GALLERY_CHOICES({"jitter", jitter}, {"seed", (double)seed}));
 }
 
-static const double usual_break = 0.5;
+static const double usual_break = 0.5; /* duration of a break, s */
 
 /* Sets x[] to the positions after the break of a rack of balls, computed in
    steps with BACK. */

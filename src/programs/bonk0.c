@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 832542250 of the lines below */
+/* checksum 3384495824 of the lines below */
 /* Finds the cheaper of two models within a tolerance. */
 #include "forces/jacobi.h"
 
@@ -7,7 +7,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* The Sun, Jupiter, Saturn: all x, all y, all z; solar mass, AU, year. */
+/* The Sun, Jupiter and Saturn. Arrays have all x, then all y, then all z.
+   Units: solar mass, AU, year. */
 enum { N = 3, SIZE = 3 * N, ROWS = 16 };
 static const struct bodies {
     double x[SIZE], v[SIZE];
@@ -15,7 +16,7 @@ static const struct bodies {
 static const double mass[N] = {1, 1 / 1047.0, 1 / 3498.0};
 static const double k2 = 39.478417604357434, every = 7.5, scale = 10.9003;
 
-/* All rows of a run, and its cost in ns by the price list. */
+/* The rows of a run, and its cost by the price list, ns. */
 struct run {
     struct bodies row[ROWS];
     double cost;
@@ -48,7 +49,7 @@ static struct run leapfrog(int steps)
         accelerate(b.x, a);
         for (int c = 0; c < SIZE; ++c)
             b.v[c] += h / 2 * a[c];
-        r.row[s / steps] = b; /* keeps the last step of each row */
+        r.row[s / steps] = b; /* its last step remains */
     }
     r.cost += (ROWS * steps + 1) * (18 + 3 * N + 6.5 * N * (N - 1) / 2);
     return r;

@@ -1,11 +1,11 @@
 /* From chapters/01-collide.nw: edit there, then run make tangle. */
-/* checksum 728810918 of the lines below */
+/* checksum 287034260 of the lines below */
 /* Checks a collision function with a million random pairs. */
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 
-/* Collides two bodies: m/s, inverse masses in 1/kg (1.5, eq:difference). */
+/* Collides bodies of inverse masses a and b, 1/kg (1.5, eq:difference). */
 static void collide(double *v1, double *v2, double a, double b)
 {
     const double d = *v1 - *v2;

@@ -1,5 +1,5 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 3770984552 of the lines below */
+/* checksum 2563415263 of the lines below */
 /* Simulates four hard disks in a box. Prints t and positions every TC. */
 #include <math.h>
 #include <stdio.h>
@@ -34,7 +34,7 @@ static const double r = 0.15, L = 1; /* m */
 static double x[N][3] = {{.25, .25}, {.75, .25}, {.25, .75}, {.75, .75}};
 static double v[N][3] = {{.6, .8}, {-.8, .6}, {.28, -.96}, {-.96, -.28}};
 
-/* Sets the position, m, and velocity, m/s, of disk j relative to disk i. */
+/* Computes position, m, and velocity, m/s, of disk j relative to disk i. */
 static void between(int i, int j, double separation[], double closing[])
 {
     for (int k = 0; k < 3; ++k) {
@@ -89,7 +89,7 @@ int main(int argc, char *argv[])
     const double tc = argc > 1 ? atof(argv[1]) : 0.25;
     const long rows = argc > 2 ? atol(argv[2]) : 8;
     struct event e = next_event();
-    double now = 0; /* the time of x and v, s */
+    double now = 0; /* time of x and v, s */
     for (long k = 0; k <= rows; ++k) {
         for (; now + e.wait <= k * tc; e = next_event()) {
             now += e.wait;

@@ -1,5 +1,5 @@
 /* From chapters/01-collide.nw: edit there, then run make tangle. */
-/* checksum 875074838 of the lines below */
+/* checksum 3957324858 of the lines below */
 /* Counts the collisions of a heavy ball, a light ball and a wall. */
 #include "line/collide.h"
 
@@ -9,7 +9,7 @@
 
 int main(int argc, char *argv[])
 {
-    const double ratio = argc == 2 ? atof(argv[1]) : 0; /* of the masses */
+    const double ratio = argc == 2 ? atof(argv[1]) : 0; /* heavy / light */
     double x1 = 0.42, v1 = 0, x2 = 0.77, v2 = -1; /* light, heavy: m, m/s */
     long n = 0;
     if (!(ratio > 0)) {

@@ -1,5 +1,5 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 3807500180 of the lines below */
+/* checksum 881366802 of the lines below */
 /* Prints the density of speeds in a gas, its error, and two laws. */
 #include "box/disks.h"
 #include "box/speeds.h"
@@ -9,11 +9,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { BINS = 42 }; /* of u, from 0 to 4 */
+enum { BINS = 42 }; /* bins of u from 0 to 4 */
 static const double width = 4.0 / BINS, Tc = 0.4 /* s */;
 
-/* Places disks on a lattice, all at 1 m/s, and runs until each has collided
-   a hundred times. Returns false if they do not fit. */
+/* Places disks of speed 1 m/s on a lattice and runs a hundred collisions
+   per disk. Returns false if the disks do not fit. */
 static bool begin(struct disks *d, size_t count, double a, double b)
 {
     struct random r;
@@ -35,7 +35,8 @@ static bool begin(struct disks *d, size_t count, double a, double b)
     return disks_plan(d);
 }
 
-/* Adds the speeds, in units of sqrt(2kT/m), to bins with the stride n. */
+/* Adds the density of the speeds u, in units of sqrt(2kT/m), to bin[]. Bin
+   k is bin[k * n]. */
 static void count_speeds(const struct disks *d, double *bin, size_t n)
 {
     const double unit = sqrt(2 * disks_temperature(d));

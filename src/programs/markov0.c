@@ -1,5 +1,5 @@
 /* From chapters/06-room.nw: edit there, then run make tangle. */
-/* checksum 1969446070 of the lines below */
+/* checksum 1577579981 of the lines below */
 /* Prints the distance of two big disks among ideal small ones. */
 #include "toolbox/random.h"
 
@@ -10,7 +10,7 @@
 #include <string.h>
 
 static const double L = 5, step = 0.3, r[] = {1, 0.2}; /* m */
-static int D = 2, N = 2 + 72; /* axes; disks, of which two are big */
+static int D = 2, N = 2 + 72; /* axes; 2 big and 72 small disks */
 static double x[402][3];      /* m */
 
 static double distance(const double a[], const double b[])
@@ -23,7 +23,8 @@ static double distance(const double a[], const double b[])
     return sqrt(square);
 }
 
-/* Tries to move disk i, a big one by a step. Returns whether it moved. */
+/* Tries to move disk i: a big disk by a step, a small disk to a random
+   place. Returns whether the disk moved. */
 static bool try_move(int i, struct random *dice)
 {
     double place[3] = {0};

@@ -1,6 +1,6 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 1651716875 of the lines below */
-/* Steps the first shot at billiards, going back to each contact. */
+/* checksum 928897615 of the lines below */
+/* Simulates a billiard break in steps, moving balls back to contacts. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -9,7 +9,7 @@ enum { BALLS = 16, STEPS = 50000 };
 static const double radius = 0.028575, gap = 1e-4, dt = 1e-5; /* m, m, s */
 static double x[BALLS][2], v[BALLS][2];
 
-/* Places the cue ball first, then the others in a triangle. */
+/* Places the cue ball, then the other balls in a triangle. */
 static void rack(void)
 {
     const double side = 2 * radius + gap;
@@ -28,8 +28,8 @@ static double dot(const double a[], const double b[])
     return a[0] * b[0] + a[1] * b[1];
 }
 
-/* Returns how long ago, s, two balls touched that overlap and approach, or
-   0 if that was before the step (11.2, eq:back-time). */
+/* Returns the time, s, since two overlapping balls that approach each other
+   touched, or 0 if this time exceeds the step (11.2, eq:back-time). */
 static double time_back(const double d[], const double u[])
 {
     const double b = dot(d, u), c = dot(d, d) - 4 * radius * radius;
@@ -37,8 +37,9 @@ static double time_back(const double d[], const double u[])
     return back <= dt ? back : 0;
 }
 
-/* Collides balls i and j if they overlap and approach. The impulse acts at
-   the contact (11.1, eq:contact-impulse), and they move on from there. */
+/* Collides balls i and j if they overlap and approach each other. The
+   impulse acts at the contact (11.1, eq:contact-impulse), from where the
+   balls move on. */
 static void collide(int i, int j)
 {
     double d[2], u[2], n[2];
@@ -51,8 +52,7 @@ static void collide(int i, int j)
     const double back = time_back(d, u);
     for (int k = 0; k <= 1; ++k)
         n[k] = d[k] - back * u[k];
-    const double change = -dot(u, n) / dot(n, n); /* for both spheres, over
-                                                     n, if e = 1 */
+    const double change = -dot(u, n) / dot(n, n); /* over n, for e = 1 */
     for (int k = 0; k < 2; ++k) {
         v[i][k] -= change * n[k];
         v[j][k] += change * n[k];
@@ -61,7 +61,7 @@ static void collide(int i, int j)
     }
 }
 
-/* Collides all pairs, in ascending or descending order of numbers. */
+/* Collides all pairs in ascending or descending order of their indices. */
 static void collide_all(int down)
 {
     for (int p = 0; p < BALLS; ++p) {

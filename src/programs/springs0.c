@@ -1,5 +1,5 @@
 /* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 1069862544 of the lines below */
+/* checksum 2095245300 of the lines below */
 /* Steps a membrane, a grid of masses and springs, by leapfrog. */
 #include <math.h>
 #include <stdio.h>
@@ -35,7 +35,7 @@ static void pull_all(double rest)
     }
 }
 
-/* Adds h times a rate to the coordinates of bodies that can move. */
+/* Adds h times rate[] to the coordinates y[] of bodies that can move. */
 static void add(double y[], const double rate[], double h)
 {
     for (int c = 0; c < SIZE; ++c)

@@ -1,5 +1,5 @@
 /* From chapters/06-room.nw: edit there, then run make tangle. */
-/* checksum 128000057 of the lines below */
+/* checksum 553826260 of the lines below */
 /* Throws four disks into a box. Prints x, its density and the error. */
 #include "toolbox/random.h"
 
@@ -11,7 +11,7 @@
 enum { N = 4, BINS = 100 };
 static const double r = 0.15, L = 1; /* m */
 
-/* Throws one disk after the other. Returns whether none overlap. */
+/* Places one disk after another at random. Returns whether none overlap. */
 static bool throw_all(struct random *random, double x[], double y[])
 {
     for (int i = 0; i < N; ++i) {

@@ -44,8 +44,8 @@ void pairs_end(struct spheres *p)
     free(p->pair);
 }
 
-/* Makes room for one more pair; returns false if memory runs out. The list
-   stays short, as few pairs collide in a step. */
+/* Makes room for one more pair. Returns false if memory runs out. The list
+   stays short because few pairs collide in a step. */
 static bool make_room(struct spheres *p)
 {
     if (p->pairs < p->capacity)
@@ -59,11 +59,12 @@ static bool make_room(struct spheres *p)
     return true;
 }
 
-/* Adds a pair to the list if it is nearer than p->margin. Positions are
-   folded into the box, so that every difference is less than its side; one
-   of more than half the side is replaced by the shorter way round. This
-   finds the nearest image without rounding to a whole number of sides.
-   Along axes that are not periodic p->half is infinite. */
+/* Adds a pair to the list if the gap between the bodies is less than
+   p->margin. Positions are folded into the box, so every difference is less
+   than the side of the box. A difference of more than half the side is
+   replaced by the shorter way round. This finds the nearest image without
+   rounding to a whole number of sides. Along axes that are not periodic
+   p->half is infinite. */
 static void test(struct spheres *p, const struct spheres_edge *a,
                  const struct spheres_edge *b)
 {
@@ -94,8 +95,8 @@ static void find_in_all(struct spheres *p)
             test(p, &p->edge[i], &p->edge[j]);
 }
 
-/* Stores the positions of all bodies in the edges, folded into the box
-   along periodic axes. */
+/* Stores the positions of all bodies in p->edge, folded into the box along
+   periodic axes. */
 static void read_places(struct spheres *p, const double x[])
 {
     const struct scene *s = p->scene;
@@ -113,8 +114,8 @@ static void read_places(struct spheres *p, const double x[])
     }
 }
 
-/* Computes p->furthest, the most by which two bodies approach in a step,
-   m. */
+/* Computes p->furthest, the largest possible approach of two bodies in a
+   step, m. */
 static void set_furthest(struct spheres *p, const double v[])
 {
     const size_t n = p->scene->bodies;
@@ -125,8 +126,8 @@ static void set_furthest(struct spheres *p, const double v[])
     p->furthest = 2 * sqrt(most) * p->dt;
 }
 
-/* Sorts the bodies along an axis by insertion. This takes little more than
-   one comparison per body, as the order hardly changes between steps. */
+/* Sorts the bodies along an axis by insertion. The order hardly changes
+   between steps, so this takes little more than one comparison per body. */
 static void mend_order(struct spheres_edge edge[], size_t n, size_t axis)
 {
     for (size_t i = 1; i < n; ++i) {
@@ -146,8 +147,8 @@ static int along_axis(const void *a, const void *b, size_t k)
     return p->body < q->body ? -1 : p->body > q->body;
 }
 
-/* Compares two edges along x. Each axis needs a function of its own, since
-   qsort passes no further argument. */
+/* Compares two edges along x. Each axis needs its own function, since qsort
+   passes no further argument. */
 static int along_x(const void *a, const void *b)
 {
     return along_axis(a, b, 0);
@@ -182,9 +183,9 @@ static size_t longest_axis(const struct spheres *p)
     return longest;
 }
 
-/* Sorts the edges: the first time by qsort, since insertion would take a
-   time proportional to the square of the number of bodies, and later by
-   insertion, since they are then nearly in order. */
+/* Sorts the edges, the first time by qsort, since insertion would take a
+   time proportional to the square of the number of bodies. Later the edges
+   are nearly in order, and insertion is faster. */
 static void sort_edges(struct spheres *p)
 {
     static int (*const along[SPHERES_AXES])(const void *, const void *) = {
@@ -199,10 +200,10 @@ static void sort_edges(struct spheres *p)
     p->sorted = true;
 }
 
-/* Tests each body with those that follow it along the axis within its own
-   radius plus the largest radius and the margin. Along a periodic axis the
-   last body is followed by the first, one box farther on; in a box of only
-   a few diameters a pair may be found twice. */
+/* Tests each body with the bodies that follow it along the axis, within its
+   own radius plus the largest radius and the margin. Along a periodic axis
+   the first body follows the last, one box farther on. In a box of only a
+   few diameters a pair may be found twice. */
 static void sweep(struct spheres *p)
 {
     const size_t n = p->scene->bodies, k = p->axis;
@@ -239,22 +240,24 @@ static int deepest(const void *a, const void *b)
     return ascending(a, b);
 }
 
-/* Returns whether all pairs are tested, not only neighbours on an axis. */
+/* Returns whether all pairs are tested, not only neighbours along an
+   axis. */
 static bool is_every_pair(const struct spheres *p)
 {
     return p->search == SPHERES_PAIRS ||
            (p->search == SPHERES_AUTO && p->scene->bodies <= FEW);
 }
 
-/* Returns whether pair i equals the one before it in the sorted list. */
+/* Returns whether pair i of the sorted list equals pair i - 1. */
 static bool is_again(const struct spheres_pair pair[], size_t i)
 {
     return i > 0 && pair[i].a == pair[i - 1].a &&
            pair[i].b == pair[i - 1].b;
 }
 
-/* Finds the pairs that are nearer than the margin, and sorts them, so that
-   the result does not depend on the order in which they were found. */
+/* Finds the pairs that are nearer than the margin, each once. Sorts them,
+   so that the result does not depend on the order in which they were
+   found. */
 static void find_near(struct spheres *p, const double x[])
 {
     static int (*const orders[SPHERES_ORDERS])(
@@ -276,8 +279,8 @@ static void find_near(struct spheres *p, const double x[])
     p->pairs = n;
 }
 
-/* Returns whether body i, on a straight path, was between the walls a step
-   ago. */
+/* Returns whether body i was between the walls a step ago, if its path was
+   straight. */
 static bool was_inside(const struct spheres *p, size_t i, const double x[],
                        const double v[])
 {
@@ -293,19 +296,19 @@ static bool was_inside(const struct spheres *p, size_t i, const double x[],
     return true;
 }
 
-/* Returns whether a step has missed the collision of two bodies: they do
-   not overlap now, nor did they a step ago, but they overlapped in between
-   and moved, relative to each other, by more than the sum of their radii.
-   Their paths are taken as straight; a body that has just bounced off a
-   wall is left out, since its path has a corner. */
+/* Returns whether a step has missed the collision of two bodies. They do
+   not overlap now and did not overlap a step ago. In between they
+   overlapped, and they moved, relative to each other, by more than the sum
+   of their radii. Paths are taken as straight. A body that has just bounced
+   off a wall is left out, since its path has a corner. */
 static bool has_passed(const struct spheres *p, size_t i, size_t j,
                        const double x[], const double v[])
 {
     const size_t n = p->scene->bodies;
     const double sum = p->scene->radius[i] + p->scene->radius[j];
     const double touching = sum * sum, dt = p->dt;
-    double now = 0, b = 0, u2 = 0; /* d^2, d u, u^2; d, u: relative
-                                      position, velocity */
+    double now = 0, b = 0, u2 = 0; /* d^2, d u, u^2 of the relative position
+                                      d and velocity u */
     for (size_t k = 0; k < SPHERES_AXES; ++k) {
         const double d = spheres_way(p->scene, x, i, j, k);
         const double u = v[k * n + j] - v[k * n + i];
@@ -320,7 +323,7 @@ static bool has_passed(const struct spheres *p, size_t i, size_t j,
            was_inside(p, i, x, v) && was_inside(p, j, x, v);
 }
 
-/* Counts the pairs that the step has moved through each other. */
+/* Counts the pairs that moved through each other in the step. */
 static void find_passed(struct spheres *p, const double x[],
                         const double v[])
 {
@@ -346,10 +349,11 @@ static void find_passed(struct spheres *p, const double x[],
         }
 }
 
-/* Also lists pairs within a margin, which spheres.c tests again when their
-   turn comes: pushing one pair apart may make another overlap. MPPhys's
-   double loop, which tests each pair when its turn comes, detects this if
-   the turn of the other pair is still to come. */
+/* Also lists pairs within a margin, since pushing one pair apart may make
+   another pair overlap. spheres.c tests these pairs again when their turn
+   comes. The double loop of MPPhys tests each pair when its turn comes. It
+   detects the new overlap only if the turn of that pair is still to
+   come. */
 void pairs_find(struct spheres *p, const double x[], const double v[])
 {
     set_furthest(p, v);
@@ -376,8 +380,8 @@ size_t spheres_overlaps(struct spheres *p, const double x[])
     return p->pairs;
 }
 
-/* Returns the most, m, by which a body is beyond a hard wall without moving
-   back. */
+/* Returns the largest depth, m, by which a body is beyond a hard wall
+   without moving back. */
 static double beyond_walls(const struct scene *s)
 {
     double most = 0;

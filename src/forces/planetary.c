@@ -5,8 +5,8 @@
 #include <math.h>
 
 /* Returns whether fixed coordinates along this axis change the motion. They
-   do not if all bodies are fixed in one plane, which they would not
-   leave. */
+   do not if all bodies are fixed in one plane, which the bodies would not
+   leave anyway. */
 static bool is_held(const struct scene *s, size_t axis)
 {
     const size_t n = s->bodies, from = axis * n;
@@ -18,8 +18,8 @@ static bool is_held(const struct scene *s, size_t axis)
     return held > 0 && (held < n || flat < n);
 }
 
-/* Returns a message about an influence other than gravity between free
-   points, or NULL if there is none. */
+/* Returns a message if the scene has more than gravity between free points,
+   otherwise NULL. */
 static const char *find_more(const struct scene *s)
 {
     if (s->contact)
@@ -38,8 +38,9 @@ static const char *find_more(const struct scene *s)
 }
 
 /* Returns whether body i is on an ellipse about the centre of mass of the
-   bodies before it, which is at x, moves with v and has their total *mass;
-   then includes body i in x, v and *mass: (9.9, eq:jacobi). */
+   bodies before it: (9.9, eq:jacobi). This centre is at x and moves with v.
+   The bodies before i have the total mass *mass. Includes body i in x, v
+   and *mass. */
 static bool is_bound(const struct scene *s, size_t i, double x[3],
                      double v[3], double *mass)
 {

@@ -20,7 +20,7 @@ struct reference_parts {
     double *y, *scale; /* [2 * size] */
 };
 
-/* Computes dy/dt for the library, which needs equations of first order: y
+/* Computes dy/dt for the library, which needs first-order equations. y
    contains x and then v. */
 static int slopes(double t, const double y[], double dy[], void *what)
 {
@@ -76,8 +76,8 @@ static double largest_or(const double y[], size_t n, double otherwise)
 }
 
 /* Returns a control that measures errors relative to the largest coordinate
-   and the largest velocity, since a single coordinate may be zero. For
-   bodies at rest it takes the velocity after dt. */
+   and the largest velocity, since a single coordinate may be zero. If all
+   bodies are at rest, the velocity after dt is used. */
 static gsl_odeiv2_control *control_errors(struct reference *r, double dt)
 {
     struct reference_parts *const p = r->parts;
@@ -94,8 +94,7 @@ static gsl_odeiv2_control *control_errors(struct reference *r, double dt)
                                          2 * n);
 }
 
-/* Returns whether n numbers are finite, which the library does not
-   check. */
+/* Returns whether n numbers are finite. The library does not check this. */
 static bool are_finite(const double y[], size_t n)
 {
     double sum = 0;
@@ -104,8 +103,8 @@ static bool are_finite(const double y[], size_t n)
     return sum == 0;
 }
 
-/* Begins each call with a step of dt, whatever the earlier steps were, so
-   that a run can be resumed between any two calls. */
+/* Begins each call with a step of dt, whatever the earlier steps were. A
+   run can therefore be resumed between any two calls. */
 bool reference_step(struct reference *r, double dt, double x[], double v[])
 {
     struct reference_parts *const p = r->parts;

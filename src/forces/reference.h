@@ -16,16 +16,16 @@ struct reference {
 /* Whether this program was built with the library. */
 extern const bool reference_available;
 
-/* Prepares r. Each step of the method keeps the error of every coordinate
+/* Prepares r. In each step the method keeps the error of every coordinate
    below `tolerance` times the largest coordinate at the call of
    reference_step, and likewise for velocities. Returns false if memory runs
-   out or there is no library. Prevents the library from ending the program
-   on errors. */
+   out or the library is missing. Prevents the library from ending the
+   program on errors. */
 bool reference_begin(struct reference *r, struct stepping_forces f,
                      double tolerance);
 
 /* Moves x and v by the time dt, s, in as many steps as needed, whatever
-   happened in earlier calls. Returns false if the library fails, or a
+   happened in earlier calls. Returns false if the library fails or a
    million steps are not enough. */
 bool reference_step(struct reference *r, double dt, double x[], double v[]);
 

@@ -12,8 +12,8 @@ void rods_free(struct rods *p)
     *p = (struct rods){0};
 }
 
-/* Gives fixed coordinates the inverse mass 0, so that no rod moves them. A
-   body without mass gets 0, too; no rod may be attached to it. Each rod has
+/* Gives fixed coordinates the inverse mass 0, so no rod moves them. A body
+   without mass also gets 0, and no rod may be attached to it. Each rod has
    the length of its spring at the start, not at rest. */
 bool rods_create(struct rods *p, const struct scene *s,
                  const struct scene_spring spring[], size_t count,
@@ -45,9 +45,10 @@ bool rods_create(struct rods *p, const struct scene *s,
     return true;
 }
 
-/* Adds lambda times `way` (m) times the inverse mass to q of the rod's
-   first end, and subtracts such a product from q of the other end. lambda
-   is in kg if q are positions, in kg/s if they are velocities. */
+/* Adds lambda * way / m to q of the rod's first end, where m is the mass of
+   that end, and subtracts the same expression from q of the other end.
+   `way` is in m. lambda is in kg if q are positions, and in kg/s if q are
+   velocities. */
 static void shift_ends(const struct rods *p, const struct rods_rod *r,
                        const double way[3], double lambda, double q[])
 {
@@ -58,8 +59,8 @@ static void shift_ends(const struct rods *p, const struct rods_rod *r,
     }
 }
 
-/* The vector `way` between a rod's ends before the step, m, and the
-   coefficients a, b and c of (12.7, eq:rods-shake). */
+/* `way` is the vector between a rod's ends before the step, m. a, b and c
+   are the coefficients of (12.7, eq:rods-shake). */
 struct rods_way {
     double way[3], a, b, c;
     double far; /* largest coordinate of the ends, m */
@@ -82,9 +83,9 @@ static struct rods_way measure(const struct rods *p,
     return w;
 }
 
-/* Corrects the length of rod r after a drift over dt from p->before to x,
+/* Corrects the length of rod r after a drift over dt from p->before to x:
    (12.7, eq:rods-shake). Returns whether it corrected an error beyond the
-   rounding of coordinates; sets *broken if such an error cannot be
+   rounding of coordinates. Sets *broken if such an error cannot be
    corrected. */
 static bool mend_length(struct rods *p, const struct rods_rod *r, double dt,
                         double x[], double v[], bool *broken)
@@ -106,7 +107,7 @@ static bool mend_length(struct rods *p, const struct rods_rod *r, double dt,
 
 enum { MOST_ROUNDS = 4000 };
 
-/* Corrects the lengths of all rods in turn until none was wrong; a single
+/* Corrects the lengths of all rods in turn until none is wrong. A single
    rod needs only one correction. Returns whether all lengths are right. */
 static bool mend_lengths(struct rods *p, double dt, double x[], double v[])
 {
@@ -120,8 +121,9 @@ static bool mend_lengths(struct rods *p, double dt, double x[], double v[])
     return !broken && !wrong;
 }
 
-/* Removes the relative velocity along a rod (12.8, eq:rods-rattle). Returns
-   whether it exceeded the rounding error of the largest speed. */
+/* Removes the relative velocity along a rod: (12.8, eq:rods-rattle).
+   Returns whether this velocity exceeded the rounding error of the largest
+   speed. */
 static bool mend_velocity(struct rods *p, const struct rods_rod *r,
                           const double x[], double v[])
 {
@@ -152,8 +154,8 @@ bool rods_project(struct rods *p, const double x[], double v[])
     return !wrong;
 }
 
-/* Computes the accelerations at x, unless x is equal to the positions for
-   which they were last computed: no contact has moved a body since. */
+/* Computes the accelerations at x, unless they were last computed at the
+   same positions. A contact may have moved bodies since then. */
 static void look(struct rods *p, const double x[], const double v[])
 {
     const size_t bytes = 3 * p->bodies * sizeof *x;
@@ -171,8 +173,8 @@ static void kick(const struct rods *p, double h, double v[])
         v[c] += h * p->acceleration[c];
 }
 
-/* Takes a step: kick, drift, correct lengths, kick, correct velocities. The
-   velocities are also corrected at the beginning, which is needed in the
+/* Takes a step: kick, drift, correct lengths, kick, correct velocities.
+   Also corrects the velocities at the beginning, which is needed in the
    first step and after contacts. Only the drift changes lengths. */
 bool rods_step(void *rods, double dt, double x[], double v[])
 {

@@ -15,9 +15,9 @@ struct rods_rod {
     double square; /* square of the length, m^2 */
 };
 
-/* The state of a scene with rods, stepped by leapfrog: `before` has the
-   positions before the drift, `last` those at which the forces were last
-   computed. */
+/* The state of a scene with rods, stepped by leapfrog. `before` has the
+   positions before the drift. `last` has the positions at which the forces
+   were last computed. */
 struct rods {
     size_t bodies, count;
     struct rods_rod *rod;
@@ -30,9 +30,9 @@ struct rods {
     uint64_t evaluations;          /* number of force evaluations */
 };
 
-/* Replaces `count` springs of a scene by rods as long as the springs are
-   now. `forces` are all other forces, which must not depend on velocities.
-   Returns false, with nothing to free, if memory runs out. */
+/* Replaces `count` springs of a scene by rods with the current lengths of
+   the springs. `forces` are all other forces, which must not depend on
+   velocities. Returns false, with nothing to free, if memory runs out. */
 bool rods_create(struct rods *p, const struct scene *s,
                  const struct scene_spring spring[], size_t count,
                  struct stepping_forces forces);

@@ -12,15 +12,16 @@ enum {
 /* A curve of degree m is given by q[0] to q[m], its control points in
    Bernstein's form: (11.8, eq:gap-control). */
 
-/* Returns the first time from 0 to 1 at which a curve with q[0] > 0 goes
-   below 0 by more than rounding, or at which this cannot be excluded after
-   this number of halvings; INFINITY if there is none. */
+/* Returns the first time from 0 to 1 at which a curve with q[0] > 0 is
+   below 0 by more than rounding, or INFINITY if there is none. The
+   bisection ends after `halvings` halvings; a time that is not excluded by
+   then also counts. */
 double root_first(const double q[], size_t m, double rounding,
                   int halvings);
 
 /* Returns the first time after 0 at which a curve with q[0] = 0 goes below
-   0, in the sense of root_first. The curve rises from 0 with the given
-   slope, and may come down again. Changes q. */
+   0, in the sense of root_first. The curve rises from 0 with the slope
+   `slope`, and may come down again. Changes q. */
 double root_next(double q[], size_t m, double slope, double rounding);
 
 #endif

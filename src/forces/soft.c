@@ -20,8 +20,8 @@ void soft_free(struct soft *t)
     *t = (struct soft){0};
 }
 
-/* Returns the force, N, between two bodies whose overlap is depth, m, and
-   grows at this rate, m/s: (11.11, eq:touch). */
+/* Returns the force, N, between two bodies: (11.11, eq:touch). depth is
+   their overlap, m, and rate is the rate at which it grows, m/s. */
 static double push(const struct scene *s, double depth, double rate)
 {
     if (s->law == SCENE_HERTZ)
@@ -29,8 +29,8 @@ static double push(const struct scene *s, double depth, double rate)
     return s->stiffness * depth + s->dashpot * rate;
 }
 
-/* Returns the distance of a and b, m; writes the vector from a to b into d,
-   m. */
+/* Returns the distance of a and b, m, and writes the vector from a to b, m,
+   into d. */
 static double distance(const struct scene *s, size_t a, size_t b,
                        const double x[], double d[])
 {
@@ -60,8 +60,8 @@ static void push_apart(const struct scene *s, size_t i, size_t j,
     }
 }
 
-/* Returns the depth, m, by which body i overlaps the wall across axis k at
-   its lower end (side -1) or upper end (side 1). */
+/* Returns the depth, m, by which body i overlaps the lower wall (side -1)
+   or the upper wall (side 1) across axis k. */
 static double wall_depth(const struct scene *s, const double x[], size_t i,
                          size_t k, int side)
 {
@@ -70,7 +70,7 @@ static double wall_depth(const struct scene *s, const double x[], size_t i,
                     : s->low[k] - (place - s->radius[i]);
 }
 
-/* Adds the acceleration of body i due to a wall that it overlaps; the wall
+/* Adds the acceleration of body i due to a wall that it overlaps. The wall
    acts as a body that cannot move. */
 static void push_off(const struct scene *s, size_t i, size_t k, int side,
                      const double x[], const double v[], double a[])
@@ -81,8 +81,8 @@ static void push_off(const struct scene *s, size_t i, size_t k, int side,
         a[c] -= side * push(s, depth, side * v[c]) / s->mass[i];
 }
 
-/* Adds the forces of walls first, then those of pairs in ascending order,
-   so that the rounding errors are always the same. */
+/* Adds the forces of walls first, then the forces of pairs in ascending
+   order, so that the rounding errors are always the same. */
 void soft_add(struct soft *t, const double x[], const double v[],
               double a[])
 {
@@ -97,7 +97,7 @@ void soft_add(struct soft *t, const double x[], const double v[],
         push_apart(s, t->near->pair[j].a, t->near->pair[j].b, x, v, a);
 }
 
-/* Returns the elastic energy of an overlap, J, the integral of the
+/* Returns the elastic energy of an overlap, J: the integral of the
    force. */
 static double stored(const struct scene *s, double depth)
 {

@@ -8,8 +8,8 @@
 struct soft {
     const struct scene *scene;
     struct spheres *near; /* finds overlapping pairs; a pointer, so that
-                             soft_potential, whose *t is const, can change
-                             it */
+                             soft_potential can change it although *t is
+                             const */
 };
 
 /* Prepares *t for the bodies of a scene, which must outlive *t. Returns
@@ -17,8 +17,9 @@ struct soft {
 bool soft_create(struct soft *t, const struct scene *s);
 void soft_free(struct soft *t);
 
-/* Adds to a, m/s^2, the accelerations of bodies at x, m, with velocities v,
-   m/s, that overlap each other or a wall: (11.11, eq:touch). */
+/* Adds to a, m/s^2, the accelerations of bodies that overlap each other or
+   a wall: (11.11, eq:touch). The positions x are in m, the velocities v in
+   m/s. */
 void soft_add(struct soft *t, const double x[], const double v[],
               double a[]);
 

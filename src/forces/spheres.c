@@ -1,5 +1,5 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 4172979065 of the lines below */
+/* checksum 1552915420 of the lines below */
 /* Reflects spheres that overlap after a step, and moves them apart. */
 #include "forces/spheres.h"
 
@@ -31,12 +31,13 @@ void spheres_free(struct spheres *p)
     *p = (struct spheres){0};
 }
 
-/* Two bodies in contact; all vectors point from the first to the second. */
+/* Two bodies in contact. All vectors point from the first body to the
+   second. */
 struct contact {
     size_t a, b;
     double d[SPHERES_AXES], u[SPHERES_AXES]; /* relative position, m, and
                                                 velocity, m/s */
-    double sigma, distance;                  /* sum of radii, distance; m */
+    double sigma, distance;                  /* sum of radii, distance, m */
     double normal[SPHERES_AXES];             /* vector, of length
                                                 `distance` */
     double back;                             /* time since the contact, s */
@@ -82,9 +83,9 @@ static struct contact look_at(const struct spheres *p,
     return c;
 }
 
-/* Computes c->back, (11.2, eq:back-time), and sets the normal to that at
-   the time of contact. Returns false if the bodies did not touch within the
-   last dt. */
+/* Computes c->back, (11.2, eq:back-time), and sets the normal to its value
+   at the time of contact. Returns false if the bodies did not touch within
+   the last dt. */
 static bool go_back(struct contact *c, double dt)
 {
     const double b = dot(c->d, c->u), u2 = dot(c->u, c->u);
@@ -99,8 +100,8 @@ static bool go_back(struct contact *c, double dt)
     return true;
 }
 
-/* Adds J times the normal times the inverse mass to v of body i; v may also
-   be an array of positions. */
+/* Adds J times the normal times the inverse mass to the velocity v of body
+   i. v may also be an array of positions. */
 static void kick(const struct spheres *p, const struct contact *c, size_t i,
                  double J, double v[])
 {
@@ -109,8 +110,8 @@ static void kick(const struct spheres *p, const struct contact *c, size_t i,
         v[k * n + i] += J * c->normal[k] * p->inverse[k * n + i];
 }
 
-/* Returns the inverse mass of body i along the normal, times the square of
-   the distance, m^2/kg. */
+/* Returns the inverse mass of body i along the normal, times the squared
+   distance, m^2/kg. */
 static double inverse_along(const struct spheres *p,
                             const struct contact *c, size_t i)
 {
@@ -121,7 +122,7 @@ static double inverse_along(const struct spheres *p,
     return w;
 }
 
-/* Reflects the pair; returns the impulse divided by the distance. */
+/* Reflects the pair, and returns the impulse divided by the distance. */
 static double reflect(struct spheres *p, const struct contact *c,
                       double parting, double w, double v[])
 {
@@ -142,7 +143,7 @@ static double along(const struct spheres *p, const struct contact *c,
     return sum;
 }
 
-/* Moves the bodies apart; returns the increase of their sum of m x v, J
+/* Moves the bodies apart, and returns the increase of their sum of m x v, J
    s. */
 static double push_apart(const struct spheres *p, const struct contact *c,
                          double wa, double wb, double x[], const double v[])
@@ -185,9 +186,9 @@ static bool collide_pair(struct spheres *p, struct spheres_pair pair,
     return true;
 }
 
-/* Reflects body i if its coordinate *x is beyond `edge`, where it touches
-   the wall on the side `sign` along axis k, and it moves outwards. Returns
-   whether it did. */
+/* Reflects body i if its coordinate *x is beyond `edge` and the body moves
+   outwards. At `edge` it touches the wall on the side `sign` along axis k.
+   Returns whether the body was reflected. */
 static bool bounce(struct spheres *p, size_t i, size_t k, double sign,
                    double edge, double *x, double *v)
 {

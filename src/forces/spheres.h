@@ -11,14 +11,15 @@
 /* Which pairs that overlap after a step are reflected. */
 enum spheres_rule {
     SPHERES_ALL,        /* all of them, as in MPPhys */
-    SPHERES_APPROACHING /* approaching pairs; others are moved apart */
+    SPHERES_APPROACHING /* only approaching pairs; others are moved apart */
 };
 
 /* How an overlapping pair is moved apart. */
 enum spheres_shift {
     SPHERES_BY_RADIUS, /* in proportion to the radii, as in MPPhys */
-    SPHERES_BY_MASS,   /* with the centre of mass at rest */
-    SPHERES_BACK       /* back to the contact, then on at new velocities */
+    SPHERES_BY_MASS,   /* without moving the centre of mass */
+    SPHERES_BACK       /* back to the contact, then on with the new
+                          velocities */
 };
 
 /* The order in which pairs that overlap after a step are resolved. */
@@ -29,7 +30,7 @@ enum spheres_order {
     SPHERES_ORDERS
 };
 
-/* How pairs are found, which does not affect the results. */
+/* How pairs are found. This does not affect the results. */
 enum spheres_search {
     SPHERES_AUTO,  /* PAIRS for a few bodies, otherwise SWEEP */
     SPHERES_PAIRS, /* every pair is tested */
@@ -49,18 +50,21 @@ struct spheres_pair {
 
 /* A body in the list sorted along an axis. */
 struct spheres_edge {
-    double place[SPHERES_AXES], radius; /* m; position folded into box */
+    double place[SPHERES_AXES], radius; /* m; position folded into the
+                                           box */
     uint32_t body;
 };
 
-/* The contacts of a scene. The members above the first dashed line may be
-   set between steps; those above the second may be read, and set to 0. */
+/* The contacts of a scene. Members above the first dashed line may be set
+   between steps. Members above the second dashed line may be read, and set
+   to 0. */
 struct spheres {
     enum spheres_rule rule;
     enum spheres_shift shift;
     enum spheres_order order;
     enum spheres_search search;
-    double dt; /* the step, s; SPHERES_BACK goes back at most this far */
+    double dt; /* the step, s; the longest time that SPHERES_BACK goes
+                  back */
     double restitution;
     /* ---- counted by spheres_resolve */
     uint64_t collisions, wall_collisions;
@@ -69,7 +73,7 @@ struct spheres {
     double impulse[SPHERES_AXES]; /* on walls across each axis, N s */
     double virial;       /* change of the sum of m x v by collisions, J s */
     double depth;        /* deepest overlap in a collision, m */
-    uint64_t passed;     /* pairs that a step moved through each other */
+    uint64_t passed;     /* pairs that moved through each other in a step */
     uint32_t through[2]; /* the first such pair */
     /* ---- private */
     const struct scene *scene;
@@ -78,8 +82,8 @@ struct spheres {
     double margin;   /* pairs nearer than this are listed, m */
     double narrow;   /* smallest sum of two radii that is not 0, m */
     double furthest; /* largest approach of two bodies in a step, m */
-    double half[SPHERES_AXES]; /* half the box if periodic, or INFINITY,
-                                  m */
+    double half[SPHERES_AXES]; /* half the side of a periodic box, or
+                                  INFINITY, m */
     size_t axis;               /* axis of the sweep */
     bool sorted;
     struct spheres_edge *edge;
@@ -87,18 +91,18 @@ struct spheres {
     size_t pairs, capacity;
 };
 
-/* Prepares *p for the bodies of a scene, which must outlive *p; uses its
-   masses (positive), radii, freedom, walls, restitution and dt. The shift
-   is SPHERES_BY_RADIUS. Returns false, with nothing to free, if memory runs
-   out. */
+/* Prepares *p for the bodies of a scene, which must outlive *p. Uses the
+   scene's masses (positive), radii, freedom, walls, restitution and dt. The
+   shift is SPHERES_BY_RADIUS. Returns false, with nothing to free, if
+   memory runs out. */
 bool spheres_create(struct spheres *p, const struct scene *s,
                     enum spheres_rule rule);
 void spheres_free(struct spheres *p);
 
 /* Resolves the collisions after a step, first with walls, then of
    overlapping pairs in p->order. Changes x (m) and v (m/s), arranged as in
-   a scene. Returns the number of all collisions. A pair that overlaps only
-   after its turn waits for the next step. Sources: (11.1,
+   a scene. Returns the number of all collisions. A pair that begins to
+   overlap after its turn waits for the next step. Sources: (11.1,
    eq:contact-impulse), (11.2, eq:back-time), (11.3, eq:push). */
 uint64_t spheres_resolve(struct spheres *p, double x[], double v[]);
 
@@ -108,23 +112,23 @@ void spheres_reflect(struct spheres *p, size_t a, size_t b,
                      const double x[], double v[]);
 void spheres_bounce(struct spheres *p, size_t i, size_t k, double v[]);
 
-/* Lists the overlapping pairs in p->pair, ascending, each once; returns
+/* Lists the overlapping pairs in p->pair, ascending, each once. Returns
    their number. */
 size_t spheres_overlaps(struct spheres *p, const double x[]);
 
 /* Returns the largest depth, m, by which bodies overlap, or extend beyond a
-   hard wall without moving back; 0 if there is none, or if the scene has no
-   contacts; INFINITY if memory runs out. Since it is unknown where and when
-   such bodies touched, their motion would depend on the step: programs
-   refuse such scenes, or warn. */
+   hard wall without moving back. Returns 0 if no body does, or if the scene
+   has no contacts, and INFINITY if memory runs out. It is unknown where and
+   when such bodies touched, so their motion would depend on the step.
+   Programs refuse such scenes, or warn. */
 double spheres_depth(const struct scene *s);
 
-/* Counts in p->passed the pairs that the last step, of length p->dt, moved
-   through each other. spheres_resolve does this, too. */
+/* Counts in p->passed the pairs that moved through each other in the last
+   step, of length p->dt. spheres_resolve also does this. */
 void spheres_watch(struct spheres *p, const double x[], const double v[]);
 
-/* Returns the coordinate difference from body a to the nearest image of
-   body b along axis k, m. */
+/* Returns the coordinate difference along axis k, m, from body a to the
+   nearest image of body b. */
 double spheres_way(const struct scene *s, const double x[], size_t a,
                    size_t b, size_t k);
 #endif

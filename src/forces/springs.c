@@ -10,25 +10,25 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Returns the length of a spring, by which its force is divided, m. Adding
-   DBL_MIN, the smallest normal number, to the square keeps the quotient
-   finite for two bodies at the same position, so that their force is 0, and
-   does not change any length above 1e-145 m. */
+/* Returns the length of a spring, m, by which its force is divided.
+   DBL_MIN, the smallest normal number, is added to the square. The quotient
+   is then finite for two bodies at the same position, so their force is 0.
+   This does not change any length above 1e-145 m. */
 static inline double stretched(double dx, double dy, double dz)
 {
     return sqrt(dx * dx + dy * dy + dz * dz + DBL_MIN);
 }
 
-/* Returns the force of a spring divided by its length, N/m: its product
-   with the vector from body a to body b is the force on a. */
+/* Returns the force of a spring divided by its length, N/m. Multiplied by
+   the vector from body a to body b, this is the force on a. */
 static inline double tension(double stiffness, double length, double rest)
 {
     return stiffness * (length - rest) / length;
 }
 
-/* Returns the force of a spring with a dashpot along its axis divided by
-   its length, N/m: (10.3, eq:axial-dashpot). rate is the scalar product of
-   the vector from a to b and its rate of change, m^2/s. */
+/* Returns the force of a spring with an axial dashpot, divided by the
+   length, N/m: (10.3, eq:axial-dashpot). rate is the scalar product of the
+   vector from a to b and its rate of change, m^2/s. */
 static inline double axial_tension(double stiffness, double damping,
                                    double length, double rest, double rate)
 {
@@ -36,7 +36,7 @@ static inline double axial_tension(double stiffness, double damping,
     return (pull + damping * (rate / length)) / length;
 }
 
-/* Computes the force f of spring s on its body a, N (10.1,
+/* Computes the force f of spring s on its body a, N: (10.1,
    eq:spring-force). */
 static void pull(const struct springs *p, const struct scene_spring *s,
                  const double x[], const double v[], double f[3])
@@ -91,9 +91,9 @@ static int sign(double x, double y)
     return (x > y) - (x < y);
 }
 
-/* Compares springs by stride, then kind, lower body and rest length. This
-   order determines the order of all sums, in scatter as in the bands, so
-   only identical springs may compare as equal. */
+/* Compares springs by stride, then kind, lower body and rest length. The
+   order of the springs determines the order of all sums, in scatter and in
+   the bands. Therefore only identical springs may compare as equal. */
 static int before(const void *one, const void *other)
 {
     const struct scene_spring *s = one, *t = other;
@@ -107,7 +107,7 @@ static int before(const void *one, const void *other)
     return sign(s->rest, t->rest);
 }
 
-/* Returns a sorted copy of the scene's springs, each with a < b; NULL if
+/* Returns a sorted copy of the scene's springs, each with a < b, or NULL if
    memory runs out. */
 static struct scene_spring *in_order(const struct scene *s)
 {
@@ -120,8 +120,8 @@ static struct scene_spring *in_order(const struct scene *s)
     return all;
 }
 
-/* Returns the index after the last spring that follows s[from] and has its
-   stride and kind. */
+/* Returns the end of the run of springs, from s[from] on, that have the
+   same stride and kind. */
 static size_t alike(const struct scene_spring s[], size_t from,
                     size_t count)
 {
@@ -132,9 +132,9 @@ static size_t alike(const struct scene_spring s[], size_t from,
     return end;
 }
 
-/* Returns whether n springs of one stride and kind should form a band:
-   whether there are many, at least half of those possible, and no two of
-   them join the same bodies. Springs with equal lower bodies are
+/* Returns whether n springs of one stride and kind should form a band. They
+   must be many, at least half of the possible springs, and no two of them
+   may join the same bodies. Springs with equal lower bodies are
    adjacent. */
 static bool regular(const struct scene_spring s[], size_t n)
 {
@@ -147,8 +147,7 @@ static bool regular(const struct scene_spring s[], size_t n)
 }
 
 /* Creates a band of n springs. A missing spring gets a negative rest
-   length, which real springs do not have. Returns false if memory runs
-   out. */
+   length, which no real spring has. Returns false if memory runs out. */
 static bool make_band(struct springs *p, const struct scene_spring s[],
                       size_t n)
 {
@@ -171,9 +170,9 @@ static bool make_band(struct springs *p, const struct scene_spring s[],
     return true;
 }
 
-/* Fills p->spring from `all`, which is sorted: first with the springs in no
-   band, then with the others, for which it creates the bands. Returns false
-   if memory runs out. */
+/* Fills p->spring from `all`, which is sorted: first the springs in no
+   band, then the springs in bands. Creates the bands. Returns false if
+   memory runs out. */
 static bool sort_out(struct springs *p, const struct scene_spring all[])
 {
     size_t bands = 0, at = 0, end;
@@ -253,20 +252,21 @@ void springs_free(struct springs *p)
     *p = (struct springs){0};
 }
 
-/* A section of a band: its springs, and the distances in memory between two
-   axes: `bodies` for positions and velocities, `row` for forces. */
+/* A section of a band: its springs, and the distance in memory between two
+   axes. This is `bodies` for positions and velocities, and `row` for
+   forces. */
 struct stretch {
     const double *rest;
     size_t count, stride, bodies, row;
     double stiffness, damping;
 };
 
-/* Computes the forces f of the springs of a section along three axes; this
+/* Computes the forces f of the springs of a section along three axes. This
    is the inner loop of the module. x and v begin with the lower body of the
    first spring. Memory is read and written in order. To avoid a branch, the
-   force of a missing spring is also computed, and is multiplied by `here`,
+   force of a missing spring is also computed. It is multiplied by `here`,
    which is 0 for a negative rest length and otherwise 1. The operations and
-   their order are those of pull, so that the bits are equal. */
+   their order are those of pull, so the bits are equal. */
 static inline void stretch(const struct stretch *t,
                            const double *restrict x,
                            const double *restrict v, double *restrict f,
@@ -301,7 +301,7 @@ static inline void stretch(const struct stretch *t,
 }
 
 /* Compile the loop three times, with constants for damped and axial, so
-   that neither is tested inside. */
+   that the loop tests neither. */
 VECTOR_LOOP static void stretch_plain(const struct stretch *t,
                                       const double *restrict x,
                                       const double *restrict v,
@@ -326,16 +326,16 @@ VECTOR_LOOP static void stretch_axial(const struct stretch *t,
     stretch(t, x, v, f, true, true);
 }
 
-/* Returns the number from low to high that is nearest to a. */
+/* Returns a, limited to the range from low to high. */
 static ptrdiff_t clamp(ptrdiff_t a, ptrdiff_t low, ptrdiff_t high)
 {
     return a < low ? low : a > high ? high : a;
 }
 
-/* Writes into f the forces of the `count` springs whose lower bodies begin
-   with `from`, axis by axis, with `row` numbers from one axis to the next:
-   0 where the band has no spring. `from` is negative for springs that would
-   reach into the first block. */
+/* Writes into f, axis by axis, the forces of `count` springs, beginning
+   with the spring whose lower body is `from`. Two axes are `row` numbers
+   apart. The force is 0 where the band has no spring. `from` is negative
+   for springs that would reach into the first block. */
 static void band_forces(const struct springs *p,
                         const struct springs_band *b, const double x[],
                         const double v[], ptrdiff_t from, size_t count,
@@ -365,17 +365,18 @@ static void band_forces(const struct springs *p,
         stretch_damped(&t, x + low, v + low, f + (low - from));
 }
 
-/* Returns the length of a row, which contains the forces of a band along
-   one axis: first of the springs that end in a block, then of those that
-   begin there. So (10.11, eq:gather) reads row[i] for the spring that ends
-   at body i, and row[i + stride] for the one that begins there. */
+/* Returns the length of a row. A row contains the forces of a band along
+   one axis, first of the springs that end in a block, then of the springs
+   that begin there. Therefore (10.11, eq:gather) reads row[i] for the
+   spring that ends at body i, and row[i + stride] for the spring that
+   begins there. */
 static size_t row_size(const struct springs_band *b)
 {
     return b->stride + SPRINGS_BLOCK;
 }
 
-/* Returns how many numbers a thread needs for the rows of all bands, three
-   rows for each band. */
+/* Returns how many numbers a thread needs for all rows. Each band has three
+   rows. */
 static size_t buffer_size(const struct springs *p)
 {
     size_t size = 0;
@@ -384,8 +385,9 @@ static size_t buffer_size(const struct springs *p)
     return size;
 }
 
-/* Adds for n bodies the forces of one band: -f[i] of the spring that ends
-   at a body, +f[i + s] of the one that begins there. (10.11, eq:gather) */
+/* Adds the forces of one band on n bodies: (10.11, eq:gather). The spring
+   that ends at body i gives -f[i]. The spring that begins there gives +f[i
+   + s]. */
 VECTOR_LOOP static void sum_one(double *restrict sum,
                                 const double *restrict f, size_t s,
                                 size_t n)
@@ -394,7 +396,7 @@ VECTOR_LOOP static void sum_one(double *restrict sum,
         sum[i] = sum[i] - f[i] + f[i + s];
 }
 
-/* Adds the forces of two bands, one after another, as sum_one does. */
+/* Like sum_one, but adds the forces of two bands, one after the other. */
 VECTOR_LOOP static void sum_two(double *restrict sum,
                                 const double *restrict f, size_t s,
                                 const double *restrict g, size_t t,
@@ -404,9 +406,10 @@ VECTOR_LOOP static void sum_two(double *restrict sum,
         sum[i] = sum[i] - f[i] + f[i + s] - g[i] + g[i + t];
 }
 
-/* Sums the forces in buffer on n bodies from body `from` on, along axis k:
-   first those of scatter, if any, then those of the bands in their order,
-   two bands in each pass, which saves a pass over the sums. */
+/* Sums the forces in buffer on n bodies from body `from` on, along axis k.
+   The forces of scatter come first, if there are any, then the forces of
+   the bands in order. Taking two bands in each pass saves a pass over the
+   sums. */
 static void sum_axis(const struct springs *p, size_t from, size_t n,
                      size_t k, const double buffer[], double sum[])
 {
@@ -430,7 +433,7 @@ static void sum_axis(const struct springs *p, size_t from, size_t n,
 
 /* Compute the accelerations a of n coordinates from the forces in three
    ways: added to a, written, or written with gravity and friction. The
-   first two read no array that they do not need, since memory limits the
+   first two read only the arrays that they need, since memory limits the
    speed for large grids. */
 VECTOR_LOOP static void add_scaled(double *restrict a,
                                    const double *restrict inverse,
@@ -461,21 +464,21 @@ VECTOR_LOOP static void write_all(double *restrict a,
                inverse[i] * force[i];
 }
 
-/* A task: to compute the accelerations at x and v, and to add them to a or,
-   if `writes`, to write them into a with gravity and friction. */
+/* A task computes the accelerations at x and v. It adds them to a or, if
+   `writes`, writes them into a with gravity and friction. */
 struct task {
     const double *x, *v;
     double *a;
     bool writes;
-    /* NULL, or moves bodies just before the springs read them; owing:
-       whether the last step still lacks half a kick */
+    /* ahead, unless NULL, moves bodies just before the springs read them.
+       owing says whether the last step still lacks half a kick. */
     const struct stepping_ahead *ahead;
     bool owing;
 };
 
-/* Completes the task along axis k for n bodies from body `from` on, with
-   the given forces of springs. Inverse masses that are equal along all axes
-   are read from one array, which stays in the cache. */
+/* Completes the task along axis k for n bodies from body `from` on. `force`
+   has the forces of the springs. If inverse masses are equal along all
+   axes, they are read from one array, which stays in the cache. */
 static void finish(const struct springs *p, const struct task *t, size_t k,
                    size_t from, size_t n, const double force[])
 {
@@ -491,8 +494,8 @@ static void finish(const struct springs *p, const struct task *t, size_t k,
 }
 
 /* Returns whether the springs form two bands and nothing else acts, as in a
-   membrane. Then one loop, scale_two, computes accelerations from the
-   forces of the bands without storing their sum in between. */
+   membrane. One loop, scale_two, then computes the accelerations from the
+   forces of the bands without storing their sum. */
 static bool is_plain(const struct springs *p)
 {
     return p->bands == 2 && p->listed == 0 && p->quiet;
@@ -508,7 +511,7 @@ VECTOR_LOOP static void scale_two(double *restrict a,
         a[i] = 0 + inverse[i] * (0 - f[i] + f[i + s] - g[i] + g[i + t]);
 }
 
-/* Sums two bands and completes the task in one loop; requires is_plain. */
+/* Sums two bands and completes the task in one loop. Requires is_plain. */
 static void write_two(const struct springs *p, double a[], size_t k,
                       size_t from, size_t n, const double buffer[])
 {
@@ -522,8 +525,9 @@ static void write_two(const struct springs *p, double a[], size_t k,
 
 /* Does the task for a block of n bodies from body `from` on. At first the
    buffer contains the forces of the springs that reach into this block from
-   earlier bodies; at the end, of those that reach into the next block.
-   Strides may exceed n, so the copied ranges may overlap. */
+   earlier bodies. At the end it contains the forces of the springs that
+   reach into the next block. Strides may exceed n, so the copied ranges may
+   overlap. */
 static void gather_block(const struct springs *p, const struct task *t,
                          size_t from, size_t n, double buffer[])
 {
@@ -548,7 +552,7 @@ static void gather_block(const struct springs *p, const struct task *t,
             memmove(f, f + n, p->band[b].stride * sizeof *f);
 }
 
-/* Calls the stepping method to move bodies `from` to end - 1. */
+/* Lets the stepping method move bodies `from` to end - 1. */
 static void get_ready(const struct springs *p, const struct task *t,
                       size_t from, size_t end)
 {
@@ -562,7 +566,7 @@ static size_t least(size_t a, size_t b)
     return a < b ? a : b;
 }
 
-/* Returns the longest stride: how far ahead the springs read bodies. */
+/* Returns the longest stride. The springs read bodies this far ahead. */
 static size_t reach(const struct springs *p)
 {
     size_t longest = 0;
@@ -573,8 +577,8 @@ static size_t reach(const struct springs *p)
 }
 
 /* Computes the forces of the springs that reach into the block at body
-   `from` from earlier bodies. The thread of those bodies computes them,
-   too, with equal bits, so nothing is summed across threads. */
+   `from` from earlier bodies. The thread of those bodies computes the same
+   forces with equal bits, so nothing is summed across threads. */
 static void reach_in(const struct springs *p, const struct task *t,
                      size_t from, double buffer[])
 {
@@ -599,11 +603,11 @@ static void gather(const struct springs *p, const struct task *t,
 }
 
 /* Takes `steps` steps of the task, at most depth_of(p), in one sweep over
-   the bodies. Each step has a buffer and its own counts of the bodies moved
-   and of those whose forces are summed; it advances by a block as soon as
-   the previous step has passed the bodies that it reads. No spring reaches
-   into the first block: the buffers for it start with zeros, and have zeros
-   again after a sweep, as no spring reaches beyond the last body. */
+   the bodies. Each step has its own buffer and its own counts of the bodies
+   moved and of the bodies whose forces are summed. A step advances by a
+   block as soon as the previous step has passed all bodies that the block
+   reads. No spring reaches into the first block or beyond the last body. So
+   the buffers start with zeros, and contain zeros again after a sweep. */
 static void march(const struct springs *p, struct task t, size_t steps)
 {
     const size_t n = p->bodies, far = reach(p), size = buffer_size(p);
@@ -624,19 +628,19 @@ static void march(const struct springs *p, struct task t, size_t steps)
         }
 }
 
-/* Returns how many steps a sweep takes at once: as many as keep the data of
-   all bodies between the first and the last step, some 200 bytes each with
-   the forces in the buffers, in the second-level cache. */
+/* Returns how many steps a sweep takes at once. The data of all bodies
+   between the first and the last step must fit into the second-level cache.
+   A body has about 200 bytes, including the forces in the buffers. */
 static size_t depth_of(const struct springs *p)
 {
     const size_t depth = SPRINGS_WINDOW / (reach(p) + SPRINGS_BLOCK);
     return depth < 1 ? 1 : least(depth, SPRINGS_DEPTH);
 }
 
-/* Gives each thread a contiguous part of the bodies. Each of several
-   threads first moves its bodies and waits for the others, since the first
-   springs of its part read the previous part, and its last springs the
-   next. */
+/* Gives each thread a contiguous part of the bodies. The first springs of a
+   part read the previous part, and the last springs read the next part. If
+   there are several threads, each first moves its bodies and waits for the
+   others. */
 static void gather_shared(struct springs *p, const struct task *task)
 {
     const size_t size = buffer_size(p), threads = (size_t)p->threads;
@@ -664,7 +668,7 @@ static void gather_shared(struct springs *p, const struct task *task)
     }
 }
 
-/* Allocates a buffer for each thread, or for each step of a sweep; must be
+/* Allocates a buffer for each thread, or for each step of a sweep. Must be
    called before a run, not during one. */
 bool springs_threads(struct springs *p, int threads)
 {
@@ -679,9 +683,8 @@ bool springs_threads(struct springs *p, int threads)
     return true;
 }
 
-/* Does the task by the engine that p->engine chooses. Without bands nothing
-   is gathered, and the axes, which are contiguous in all arrays, are
-   completed in one call. */
+/* Does the task with p->engine. Without bands nothing is gathered. The axes
+   are contiguous in all arrays, so one call then completes all of them. */
 static void act(struct springs *p, const struct task *t)
 {
     const bool gathers = p->engine == SPRINGS_GATHER && p->bands > 0;
@@ -696,8 +699,8 @@ static void act(struct springs *p, const struct task *t)
 }
 
 /* Takes `steps` steps of the task, whose ahead is not NULL. All bodies are
-   moved before scatter, which accesses them in the order of the springs,
-   and also if only some of the springs are in bands. */
+   moved before scatter, which accesses them in the order of the springs.
+   The same is done if only some of the springs are in bands. */
 static void act_ahead(struct springs *p, struct task t, uint64_t steps)
 {
     const struct stepping_ahead *const ahead = t.ahead;

@@ -10,18 +10,19 @@ enum {
     SPRINGS_BAND = 16,     /* smallest number of springs in a band */
     SPRINGS_BLOCK = 512,   /* bodies in a block */
     SPRINGS_DEPTH = 8,     /* largest number of steps in a sweep */
-    SPRINGS_WINDOW = 8192, /* bodies from the first to the last step */
-    SPRINGS_SHARE = 10000  /* smallest number for which threads pay */
+    SPRINGS_WINDOW = 8192, /* most bodies between the first and the last
+                              step */
+    SPRINGS_SHARE = 10000  /* fewest bodies for which threads save time */
 };
 
-/* How the forces are summed, which does not affect the bits. */
+/* How the forces are summed. This does not affect the bits. */
 enum springs_engine {
     SPRINGS_GATHER, /* bands of springs, block by block */
     SPRINGS_SCATTER /* springs one after another */
 };
 
-/* A band: springs of one kind that join body i to body i + stride, for many
-   of the bodies i from first to end - 1. */
+/* A band: springs of one kind that join body i to body i + stride. They
+   exist for many of the bodies i from first to end - 1. */
 struct springs_band {
     size_t stride, first, end;
     double stiffness, damping;
@@ -30,7 +31,7 @@ struct springs_band {
 };
 
 /* The springs of a scene. The members may be read, and engine may be set. A
-   body without mass has the inverse mass 0, like a fixed one: no spring
+   body without mass has the inverse mass 0, like a fixed body: no spring
    moves it, but gravity does if it is free. */
 struct springs {
     size_t bodies, count;
@@ -48,10 +49,11 @@ struct springs {
     enum springs_engine engine;
     int threads;
     double *force;  /* [3 * bodies] sums made by scatter, N */
-    double *buffer; /* band forces of each thread or step of a sweep */
+    double *buffer; /* band forces, for each thread or each step of a
+                       sweep */
 };
 
-/* Prepares *p for the springs of a scene, which may change afterwards.
+/* Prepares *p for the springs of a scene. The scene may change afterwards.
    Returns false, with nothing to free, if memory runs out. */
 bool springs_create(struct springs *p, const struct scene *s);
 
@@ -71,11 +73,11 @@ void springs_add(struct springs *p, const double x[], const double v[],
 void springs_accelerate(void *springs, const double x[], const double v[],
                         double a[]);
 
-/* Returns springs_accelerate in the form that stepping_begin needs. */
+/* Returns springs_accelerate as forces for stepping_begin. */
 struct stepping_forces springs_forces(struct springs *p);
 
-/* Computes what springs_accelerate does, as a stepping_sweep, for a struct
-   stepping with springs_forces. */
+/* A stepping_sweep that computes the same as springs_accelerate, for a
+   struct stepping with springs_forces. */
 void springs_sweep(void *springs, const double x[], const double v[],
                    double a[], const struct stepping_ahead *ahead,
                    uint64_t steps);

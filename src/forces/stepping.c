@@ -17,8 +17,9 @@ static double *take(double **next, size_t n)
     return part;
 }
 
-/* Divides one block of memory into arrays: those used by every method, then
-   those of a family of methods, of length 0 for other families. */
+/* Divides one block of memory into arrays: first those used by every
+   method, then those of a family of methods. The latter have length 0 for
+   other families. */
 static void divide_memory(struct stepping *s, double *next)
 {
     struct stepping_work *const w = s->part;
@@ -155,7 +156,7 @@ bool stepping_keeps(const struct stepping *s)
     return s->forces.damped && stepping_is_leapfrog(s->method);
 }
 
-/* Takes a step of any method that is not adaptive. Returns false if the
+/* Takes a step of a method that is not adaptive. Returns false if the
    equations of an implicit step could not be solved. */
 static bool step(struct stepping *s)
 {
@@ -171,7 +172,7 @@ static bool step(struct stepping *s)
     }
 }
 
-/* Returns whether all coordinates and velocities are finite: zero times a
+/* Returns whether all coordinates and velocities are finite. Zero times a
    number is zero only if the number is finite. */
 static bool is_finite(const struct stepping *s)
 {
@@ -181,9 +182,9 @@ static bool is_finite(const struct stepping *s)
     return sum == 0;
 }
 
-/* Takes at most *left steps, stops where the state is next checked for
-   infinite numbers, and updates *left. Returns false if the equations of a
-   step could not be solved. */
+/* Takes at most *left steps, and subtracts them from *left. Stops where the
+   state is next checked for infinite numbers. Returns false if the
+   equations of a step could not be solved. */
 static bool run_until_watch(struct stepping *s, uint64_t *left)
 {
     const uint64_t most = STEPPING_WATCH - s->steps % STEPPING_WATCH;
@@ -212,7 +213,7 @@ bool stepping_anew(struct stepping *s)
     return anew;
 }
 
-/* Lets an adaptive method take its own steps over the time steps * dt; dt
+/* Lets an adaptive method take its own steps over the time steps * dt. dt
    only determines the times at which states are needed. */
 static enum stepping_end run_own(struct stepping *s, uint64_t steps)
 {
@@ -241,14 +242,15 @@ enum stepping_end stepping_run(struct stepping *s, uint64_t steps)
     return STEPPING_DONE;
 }
 
-/* Multiplies, since adding dt a million times adds a million rounding
-   errors. */
+/* Multiplies, because adding dt a million times would add a million
+   rounding errors. */
 double stepping_time(const struct stepping *s)
 {
     return s->start + (double)s->steps * s->dt;
 }
 
-/* Copies carry and acceleration together: they are adjacent in memory. */
+/* Copies carry and acceleration together, since they are adjacent in
+   memory. */
 void stepping_note(const struct stepping *s, double note[])
 {
     const size_t n = s->forces.size;
@@ -267,8 +269,8 @@ void stepping_recall(struct stepping *s, const double note[])
     s->fresh = note[5 * n] != 0;
 }
 
-/* Computes the coefficients, which contain the factor dt, with h for the
-   part, and with dt again afterwards. */
+/* The coefficients contain the factor dt. They are computed with h for the
+   part, and again with dt afterwards. */
 enum stepping_end stepping_part(struct stepping *s, double h)
 {
     const double dt = s->dt;

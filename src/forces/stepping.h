@@ -12,7 +12,7 @@ enum {
 };
 
 /* Forces on `size` coordinates. accelerate writes all accelerations a,
-   m/s^2; damped tells whether they depend on v. */
+   m/s^2. `damped` says whether they depend on v. */
 struct stepping_forces {
     size_t size;
     bool damped;
@@ -21,27 +21,27 @@ struct stepping_forces {
     void *what;
 };
 
-/* A function that moves n coordinates, from index `from` on, to the
-   positions at which the next step needs the forces. If `owing`, it first
-   does the second half of the last step's kick. */
+/* ready moves n coordinates, from index `from` on, to the positions at
+   which the next step needs the forces. If `owing`, it first does the
+   second half of the last step's kick. */
 struct stepping_ahead {
     void (*ready)(void *step, size_t from, size_t n, bool owing);
     void *step;
 };
 
-/* Computes the accelerations of `steps` steps of leapfrog, and has the
-   coordinates moved in parts, just before it reads them: large systems are
+/* Computes the accelerations of `steps` steps of leapfrog. Moves the
+   coordinates in parts, just before it reads them. Large systems are
    limited by memory, and coordinates moved in a separate pass would have
-   left the cache when the forces need them. In each step it calls
+   left the cache when the forces need them. In each step the function calls
    ahead->ready once for each coordinate, before it reads x and v or writes
-   a there, with owing = false in the first step; from any thread, in any
-   order. */
+   a there. In the first step owing is false. The calls may come from any
+   thread, in any order. */
 typedef void stepping_sweep(void *what, const double x[], const double v[],
                             double a[], const struct stepping_ahead *ahead,
                             uint64_t steps);
 
-/* Moves x and v by the time dt, s, which may be negative, along the part of
-   the motion known in closed form; accelerate computes the other forces. */
+/* Moves x and v by the time dt, s, along the part of the motion known in
+   closed form. dt may be negative. accelerate computes the other forces. */
 typedef void stepping_flow(void *what, double dt, double x[], double v[]);
 
 enum stepping_family {
@@ -58,12 +58,12 @@ struct stepping_method {
     enum stepping_family family;
     int order;
     bool symmetric, symplectic;
-    size_t stages;       /* force evaluations in a step without friction;
-                            for implicit methods at least */
+    size_t stages;       /* force evaluations in a step without friction; a
+                            lower limit for implicit methods */
     size_t drifts;       /* number of drifts of a splitting */
     const double *drift; /* [drifts], in units of dt */
-    const double *kick;  /* [drifts + 1] before, between, after the drifts;
-                            if NULL, means of adjacent drifts */
+    const double *kick;  /* [drifts + 1] before, between and after the
+                            drifts; if NULL, means of adjacent drifts */
     const double *a, *b; /* Runge-Kutta: tableau by rows, weights */
     double limit;        /* largest stable omega dt; 0 if there is none */
     bool orbits;         /* drifts follow ellipses; for gravity only */
@@ -79,8 +79,8 @@ struct stepping_method {
 
 enum stepping_end {
     STEPPING_DONE,
-    STEPPING_INFINITE, /* a coordinate or velocity is no longer finite */
-    STEPPING_STUCK     /* an implicit step was not solved: x and v are those
+    STEPPING_INFINITE, /* a coordinate or velocity is not finite */
+    STEPPING_STUCK     /* an implicit step was not solved; x and v are those
                           before it */
 };
 
@@ -90,8 +90,9 @@ struct stepping {
     struct stepping_forces forces;
     double dt, start;      /* s; start may be set before the first step */
     uint64_t steps;        /* the time is start + steps * dt */
-    double *x, *v;         /* [size], the caller's */
-    bool compensated;      /* set before the first step */
+    double *x, *v;         /* [size], owned by the caller */
+    bool compensated;      /* whether sums are compensated; set before the
+                              first step */
     stepping_sweep *sweep; /* NULL, or computes accelerations in parts, for
                               leapfrog without compensation; set before the
                               first step */
@@ -104,7 +105,7 @@ struct stepping {
                              steps are dt; set before the first step */
     struct adaptive *own; /* state of an adaptive method, or NULL */
     /* ---- private */
-    bool fresh; /* whether acceleration is that at x (and v) */
+    bool fresh; /* whether acceleration belongs to x (and v) */
     double *work;
     struct stepping_work *part;
 };
@@ -115,60 +116,61 @@ extern const struct stepping_method stepping_methods[STEPPING_MOST + 1];
 /* Returns the method of this name, or NULL. */
 const struct stepping_method *stepping_find(const char *name);
 
-/* Returns the method after m (the first one if m is NULL) that needs only
-   accelerations and takes equal steps; NULL after the last. */
+/* Returns the method after m, or the first method if m is NULL, that needs
+   only accelerations and takes equal steps. Returns NULL after the last. */
 const struct stepping_method *stepping_next(
     const struct stepping_method *m);
 
 /* Returns whether the method is leapfrog: (8.4, eq:verlet). */
 bool stepping_is_leapfrog(const struct stepping_method *m);
 
-/* Prepares to step x (m) and v (m/s), which remain the caller's, by dt, s.
-   The method and what the forces point to must outlive s. Returns false,
-   with nothing to free, if memory runs out. */
+/* Prepares to step x (m) and v (m/s) by dt, s. The caller owns x and v. The
+   method and what the forces point to must outlive s. Returns false, with
+   nothing to free, if memory runs out. */
 bool stepping_begin(struct stepping *s, const struct stepping_method *m,
                     struct stepping_forces f, double dt, double x[],
                     double v[]);
 
-/* Continues a run after `steps` steps in another program. With the x and v
-   of that run, its carry if it was compensated (otherwise NULL), and its
-   acceleration if stepping_keeps (otherwise NULL), all bits equal those of
-   an uninterrupted run. Must be called before the first step. */
+/* Continues a run after `steps` steps in another program. Must be called
+   before the first step. x and v must be those of that run. carry is its
+   carry if the run was compensated, and acceleration is its acceleration if
+   stepping_keeps; otherwise they are NULL. All bits then equal those of an
+   uninterrupted run. */
 void stepping_resume(struct stepping *s, uint64_t steps,
                      const double carry[], const double acceleration[]);
 
 /* Returns whether each step begins with the acceleration stored at the end
-   of the last one, since it cannot be computed from x and v. This is so for
-   leapfrog if the forces depend on velocities: (8.13,
+   of the last step, because it cannot be computed from x and v. This is so
+   for leapfrog if the forces depend on velocities: (8.13,
    eq:leapfrog-damped). */
 bool stepping_keeps(const struct stepping *s);
 
-/* Takes `steps` steps; the number of calls into which they are divided does
-   not affect the results. Checks whether all numbers are finite at the end,
-   and after every STEPPING_WATCH steps of the run. */
+/* Takes `steps` steps. Dividing them into several calls does not change the
+   results. Checks whether all numbers are finite at the end, and after
+   every STEPPING_WATCH steps of the run. */
 enum stepping_end stepping_run(struct stepping *s, uint64_t steps);
 
 /* Returns the time of x and v, s. */
 double stepping_time(const struct stepping *s);
 
-/* Tells s that the caller has changed x or v. */
+/* Must be called after the caller has changed x or v. */
 void stepping_disturb(struct stepping *s);
 
 void stepping_free(struct stepping *s);
 
-/* Write the state of s, between steps, into 5 * size + 1 numbers, and
-   restore it. */
+/* stepping_note writes the state of s, between steps, into 5 * size + 1
+   numbers. stepping_recall restores it. */
 void stepping_note(const struct stepping *s, double note[]);
 void stepping_recall(struct stepping *s, const double note[]);
 
-/* Takes a part of a step, of length h, s, without counting it in steps:
-   when the parts add up to a step, the caller adds 1 to steps. A part of
+/* Takes a part of a step, of length h, s, without counting it in steps.
+   When the parts add up to a step, the caller adds 1 to steps. A part of
    length dt equals a step to the last bit. Checks whether all numbers are
    finite. */
 enum stepping_end stepping_part(struct stepping *s, double h);
 
 /* Starts the adaptive method of s at x and v if it has not begun, or if the
-   caller has changed x or v. Returns whether it did. */
+   caller has changed x or v. Returns whether it was started. */
 bool stepping_anew(struct stepping *s);
 
 #endif

@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 3498501527 of the lines below */
+/* checksum 164807368 of the lines below */
 /* The steps of the methods: kicks and drifts, leapfrog, Runge-Kutta. */
 #ifndef STEPS_H
 #define STEPS_H
@@ -18,8 +18,8 @@ struct stepping_work {
     double *drift, *kick;        /* of a splitting, times dt, s */
     double *c, *a, *a2, *b, *b2; /* of a tableau, times dt or dt^2 */
     double *stage;               /* [stages * size] accelerations */
-    double *guess;               /* [stages * size] the stages' values,
-                                    improved by iteration */
+    double *guess;               /* [stages * size] new accelerations in an
+                                    iteration */
     double *x, *v;               /* [size] state at a stage */
     double *matrix, *slope;      /* of Newton's method */
     size_t *pivot;
@@ -32,7 +32,7 @@ static inline void evaluate(struct stepping *s, const double x[],
     ++s->evaluations;
 }
 
-/* Computes s->acceleration at the present positions, unless it is known. */
+/* Computes s->acceleration at the current positions, unless it is known. */
 static inline void refresh(struct stepping *s)
 {
     if (!s->fresh)
@@ -40,8 +40,9 @@ static inline void refresh(struct stepping *s)
     s->fresh = true;
 }
 
-/* Kicks by h under friction: half a kick predicts the velocity in the
-   middle, with which the forces are computed again for the whole kick. */
+/* Kicks by h under friction. Half a kick predicts the velocity in the
+   middle. The forces are computed again at this velocity, for the whole
+   kick. */
 static inline void kick_damped(struct stepping *s, double h)
 {
     double *const middle = s->part->v;
@@ -73,7 +74,7 @@ static inline void drift(struct stepping *s, double h)
     s->fresh = false;
 }
 
-/* Does kick number k, and the drift after it if it is not the last. */
+/* Does kick number k, and the drift after it unless it is the last kick. */
 static inline void kick_and_drift(struct stepping *s, size_t k)
 {
     const struct stepping_work *const w = s->part;
@@ -96,7 +97,7 @@ static inline void splitting_step(struct stepping *s)
         kick_and_drift(s, k);
 }
 
-/* Does half a kick and the drift of n coordinates; if owing, first the
+/* Does half a kick and the drift of n coordinates. If owing, first does the
    second half of the last kick. Under friction, writes the velocities
    predicted for the end of the next kick into ahead. */
 static inline void move_as(size_t n, double *restrict x, double *restrict v,
@@ -116,7 +117,7 @@ static inline void move_as(size_t n, double *restrict x, double *restrict v,
     }
 }
 
-/* Moves n coordinates, from number `from` on, as move_as does. */
+/* Moves n coordinates, from number `from` on, by move_as. */
 static inline void move(const struct stepping *s, size_t from, size_t n,
                         bool owing)
 {
@@ -149,7 +150,8 @@ static inline void move_ahead(void *stepping, size_t from, size_t n,
 }
 
 /* Takes steps of leapfrog, (8.4, eq:verlet), with the same bits as
-   splitting_step; under friction, steps of (8.13, eq:leapfrog-damped). */
+   splitting_step. Under friction, takes steps of (8.13,
+   eq:leapfrog-damped). */
 static inline void leap(struct stepping *s, uint64_t steps)
 {
     const double *const v = s->forces.damped ? s->part->v : s->v;
@@ -166,7 +168,8 @@ static inline void leap(struct stepping *s, uint64_t steps)
     add(s->v, s->part->kick[0], s->acceleration, s->forces.size);
 }
 
-/* Takes a step of leapfrog under friction, compensated if s is. */
+/* Takes a step of leapfrog under friction, with compensated sums if
+   s->compensated is true. */
 static inline void leap_carried(struct stepping *s)
 {
     const double h = s->part->kick[0];
@@ -179,7 +182,7 @@ static inline void leap_carried(struct stepping *s)
     push_v(s, h, s->acceleration);
 }
 
-/* Computes the state at stage i, w->x and w->v, (8.10, eq:stage). */
+/* Computes w->x and w->v, the state at stage i: (8.10, eq:stage). */
 static void go_to_stage(struct stepping *s, size_t i)
 {
     const struct stepping_work *const w = s->part;
@@ -243,8 +246,8 @@ static inline void sweep(struct stepping *s)
     }
 }
 
-/* Returns whether an iteration has converged: the change is 0, or as small
-   as rounding errors and no longer decreasing. */
+/* Returns whether an iteration has converged: the change is 0, or it is as
+   small as rounding errors and has stopped decreasing. */
 static inline bool settled(const struct stepping *s, double change,
                            double last)
 {
@@ -254,8 +257,8 @@ static inline bool settled(const struct stepping *s, double change,
     return change == 0 || (change > last / 2 && change <= 1e-10 * scale);
 }
 
-/* Replaces the accelerations at the stages by those computed with them,
-   repeatedly. Returns false if this does not converge. */
+/* Repeatedly replaces the accelerations at the stages by the accelerations
+   computed with them. Returns false if this does not converge. */
 static inline bool iterate(struct stepping *s)
 {
     enum { MOST_SWEEPS = 100 };

@@ -7,7 +7,7 @@
 
 #include <stddef.h>
 
-/* Adds h by[i] to each to[i]. */
+/* Adds h * by[i] to each to[i]. */
 static inline void add(double *restrict to, double h,
                        const double *restrict by, size_t n)
 {
@@ -15,8 +15,9 @@ static inline void add(double *restrict to, double h,
         to[i] += h * by[i];
 }
 
-/* Adds `by` to a compensated sum, (8.14, eq:compensated): the rounding
-   error is stored in *carry and added the next time. Returns the sum. */
+/* Adds `by` to a compensated sum and returns the sum: (8.14,
+   eq:compensated). The rounding error is stored in *carry and added the
+   next time. */
 static inline double add_one(double *to, double *carry, double by)
 {
     const double old = *to, more = by + *carry, sum = old + more;
@@ -24,7 +25,7 @@ static inline double add_one(double *to, double *carry, double by)
     return *to = sum;
 }
 
-/* Does what add does, with compensated sums. */
+/* Like add, but with compensated sums. */
 static inline void add_carried(double *restrict to, double *restrict carry,
                                double h, const double *restrict by,
                                size_t n)
@@ -33,9 +34,9 @@ static inline void add_carried(double *restrict to, double *restrict carry,
         add_one(to + i, carry + i, h * by[i]);
 }
 
-enum { MANY = 64 }; /* coordinates from which on vectors pay */
+enum { MANY = 64 }; /* fewest coordinates for which vectors save time */
 
-/* Does what add does, or add_carried if carry is not NULL; vectorised. */
+/* Like add, or like add_carried if carry is not NULL; vectorised. */
 VECTOR_LOOP static void add_many(double *restrict to, double *carry,
                                  double h, const double *restrict by,
                                  size_t n)
@@ -46,7 +47,7 @@ VECTOR_LOOP static void add_many(double *restrict to, double *carry,
         add(to, h, by, n);
 }
 
-/* Does what add_many does, for any number of coordinates. */
+/* Like add_many, for any number of coordinates. */
 static inline void push(double *to, double *carry, double h,
                         const double by[], size_t n)
 {
@@ -58,7 +59,8 @@ static inline void push(double *to, double *carry, double h,
         add(to, h, by, n);
 }
 
-/* Add h by[] to positions or velocities of s, compensated if s is. */
+/* Add h * by[] to the positions or velocities of s, with compensated sums
+   if s->compensated is true. */
 static void push_x(struct stepping *s, double h, const double by[])
 {
     push(s->x, s->compensated ? s->carry : NULL, h, by, s->forces.size);
@@ -73,8 +75,8 @@ static void push_v(struct stepping *s, double h, const double by[])
 #ifdef VECTOR_CLONES
 typedef double four __attribute__((vector_size(32), aligned(8), may_alias));
 
-/* Does what add_one does, for four sums at once, and sets *by to the sums.
-   Each is rounded separately, so the bits are those of add_one. */
+/* Like add_one, but adds to four sums at once and sets *by to the sums.
+   Each sum is rounded separately, so the bits are those of add_one. */
 static inline void add_four(double *to, double *carry, four *by)
 {
     const four old = *(four *)to, more = *by + *(four *)carry;
@@ -85,9 +87,9 @@ static inline void add_four(double *to, double *carry, four *by)
 #endif
 
 /* Kicks by h and, unless dt is NULL, drifts by *dt, with compensated sums.
-   The accelerations have just been written one by one; a load of four would
-   wait some eleven cycles for these stores. So the array is volatile, and
-   each acceleration is loaded alone. */
+   The accelerations have just been written one by one. Loading four at once
+   would wait about eleven cycles for these stores. The array is therefore
+   volatile, and each acceleration is loaded alone. */
 VECTOR_LOOP static void advance_carried(struct stepping *s, double h,
                                         const double *dt)
 {
@@ -113,8 +115,9 @@ VECTOR_LOOP static void advance_carried(struct stepping *s, double h,
     }
 }
 
-/* Kicks by h and, unless dt is NULL, drifts by *dt, in one pass: the forces
-   on three bodies take some 130 cycles, and a second pass would add ten. */
+/* Kicks by h and, unless dt is NULL, drifts by *dt, in one pass. The forces
+   on three bodies take about 130 cycles, and a second pass would add
+   ten. */
 static inline void advance(struct stepping *s, double h, const double *dt)
 {
     const size_t n = s->forces.size;

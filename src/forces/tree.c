@@ -1,5 +1,5 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 3444312074 of the lines below */
+/* checksum 2005520762 of the lines below */
 /* Sums gravity by a tree: a distant cell of bodies acts as one mass. */
 #include "forces/tree.h"
 
@@ -10,15 +10,16 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-/* A cubic cell: mass and centre of mass of its bodies, and its side. */
+/* A cubic cell: the mass and the centre of mass of its bodies, and its
+   side. */
 struct cell {
     double mass, x, y, z, side;
-    size_t first, end; /* its bodies in the order of the tree */
-    size_t next;       /* cell to visit next if this is not opened */
+    size_t first, end; /* its bodies: first to end - 1 */
+    size_t next;       /* cell to visit next if this cell is not opened */
 };
 
-/* A tree. Its bodies are sorted by cells: body[] has the caller's numbers,
-   place[] the values of x, then those of y, z and the mass. */
+/* A tree. Its bodies are sorted by cells. body[] has the caller's numbers
+   of the bodies. place[] has all values of x, then of y, z and the mass. */
 struct tree {
     double theta2, least; /* theta squared; smallest side of a cell */
     size_t bodies, cells;
@@ -28,8 +29,9 @@ struct tree {
     double *place;
 };
 
-/* Moves to the front those of bodies first to end - 1 whose coordinate x is
-   below `middle`; returns the position of the first of the others. */
+/* Moves the bodies whose coordinate x is below `middle` to the front of the
+   bodies first to end - 1. Returns the position of the first of the other
+   bodies. */
 static size_t sort(struct tree *t, const double x[], size_t first,
                    size_t end, double middle)
 {
@@ -48,7 +50,7 @@ struct cube {
     double corner[3], side;
 };
 
-/* Returns part q of a cube: bit k of q says which half along axis k. */
+/* Returns part q of a cube. Bit k of q selects the half along axis k. */
 static struct cube eighth(struct cube c, int q)
 {
     c.side /= 2;
@@ -57,9 +59,10 @@ static struct cube eighth(struct cube c, int q)
     return c;
 }
 
-/* Sorts the bodies part[0] to part[8] - 1 into eighths of the cube, those
-   of eighth q from part[q] on; if one eighth has all, divides that instead.
-   Returns false if the bodies cannot be separated. */
+/* Sorts the bodies part[0] to part[8] - 1 into eighths of the cube. The
+   bodies of eighth q begin at part[q]. If one eighth has all bodies,
+   divides that eighth instead. Returns false if the bodies cannot be
+   separated. */
 static bool divide(struct tree *t, const double x[], size_t part[9],
                    struct cube *c)
 {
@@ -182,8 +185,8 @@ static inline bool is_small(const struct tree *t, const struct cell *c,
     return c->side * c->side < t->theta2 * d2;
 }
 
-/* Adds to the block, which begins with body i, the accelerations due to all
-   bodies. */
+/* Adds the accelerations due to all bodies to the block *o, which begins
+   with body i. */
 static inline void walk(const struct gravity *g, size_t i, struct block *o)
 {
     const struct tree *t = g->tree;

@@ -14,13 +14,13 @@ struct tree *tree_create(size_t bodies, const double mass[], double theta);
 /* Frees a tree, which may be NULL. */
 void tree_free(struct tree *t);
 
-/* Sorts the bodies at x[], 3 * bodies numbers axis by axis, into cells. The
-   tree depends only on x, not on earlier positions. */
+/* Sorts the bodies into cells. x[] has 3 * bodies coordinates, axis by
+   axis. The tree depends only on x, not on earlier positions. */
 void tree_build(struct tree *t, const double x[]);
 
 /* Adds to a[] the accelerations, due to all bodies, of the block that
-   begins with body i in the order of g->tree, which must have been built by
-   tree_build from this x. The error is at most (9.15, eq:tree-bound). */
+   begins with body i in the order of g->tree. tree_build must have built
+   the tree from this x. The error is at most (9.15, eq:tree-bound). */
 void tree_add(const struct gravity *g, const double x[], double a[],
               size_t i);
 

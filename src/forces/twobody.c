@@ -7,21 +7,21 @@
 
 /* A pair of adjacent numbers, one for each body, such as a coordinate. A
    step of two bodies is little more than a root and a quotient, each
-   waiting for the other. Passing all numbers through memory in between, as
-   the loops for many bodies do, takes a sixth of the time. Here they stay
-   in registers; the operations and their order are those of these loops. */
+   waiting for the other. The loops for many bodies pass all numbers through
+   memory in between, which takes a sixth of the time. Here the numbers stay
+   in registers. The operations and their order are those of the loops. */
 typedef double pair __attribute__((vector_size(16), aligned(8), may_alias));
 
-/* The motion of both bodies along one axis: coordinate, velocity,
-   acceleration, duration of half a kick (0 for a body fixed along this
+/* The motion of both bodies along one axis: coordinates, velocities,
+   accelerations, durations of half a kick (0 for a body fixed along this
    axis), and uniform gravity. */
 struct axis {
     pair x, v, a, kick, weight;
 };
 
-/* Does the second half of the last kick, if `owing`, then the first half of
-   the next kick and the drift, as in steps.h. Returns the difference of the
-   bodies' coordinates in both numbers of a pair. */
+/* Does the first half of the next kick and the drift, as in steps.h. If
+   `owing`, first does the second half of the last kick. Returns the
+   difference of the bodies' coordinates in both numbers of a pair. */
 static inline pair move(struct axis *k, double dt, bool owing)
 {
     const pair half = k->kick * k->a;
@@ -32,10 +32,10 @@ static inline pair move(struct axis *k, double dt, bool owing)
     return (pair){k->x[1], k->x[1]} - (pair){k->x[0], k->x[0]};
 }
 
-/* Takes steps of leapfrog, with the forces of add_pairs in pull.h. If plain
-   (see is_plain), leaves out the three operations that add 0 from the chain
-   of sixteen, each of which waits for the one before, and saves an eighth
-   of the time. */
+/* Takes steps of leapfrog, with the forces of add_pairs in pull.h. If
+   `plain` (see is_plain), leaves out the three operations that add 0. A
+   step is a chain of sixteen operations, each of which waits for the one
+   before. Leaving out three saves an eighth of the time. */
 static void run_two(const struct gravity *g, double dt, uint64_t steps,
                     struct axis axis[3], bool plain)
 {
@@ -80,10 +80,10 @@ static bool has_minus_zero(pair p)
 }
 
 /* Returns whether the bodies are in the plane z = 0, without softening and
-   uniform gravity, so that run_two may leave these out. This changes no
-   bits, since adding 0 changes only -0, to 0. So no velocity may begin as
-   -0, which would stay; none becomes -0 later, and 0 is added to the
-   accelerations after the loop. */
+   uniform gravity. run_two may then leave these out. This changes no bits,
+   since adding 0 changes only -0, to 0. A velocity that begins as -0 would
+   stay -0, so it is not allowed. No velocity becomes -0 later, and 0 is
+   added to the accelerations after the loop. */
 static bool is_plain(const struct gravity *g, const struct axis axis[3])
 {
     const struct axis *x = axis, *y = axis + 1, *z = axis + 2;

@@ -1,13 +1,13 @@
-/* Allocates doubles, aligned to cache lines. */
+/* Allocates arrays of doubles that are aligned to cache lines. */
 #include "toolbox/aligned.h"
 
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Allocates one byte for n = 0, so that NULL always means that memory has
-   run out; otherwise no more than requested, so that a sanitizer detects a
-   read beyond the end. */
+/* For n = 0 allocates one byte, because NULL must always mean that memory
+   has run out. Otherwise allocates no more than requested, to let a
+   sanitizer detect a read beyond the end. */
 double *aligned_doubles(size_t n)
 {
     void *memory;

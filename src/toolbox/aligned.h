@@ -1,7 +1,7 @@
 /* Memory aligned to cache lines. */
-/* A vector of eight doubles that is not aligned to a cache line lies across
-   two lines and is loaded or, worse, stored in two pieces; malloc aligns to
-   16 bytes only. Springs read four such arrays in every step. */
+/* A vector of eight doubles that crosses a cache line is loaded and stored
+   in two pieces, which is slower. malloc aligns memory to 16 bytes only.
+   Springs read four aligned arrays in every step. */
 #ifndef TOOLBOX_ALIGNED_H
 #define TOOLBOX_ALIGNED_H
 
@@ -9,8 +9,8 @@
 
 enum { ALIGNED_LINE = 64 }; /* size of a cache line, bytes */
 
-/* Returns n doubles, all 0, aligned to a cache line, to be freed with
-   free(); NULL if memory runs out. */
+/* Allocates n doubles, all 0, aligned to a cache line. The caller frees
+   them with free(). Returns NULL if memory runs out. */
 double *aligned_doubles(size_t n);
 
 #endif

@@ -39,8 +39,6 @@ double bench_median(double values[], size_t n)
     return values[n / 2];
 }
 
-/* Also names the compiler's flags, since a time means nothing without
-   them. */
 void bench_machine(struct table *t)
 {
     char line[BUFSIZ];

@@ -1,8 +1,8 @@
-/* Times for tables of speed: clocks, medians, the name of the machine. */
-/* Each time is the processor time of one process, the median of an odd
-   number of runs: a mean would include every disturbance, and a minimum is
-   reached only on an idle machine. Methods to be compared are run in turn,
-   so that a slow minute slows all of them. */
+/* Measures computing times: clocks, medians, the name of the machine. */
+/* A measured time is the median of the processor times of an odd number of
+   runs. A mean would include every disturbance, and a minimum is reached
+   only on an idle machine. Methods to be compared run in turn, so a slow
+   minute slows all of them. */
 #ifndef TOOLBOX_BENCH_H
 #define TOOLBOX_BENCH_H
 
@@ -11,25 +11,26 @@
 #include <stddef.h>
 
 enum {
-    BENCH_ROUNDS = 5, /* runs of which the median is taken */
-    BENCH_MOST = 8    /* largest number of values that take turns */
+    BENCH_ROUNDS = 5, /* number of runs for a median */
+    BENCH_MOST = 8    /* largest n of BENCH_TURNS */
 };
 
-/* Returns the processor time that this process has used, s. */
+/* Returns the processor time that this process has used [s]. */
 double bench_seconds(void);
 
-/* Returns the time of a clock that cannot be set, s. It is for work shared
-   by several threads, whose processor times are added up: threads save time
-   only on this clock. */
+/* Returns the time [s] on a clock that cannot be set. Use this clock for
+   work that several threads share: processor time is the sum over all
+   threads and does not show the time that threads save. */
 double bench_clock(void);
 
-/* Sorts n values, n > 0, and returns their median; for even n, the larger
-   of the two in the middle. */
+/* Sorts the values and returns their median. For even n, returns the larger
+   of the two values in the middle. Requires n > 0. */
 double bench_median(double values[], size_t n);
 
-/* Sets median[i], for i from 0 to n - 1, to the median of `value`, an
-   expression in i. The values take turns, round by round, after a first
-   round that warms up and is overwritten. n is BENCH_MOST at most. */
+/* Sets median[i], for i from 0 to n - 1, to the median of the expression
+   `value', which may contain i. Each round evaluates the expression once
+   for every i. A first round warms up and does not count. Requires n <=
+   BENCH_MOST. */
 #define BENCH_TURNS(i, n, median, value)                                   \
     do {                                                                   \
         double bench_value[BENCH_MOST][BENCH_ROUNDS];                      \
@@ -42,8 +43,8 @@ double bench_median(double values[], size_t n);
             (median)[i] = bench_median(bench_value[i], BENCH_ROUNDS);      \
     } while (0)
 
-/* Writes the processor's name, if Linux gives it, and the compiler into the
-   head of a table. */
+/* Writes the compiler, its flags and, on Linux, the name of the processor
+   to the head of a table. */
 void bench_machine(struct table *t);
 
 #endif

@@ -1,4 +1,4 @@
-/* Formats doubles in 128-bit integers, or by the C library. */
+/* Formats doubles with 128-bit integers or, outside their range, printf. */
 #include "toolbox/digits.h"
 
 #include <math.h>
@@ -6,8 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Returns a b / 2^shift, rounded to the nearest whole number, and a tie to
-   the even one. The result must fit into 64 bits; shift is 1 to 63. */
+/* Returns a b / 2^shift, rounded to the nearest integer, ties to even. The
+   result must fit into 64 bits. Requires 1 <= shift <= 63. */
 static uint64_t scaled(uint64_t a, uint64_t b, int shift)
 {
     const uint64_t a0 = a & UINT32_MAX, a1 = a >> 32;
@@ -23,10 +23,10 @@ static uint64_t scaled(uint64_t a, uint64_t b, int shift)
 
 enum { DIGITS = 17, HALF = 8 };
 
-/* Writes n, which has 17 digits, as the decimal number n 10^(point - 16),
-   and returns the end of the text. Zeros at the end of a fraction are left
-   out, as %.17g does. The two halves of the digits are independent, so a
-   processor works at both at once. */
+/* Writes n 10^(point - 16) as a decimal number and returns the end of the
+   text. n has 17 digits. Omits zeros at the end of a fraction, like %.17g.
+   The loop converts eight upper and eight lower digits independently, so a
+   processor can work on both at once. */
 static char *write_digits(char *c, uint64_t n, int point)
 {
     char digit[DIGITS];
@@ -54,7 +54,7 @@ static char *write_digits(char *c, uint64_t n, int point)
     return c;
 }
 
-/* Returns 5^k for k from 1 to 21, by squaring. */
+/* Returns 5^k, computed by repeated squaring. Requires 1 <= k <= 21. */
 static uint64_t five_to(int k)
 {
     uint64_t power = k % 2 == 1 ? 5 : 1;
@@ -64,8 +64,8 @@ static uint64_t five_to(int k)
     return power;
 }
 
-/* Splits a normal number b 2^(e - 53): returns the integer b and sets
- *e. */
+/* Splits size, a normal number, into b 2^(*e - 53) with an integer b.
+   Returns b. */
 static uint64_t take_apart(double size, int *e)
 {
     uint64_t bits;
@@ -75,12 +75,15 @@ static uint64_t take_apart(double size, int *e)
 }
 
 /* Multiplies by a power of ten in integers. If 10^p <= x < 10^(p+1), the
-   digits are those of 10^(16-p) x, and for x = b 2^(e-53) that is b
-   5^(16-p) / 2^(37+p-e). From 1e-4 to 1e15 the power of five has at most 49
-   bits, the product 102, and the power of two is 2^1 to 2^45: the division
-   is a shift, and the bits shifted out say exactly how to round. The first
-   p is floor((e-1) log10 2) or one more. One more gives 18 digits, and so
-   does a number that rounds up to 10^17: then the next p is right. */
+   digits of x are those of 10^(16-p) x. For x = b 2^(e-53), that product is
+   b 5^(16-p) / 2^(37+p-e). From 1e-4 to 1e15 the power of five has at most
+   49 bits and the product at most 102. The power of two is 2^1 to 2^45, so
+   the division is a shift, and the bits shifted out determine the rounding
+   exactly.
+
+   p is floor((e-1) log10 2) or one more. If the first p is too small, the
+   result has 18 digits. The result also has 18 digits if it rounds up to
+   10^17. In both cases p + 1 is right. */
 size_t digits_write(char text[DIGITS_ROOM], double value)
 {
     const double size = fabs(value);

@@ -1,4 +1,4 @@
-/* Writes head, rows and summary of a table, to a file or to memory. */
+/* Writes the head, the rows and the summary of a table. */
 #include "toolbox/lines.h"
 
 #include "toolbox/digits.h"
@@ -12,8 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Records the first error. Any call may be the first to notice a full disk,
-   since streams are buffered; table_close reports it. */
+/* Any call may be the first to notice a full disk, because streams are
+   buffered. table_close reports the error. */
 void lines_note_error(struct table *t, bool good)
 {
     if (!good && t->error == 0)
@@ -33,11 +33,11 @@ void lines_release_head(struct table *t)
     t->head = NULL;
 }
 
-/* The most bytes of a head that are kept in memory. */
+/* Largest size of a head that is kept in memory, bytes. */
 enum { MOST_HEAD = 65536 };
 
-/* Returns whether a text of this format continues the head: as one of its
-   lines, as an empty line, or as the rest of a line. */
+/* Returns whether text with this format belongs to the head: a line that
+   begins with #, an empty line, or the rest of an unfinished line. */
 static bool continues_head(struct table *t, const char *format)
 {
     fflush(t->stream);
@@ -58,10 +58,10 @@ bool table_print(struct table *t, const char *format, ...)
     return t->error == 0;
 }
 
-/* Writes 17 digits, which determine every double, so that a run can be
-   continued from its table: around x, decimals of 17 digits are at most
-   1e-16 |x| apart, doubles at least 1.1e-16 |x|. The sign of a NaN is left
-   out: it means nothing and differs between compilers. */
+/* Writes 17 digits, which determine every double: around x, decimals with
+   17 digits are at most 1e-16 |x| apart, and doubles at least 1.1e-16 |x|.
+   A run can therefore be continued from its table. The sign of a NaN is
+   left out, because it means nothing and differs between compilers. */
 static void print_real(struct table *t, double value)
 {
     char text[DIGITS_ROOM] = "nan";
@@ -69,7 +69,7 @@ static void print_real(struct table *t, double value)
     lines_note_error(t, fwrite(text, 1, n, t->stream) == n);
 }
 
-/* Writes no date, machine or folder, so that equal commands give equal
+/* Writes no date, machine or folder, because equal commands must give equal
    bytes. */
 void table_begin(struct table *t, const char *command, uint64_t seed)
 {
@@ -97,8 +97,9 @@ static void put(struct table *t, char c)
     lines_note_error(t, putc(c, t->stream) != EOF);
 }
 
-/* Asserts the number of values, since a row with too few would shift every
-   later plot. That is a mistake of the program, not of its user. */
+/* Asserts the number of values, because a row with too few values would
+   shift every later plot. This is a bug of the program and not a mistake of
+   its user. */
 bool table_row(struct table *t, size_t n, const double values[])
 {
     assert(t->columns == 0 || n == t->columns);
@@ -112,8 +113,8 @@ bool table_row(struct table *t, size_t n, const double values[])
     return t->error == 0;
 }
 
-/* Returns whether a key matches a name of the list, in which a part in
-   angle brackets, as in "mean_<column>", stands for one or more letters. */
+/* Returns whether key matches name. A part of name in angle brackets, as in
+   "mean_<column>", matches one or more letters. */
 static bool is_named(const char *key, const char *name)
 {
     if (*name != '<')
@@ -124,9 +125,9 @@ static bool is_named(const char *key, const char *name)
     return false;
 }
 
-/* Writes a key and a space. A key that is not listed, or is written twice,
-   is a mistake of the program, since --help prints the list; table_close
-   asserts that none is missing. */
+/* Writes a key and a space. --help prints the list of keys, so a program
+   must not write a key that is not listed, or write a key twice.
+   table_close asserts that no key is missing. */
 static void print_key(struct table *t, const char *key)
 {
     uint64_t fit = 0;
@@ -147,7 +148,7 @@ void table_real(struct table *t, const char *key, double value)
     table_print(t, "\n");
 }
 
-/* Takes an integer, since a double would round counts above 2^53. */
+/* Takes an integer, because a double would round counts above 2^53. */
 void table_count(struct table *t, const char *key, uint64_t value)
 {
     print_key(t, key);

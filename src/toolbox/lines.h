@@ -1,6 +1,6 @@
-/* The inside of a table, only for toolbox/table.c and page/table.c. */
-/* toolbox/table.c writes files; page/table.c writes to memory, in a
-   browser. Both write the same lines, by the functions of lines.c. */
+/* Defines struct table, for toolbox/table.c and page/table.c only. */
+/* toolbox/table.c writes files. page/table.c writes to memory in a browser.
+   Both write the same lines with the functions of lines.c. */
 #ifndef TOOLBOX_LINES_H
 #define TOOLBOX_LINES_H
 
@@ -15,9 +15,9 @@ struct table {
     char *name;       /* the path as given; NULL: standard output */
     size_t size;      /* bytes in `name`, for a table in memory */
     char *path;       /* final name, links resolved, or NULL */
-    char *temporary;  /* the file being written, or NULL if in place */
-    bool exists;      /* whether the file existed when opened; */
-    struct stat file; /* if so, its status */
+    char *temporary;  /* temporary name, or NULL if none */
+    bool exists;      /* whether the file existed when opened */
+    struct stat file; /* its status, if it existed */
     size_t columns;
     const struct table_key *keys; /* keys of a summary, or NULL */
     uint64_t written;             /* bit k is set if keys[k] was written */
@@ -30,10 +30,12 @@ struct table {
     struct table *next; /* next in the list of open tables */
 };
 
-/* Stores errno if `good` is false and this is the first failure. */
+/* Stores errno as the error of t if `good` is false and t has no earlier
+   error. */
 void lines_note_error(struct table *t, bool good);
 
-/* Writes the head if it is in memory; later text is written directly. */
+/* Writes the head if it is still in memory. Later text is written
+   directly. */
 void lines_release_head(struct table *t);
 
 #endif

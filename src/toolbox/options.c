@@ -35,9 +35,9 @@ void options_fail(struct options *o, const char *format, ...)
     exit(OPTIONS_FAILURE);
 }
 
-/* Prints each line of an explanation from column 28 on; `width` characters
-   are on the first line already. If they reach that column, the explanation
-   begins on the next line. */
+/* Prints each line of text from column 28 on. The first line already
+   contains `width` characters. If these reach column 28, the text begins on
+   the next line. */
 static void print_from(int width, const char *text)
 {
     const int column = 28;
@@ -53,8 +53,8 @@ static void print_from(int width, const char *text)
     }
 }
 
-/* Returns the letter of an option without its flags, or 0 if it has
-   none. */
+/* Returns the letter of an option without its flags, or 0 if it has no
+   letter. */
 static int letter_of(const struct options_entry *e)
 {
     return e->letter & 0xff;
@@ -70,8 +70,8 @@ static void print_entry(const struct options_entry *e)
     print_from(width, e->help);
 }
 
-/* Prints a heading; for NULL prints "always:" if a heading came before.
-   Returns the heading, to be passed as `before` to the next call. */
+/* Prints a heading. If heading is NULL and `before' is not, prints
+   "always:". Returns heading, which becomes `before' of the next call. */
 static const char *print_heading(const char *heading, const char *before)
 {
     if (heading)
@@ -114,8 +114,8 @@ void options_keys(struct options *o, const struct table_key *keys)
     o->keys = keys;
 }
 
-/* Prints help or version to standard output and exits, with EXIT_FAILURE if
-   this cannot be written. */
+/* Prints help or version to standard output and exits. The exit status is
+   EXIT_FAILURE if standard output cannot be written. */
 static _Noreturn void print_and_exit(const struct options *o, bool help)
 {
     if (help)
@@ -129,8 +129,8 @@ static _Noreturn void print_and_exit(const struct options *o, bool help)
     exit(EXIT_FAILURE);
 }
 
-/* The command for the head of a table, written to memory. It can be
-   static: a process has one command line. */
+/* The command for the head of a table, written to memory. Static variables
+   suffice, because a process has only one command line. */
 static FILE *command_stream;
 static char *command_text;
 static size_t command_size;
@@ -147,9 +147,9 @@ static void begin_command(struct options *o)
     fputs(o->program, command_stream);
 }
 
-/* Writes a value so that a shell reads it back: plain if it has no special
-   character, else in single quotes. A single quote becomes '\''. A newline,
-   which would end the line of the head, becomes $'\n'. */
+/* Writes a value in a form that a shell reads back. Values with special
+   characters are written in single quotes. A single quote becomes '\''. A
+   newline becomes $'\n', because it would end the line of the head. */
 static void write_quoted(FILE *stream, const char *text)
 {
     static const char *const plain =
@@ -169,8 +169,8 @@ static void write_quoted(FILE *stream, const char *text)
     fputc('\'', stream);
 }
 
-/* Adds an option to the command by its full name, unless it is marked
-   OPTIONS_SILENT. */
+/* Adds the current option to the command with its full name, unless the
+   option has the flag OPTIONS_SILENT. */
 static void add_to_command(struct options *o)
 {
     if (o->current->letter & OPTIONS_SILENT)
@@ -196,9 +196,9 @@ static const struct options_entry *named(const struct options *o,
     return e;
 }
 
-/* Copies the value of an option or, if it was not given, its default, which
-   is in parentheses at the end of its help. Returns false if the option has
-   neither. */
+/* Copies the value of option e to value or, if e was not given, its
+   default. The default is in parentheses at the end of e->help. Returns
+   false if e has neither a value nor a default. */
 static bool get_value(const struct options *o,
                       const struct options_entry *e, char value[],
                       size_t size)
@@ -214,7 +214,8 @@ static bool get_value(const struct options *o,
     return given || standard;
 }
 
-/* Returns whether a value is in a list with ", " between its items. */
+/* Returns whether value is an item of list, where ", " separates the
+   items. */
 static bool is_among(const char *value, const char *list)
 {
     const size_t length = strlen(value);
@@ -228,8 +229,8 @@ static bool is_among(const char *value, const char *list)
     }
 }
 
-/* Calls options_fail if a condition of the heading of option e is not met;
-   the message names the other option of that condition. */
+/* Calls options_fail if a condition in the heading of option e does not
+   hold. The message names the option in that condition. */
 static void check_heading(struct options *o, const struct options_entry *e,
                           const char *heading)
 {
@@ -252,9 +253,9 @@ static void check_heading(struct options *o, const struct options_entry *e,
         if (*values && no && among)
             options_fail(o, "means nothing with --%s %s%s", name, value,
                          given ? "" : ", the default");
-        /* If the other option was not given, its default is not quoted as
-           if it had been: a third option may have replaced it, as lists do
-           with the preset of bonkers. */
+        /* If the other option was not given, do not quote its default as if
+           the user had given it. A third option may have replaced the
+           default, as lists replace the preset of bonkers. */
         if (*values && !no && !among && !given)
             options_fail(o, "means nothing without --%s %s", name, values);
         if (*values && !no && !among)
@@ -263,8 +264,8 @@ static void check_heading(struct options *o, const struct options_entry *e,
     }
 }
 
-/* Checks the headings of all options given. It is called after the last
-   option, since a heading may depend on an option given later. */
+/* Checks the headings of all options that were given. Must be called after
+   the last option, because a heading may depend on a later option. */
 static void check_headings(struct options *o)
 {
     const char *heading = NULL;
@@ -287,8 +288,8 @@ void options_refuse(struct options *o, const char *name, const char *why)
     options_fail(o, "means nothing %s", why);
 }
 
-/* Refuses an output that would replace an input file under any of its
-   names, links included. */
+/* Refuses an output that would replace an input file, even if their names
+   differ because of links. */
 static void protect_inputs(struct options *o)
 {
     for (int i = 0; o->entries[i].name; ++i)
@@ -317,10 +318,12 @@ void options_begin(struct options *o, const char *program,
 
 enum { HELP = OPTIONS_LONG + OPTIONS_MAXIMUM, VERSION };
 
-/* Returns what getopt_long returns for the next option; a long one has the
-   code OPTIONS_LONG + its index. In `letters`, "-" makes it return other
-   arguments in their order, the first ":" suppresses its messages, which
-   are written here, and ":" after a letter announces a value. */
+/* Calls getopt_long for the next option and returns the result, which is
+   OPTIONS_LONG + index for a long option. In `letters`, "-" makes
+   getopt_long return other arguments in their order. The first ":" makes it
+   return ':' for a missing value. A ":" after a letter means that the
+   option has a value. opterr = 0 suppresses the messages of getopt_long,
+   because this file writes its own. */
 static int ask_getopt(struct options *o)
 {
     struct option list[OPTIONS_MAXIMUM + 3] = {0}, *l = list;
@@ -343,7 +346,8 @@ static int ask_getopt(struct options *o)
 }
 
 /* Returns the entry with this code (its letter, or OPTIONS_LONG + its
-   index), or NULL. The entry without name has the code OPTIONS_ARGUMENT. */
+   index), or NULL. OPTIONS_ARGUMENT is the code of the entry without a
+   name. */
 static const struct options_entry *find_entry(const struct options *o,
                                               int code)
 {
@@ -356,8 +360,8 @@ static const struct options_entry *find_entry(const struct options *o,
     return NULL;
 }
 
-/* Fails with the option's help, which lists the possible values, on one
-   line. */
+/* The message includes the option's help on one line, because the help
+   lists the possible values. */
 static _Noreturn void fail_without_value(struct options *o)
 {
     char help[2048];
@@ -382,9 +386,10 @@ static void fail_if_ambiguous(struct options *o, const char *given)
     }
 }
 
-/* Fails with a message for an option that getopt_long refuses. It returns
-   ":" for a missing value and otherwise "?", and sets optopt to the code of
-   a known option, to the letter of an unknown short one, otherwise to 0. */
+/* Prints an error for an option that getopt_long has refused. code is ':'
+   for a missing value and otherwise '?'. getopt_long has set optopt to the
+   code of a known option, to the letter of an unknown short option, or else
+   to 0. */
 static _Noreturn void refuse_option(struct options *o, int code)
 {
     const char *given = o->arguments[optind - 1];
@@ -402,9 +407,9 @@ static _Noreturn void refuse_option(struct options *o, int code)
                  o->program);
 }
 
-/* Sets `ended` when getopt_long returns -1, at the end or at a double dash,
-   after which everything is an argument: another call would read those
-   arguments as options. */
+/* getopt_long returns -1 at the end or at "--", after which everything is
+   an argument. `ended` prevents another call of getopt_long, which would
+   read these arguments as options. */
 int options_next(struct options *o)
 {
     o->current = NULL;
@@ -440,9 +445,9 @@ static bool is_digit(char c)
     return '0' <= c && c <= '9';
 }
 
-/* Adds an exponent such as e6 to *scale; returns false unless there is one
-   from -999 to 999. A larger one is a mistake or belongs to a zero, and
-   would make the loops of read_count long. */
+/* Reads an exponent such as e6 and adds it to *scale. Returns false unless
+   the exponent is from -999 to 999. A larger exponent is a mistake or
+   belongs to a zero, and would make the loops of read_count long. */
 static bool read_exponent(const char *text, int *scale)
 {
     char *end;
@@ -458,10 +463,10 @@ static bool read_exponent(const char *text, int *scale)
     return true;
 }
 
-/* Reads a whole number, exactly, as digits and a power of ten: 300e-2 is 3,
-   1.5 is refused. atoi makes 0 of "ten" and 1 of "1e6"; a double would
-   round seeds above 2^53. 10 n + d exceeds 2^64 - 1 exactly if n is larger
-   than the whole part of (2^64 - 1 - d) / 10. */
+/* Reads a whole number exactly, as digits and a power of ten: 300e-2 is 3,
+   and 1.5 is refused. atoi would read "ten" as 0 and "1e6" as 1. A double
+   would round seeds above 2^53. 10 n + d exceeds 2^64 - 1 exactly if n is
+   larger than the whole part of (2^64 - 1 - d) / 10. */
 static bool read_count(const char *text, uint64_t *value)
 {
     int scale = 0;
@@ -501,9 +506,9 @@ uint64_t options_count(struct options *o, uint64_t low, uint64_t high)
     return n;
 }
 
-/* Reads a finite decimal number, and nothing else: strtod skips spaces,
-   reads nan, infinity and base 16, and stops at the first unknown
-   letter. */
+/* Reads a finite decimal number and nothing else. strtod alone would skip
+   spaces, accept nan, infinity and hexadecimal numbers, and ignore letters
+   after the number. */
 static bool read_real(const char *text, double *value)
 {
     char *end;
@@ -537,8 +542,8 @@ double options_positive(struct options *o, double high)
     return options_real(o, OPTIONS_POSITIVE, high);
 }
 
-/* Ends the program with a message that shows the wrong item and the whole
-   value, since an error such as "1,,2" is easily typed and hard to see. */
+/* The error message shows the wrong item and the whole value, because a
+   mistake such as "1,,2" is hard to see. */
 size_t options_list(struct options *o, double values[], size_t max)
 {
     char item[64];

@@ -1,4 +1,4 @@
-/* Writes the line of progress, and handles signals that end a run. */
+/* Writes the progress line, and handles signals that end a run. */
 #include "toolbox/progress.h"
 #include "toolbox/replace.h"
 
@@ -11,8 +11,8 @@
 #include <time.h>
 #include <unistd.h>
 
-/* Returns the time of a clock that does not jump when the time is set, s.
-   Reading it is cheap, without a system call, but not free. */
+/* Returns the time [s] on a clock that does not jump when the time is
+   set. */
 static double seconds(void)
 {
     struct timespec now;
@@ -29,15 +29,15 @@ void progress_begin(struct progress *p, const char *program, uint64_t total,
     p->visible = isatty(STDERR_FILENO) == 1;
 }
 
-/* Returns the fraction of the work that is done, or 0 if it is unknown. */
+/* Returns the fraction of the work done, or 0 if the total is unknown. */
 static double fraction_done(const struct progress *p)
 {
     return p->total > 0 ? (double)p->done / (double)p->total : 0;
 }
 
-/* Overwrites the previous line, and its end with spaces if it was longer.
-   If a fraction f took the time T, the rest takes T (1-f)/f, provided the
-   work is spread evenly. */
+/* Overwrites the previous line, with spaces after the new line if it is
+   shorter. If the fraction f took the time `elapsed' and the work is spread
+   evenly, the rest takes elapsed (1-f)/f. */
 static void print_progress(struct progress *p, double elapsed,
                            uint64_t events)
 {
@@ -54,7 +54,7 @@ static void print_progress(struct progress *p, double elapsed,
     p->width = width;
 }
 
-/* Prints the line, but not in the first second, in which most runs end. */
+/* Prints nothing in the first second, because most runs end before that. */
 void progress_update(struct progress *p, uint64_t done, uint64_t events)
 {
     p->done = done;
@@ -67,13 +67,13 @@ void progress_update(struct progress *p, uint64_t done, uint64_t events)
     print_progress(p, now - p->start, events);
 }
 
-/* Seconds that a run has to end after a signal: some loops check for one
-   rarely, and a program that waits for its input does not check at all. */
+/* Time that a run has to end after a signal, s. Some loops seldom check for
+   signals, and a program that waits for input does not check at all. */
 enum { SECONDS_TO_END = 10 };
 static volatile sig_atomic_t signal_seen;
 
-/* Stores the number of the first signal, in the one type that a handler can
-   write whole; ends the process at the second signal. */
+/* Stores the number of the first signal, and ends the process at the
+   second. signal_seen has a type that a handler can write in one step. */
 static void note_signal(int number)
 {
     if (signal_seen) {
@@ -85,8 +85,8 @@ static void note_signal(int number)
     alarm(SECONDS_TO_END);
 }
 
-/* Ends the process when its time to stop is over (SIGALRM), by the signal
-   that asked it to stop. */
+/* Handles SIGALRM, which comes when the time to stop is over: ends the
+   process with the signal that asked it to stop. */
 static void end_process(int number)
 {
     (void)number;
@@ -100,8 +100,8 @@ int progress_signal(void)
     return signal_seen;
 }
 
-/* Sets SA_RESTART: otherwise a write that the signal interrupts would fail,
-   and a run that its user stopped would report a disk error. */
+/* Without SA_RESTART, a write that the signal interrupts would fail, and a
+   run that its user stopped would report a disk error. */
 void progress_catch_signals(void)
 {
     const int numbers[] = {SIGINT, SIGTERM, SIGHUP, SIGXCPU};

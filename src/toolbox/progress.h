@@ -14,32 +14,33 @@ struct progress {
     bool visible;
 };
 
-/* Starts the clock. total is the final value of done, 0 if that is not
-   known; what names the events, as in "collisions". Strings are not
-   copied. */
+/* Starts the clock. total is the final value of `done', or 0 if the final
+   value is unknown. `what' names the events, such as "collisions". The
+   strings are not copied. */
 void progress_begin(struct progress *p, const char *program, uint64_t total,
                     const char *what);
 
 /* Shows the fraction done, the events per second and the time left on
-   standard error, at most 5 times per second, if that is a terminal and the
-   run has lasted a second. Each call reads the clock; one call in a
+   standard error, if that is a terminal. Begins after one second and shows
+   at most 5 lines per second. Each call reads the clock, so one call per
    thousand events is enough. */
 void progress_update(struct progress *p, uint64_t done, uint64_t events);
 
-/* Makes the first SIGINT, SIGTERM, SIGHUP or SIGXCPU only set what
-   progress_signal returns: the main loop checks it now and then, ends, and
-   closes its tables as usual. The second signal ends the process, and so do
-   ten seconds without progress_end. A signal that the process was started
-   to ignore stays ignored. */
+/* Makes the first SIGINT, SIGTERM, SIGHUP or SIGXCPU only set the value of
+   progress_signal. The main loop should check this value now and then, end,
+   and close its tables as usual. A second signal ends the process at once.
+   The process also ends if progress_end is not called within ten seconds of
+   the first signal. A signal that was ignored when the process started
+   stays ignored. */
 void progress_catch_signals(void);
 
-/* Returns the signal that asks the run to stop, or 0. */
+/* Returns the signal that has asked the run to stop, or 0. */
 int progress_signal(void);
 
-/* Clears the line. Returns true if no signal has asked the run to stop;
-   otherwise prints the fraction done on standard error and returns false.
-   The program then exits with status 1, so that no script takes an
-   incomplete run for a whole one. */
+/* Clears the line. Returns true if no signal has asked the run to stop.
+   Otherwise prints the fraction done on standard error and returns false.
+   The program must then exit with status 1, to tell scripts that the run is
+   incomplete. */
 bool progress_end(struct progress *p);
 
 #endif

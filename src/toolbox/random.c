@@ -1,17 +1,19 @@
-/* Implements xoshiro256**, a logarithm, and variates made with both. */
+/* Implements xoshiro256**, a logarithm, and distributions based on both. */
 #include "toolbox/random.h"
 
 #include <assert.h>
 #include <math.h>
 
-/* Increases a counter and returns a word that a mixer makes from it. The
-   increment is 2^64 over the golden ratio, made odd, so the counter repeats
-   only after all 2^64 values; each step of the mixer can be undone. So
-   different counters give different words, and of four words in a row at
-   most one is zero: the one forbidden state of xoshiro256**, four zeros,
-   cannot occur. The seed itself would be a poor state: the scrambler sees
-   only the second word, so every seed would begin with 0, and a state of
-   mostly zeros stays so for dozens of linear steps. */
+/* Increases *counter and returns a word that a mixer computes from it. The
+   increment is 2^64 divided by the golden ratio, rounded to an odd number,
+   so the counter takes all 2^64 values before it repeats. Each step of the
+   mixer is invertible, so different counters give different words. Of four
+   successive words at most one is therefore zero, and the one forbidden
+   state of xoshiro256**, four zeros, cannot occur.
+
+   A state of the seed and three zeros would be poor. random_bits returns a
+   function of the second word only, so every sequence would begin with 0. A
+   state of mostly zeros also stays mostly zeros for dozens of steps. */
 static uint64_t splitmix64(uint64_t *counter)
 {
     uint64_t z = *counter += 0x9e3779b97f4a7c15;
@@ -31,10 +33,11 @@ static uint64_t rotate_left(uint64_t x, int by)
     return (x << by) | (x >> (64 - by));
 }
 
-/* Scrambles (multiplies, rotates, multiplies) a word of the state, then
-   steps. The step is linear over the field of two elements and would be
-   recognised without the scrambler. Its constants give the period 2^256 -
-   1. By hand: the state (1, 2, 3, 4) gives 11520, then 0. */
+/* Scrambles a word of the state (multiplies, rotates, multiplies), then
+   steps. The step is linear over the field of two elements. Without the
+   scrambling, tests of randomness would detect this. The constants of the
+   step give the period 2^256 - 1. Computed by hand: the state (1, 2, 3, 4)
+   gives 11520, then 0. */
 uint64_t random_bits(struct random *r)
 {
     uint64_t *s = r->state;
@@ -49,8 +52,8 @@ uint64_t random_bits(struct random *r)
     return result;
 }
 
-/* Uses the upper 53 bits, which convert exactly. All 64 bits would be
-   rounded, and once in 2^54 calls up to 1, which [0,1) excludes. */
+/* Uses the upper 53 bits, which a double represents exactly. All 64 bits
+   would be rounded, once in 2^54 calls up to 1, which [0,1) excludes. */
 double random_uniform(struct random *r)
 {
     return (double)(random_bits(r) >> 11) * 0x1p-53;
@@ -62,9 +65,10 @@ double random_between(struct random *r, double low, double high)
     return low + (high - low) * random_uniform(r);
 }
 
-/* Rejects the lowest values drawn. With 2^64 = q n + surplus, plain
-   remainders would favour the first `surplus` values; without the lowest
-   `surplus` values each remainder has exactly q of them. */
+/* Rejects the lowest `surplus' values of bits, where 2^64 = q n + surplus.
+   Without rejection, the remainders below surplus would belong to q + 1
+   values and the others to q. With rejection, every remainder belongs to
+   exactly q values. */
 uint64_t random_below(struct random *r, uint64_t n)
 {
     uint64_t bits;
@@ -76,14 +80,17 @@ uint64_t random_below(struct random *r, uint64_t n)
     return bits % n;
 }
 
-/* Draws one of the octaves [2^k low, 2^(k+1) low), all equally likely since
-   the integral of dx/x over [a, 2a) is log 2 for every a, and in it m from
-   1 to 2, kept with probability 1/m. A value of at least `high` is
-   rejected, and the octave is drawn again, too. In a single octave m ends
-   at high / low, or a range of 1 to 1.001 would reject nearly everything.
-   At least log 2 / 2, one in three, of the draws are kept. The number of
-   octaves is the smallest K with 2^K low >= high, from frexp, which does
-   not round: log and exp of the C library differ between machines. */
+/* Draws one of the octaves [2^k low, 2^(k+1) low). All octaves are equally
+   likely, because the integral of dx/x over [a, 2a) is log 2 for every a.
+   In the octave, draws m uniformly from 1 to 2 and accepts it with
+   probability 1/m. If the result is `high' or more, rejects it and draws
+   the octave again, too. If there is only one octave, m ends at high / low:
+   with m up to 2, a range of 1 to 1.001 would reject nearly everything. At
+   least log 2 / 2 of the draws, one in three, are accepted.
+
+   The number of octaves is the smallest K with 2^K low >= high. frexp gives
+   this number without rounding. The C library's log and exp cannot be used,
+   because they differ between machines. */
 double random_log_uniform(struct random *r, double low, double high)
 {
     double x, m;
@@ -104,25 +111,25 @@ double random_log_uniform(struct random *r, double low, double high)
     return x;
 }
 
-/* Uses only + - * /, which IEEE 754 rounds alike everywhere; the C
-   library's log differs in its last bits, which is enough to make two runs
-   of a gas differ altogether.
+/* Uses only + - * /, which IEEE 754 rounds alike everywhere. The C
+   library's log differs in its last bits between machines. That is enough
+   to make two runs of a gas differ completely.
 
-   x is 2^e m, with m from sqrt(1/2) to sqrt(2). For s = (m-1)/(m+1) the
+   Let x = 2^e m with m from sqrt(1/2) to sqrt(2), and s = (m-1)/(m+1). The
    logarithm of m is 2 (s + s^3/3 + s^5/5 + ...), where s^2 <= 0.02944. The
    terms after s^19/19 add less than s^20 / (21 (1 - s^2)) = 2.4e-17 times
-   s, which is 0.11 epsilon. s stays outside the loop, so that the rounding
-   errors of the loop affect a correction of at most 1 %. log 2 is a sum of
-   two parts, the first of 42 bits, so that its product with the exponent
-   (11 bits) is exact.
+   s, which is 0.11 epsilon. The loop does not include the first term, s, so
+   the rounding errors of the loop affect a correction of at most 1 %. log 2
+   is a sum of two parts. The first part has 42 bits, so its product with
+   the exponent (11 bits) is exact.
 
-   Error: m - 1 is exact, m + 1 and the quotient are rounded once each, so s
-   is right within epsilon; the loop adds 0.05, the series 0.11, and for
-   exponent 0 the last addition 0.5 epsilon: less than 1.7 epsilon, that is
-   3.4 units in the last place. For other exponents |log x| >= 0.347 and
-   |2s| <= 0.343, so the sum is off by at most 0.7 epsilon, less than 3
-   units. Hence the header promises 4. Measured at four million points
-   against long double: 2. */
+   Error: m - 1 is exact, and m + 1 and the quotient are rounded once each,
+   so s is right within epsilon. The loop adds 0.05 epsilon, the series 0.11
+   and, for exponent 0, the last addition 0.5. The total is less than 1.7
+   epsilon, that is 3.4 units in the last place. For other exponents |log x|
+   >= 0.347 and |2s| <= 0.343, so the error of the sum is at most 0.7
+   epsilon, less than 3 units. The header therefore promises 4 units.
+   Measured at four million points against long double: 2 units. */
 double random_log(double x)
 {
     int exponent;
@@ -141,13 +148,13 @@ double random_log(double x)
     return exponent * high + (2 * s + (2 * s * sum + exponent * low));
 }
 
-/* Draws a point (u, v) that is uniform in the unit disk. Its angle is
-   uniform, with the cosine u / sqrt(t), and t = u^2 + v^2 is uniform in
-   (0,1) and independent of the angle. So t serves for the radius as well:
-   the square of the radius of two normal variates is distributed as -2 log
-   t. The second variate, with v, is thrown away: to keep it the generator
-   would have to remember more than its 256 bits, and two programs that draw
-   in another order could no longer be compared. */
+/* Draws a point (u, v) uniformly from the unit disk. The angle of the point
+   is uniform and has the cosine u / sqrt(t), where t = u^2 + v^2. t is
+   uniform in (0,1) and independent of the angle, so t can also determine
+   the radius: the sum of the squares of two normal variates is distributed
+   like -2 log t. A second variate could be computed from v, but the
+   generator would have to store it in addition to its 256 bits. Two
+   programs that draw in different orders could then not be compared. */
 double random_normal(struct random *r)
 {
     double u, v, t;
@@ -159,10 +166,10 @@ double random_normal(struct random *r)
     return u * sqrt(-2 * random_log(t) / t);
 }
 
-/* Rejects points outside the ball: uniform coordinates divided by their
-   length would favour the corners of the cube. In three dimensions 52 % are
-   kept. Points within 2^-20 of the centre are rejected, too: coordinates
-   are multiples of 2^-52, so few directions exist there. */
+/* Rejects points outside the unit ball, because the corners of the cube
+   would make some directions more likely. In three dimensions 52 % of the
+   points are accepted. Also rejects points within 2^-20 of the centre:
+   coordinates are multiples of 2^-52, so few directions exist there. */
 void random_direction(struct random *r, size_t dimensions,
                       double direction[])
 {

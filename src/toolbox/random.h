@@ -1,59 +1,61 @@
 /* Random numbers that are the same on every machine. */
-/* The C library's rand differs from machine to machine, so generator,
-   logarithm and variates are our own. They are not for secrets: a few
-   outputs determine the rest. Two threads must not draw from one generator,
-   since the order of their draws would be chance: draw a seed for each run
-   before the threads start. */
+/* The C library's rand differs between machines, so this file has its own
+   generator, logarithm and distributions. Do not use them for secrets: a
+   few outputs determine the rest. Two threads must not draw from one
+   generator, because the order of their draws would be left to chance. Draw
+   a seed for each run before the threads start. */
 #ifndef TOOLBOX_RANDOM_H
 #define TOOLBOX_RANDOM_H
 
 #include <stddef.h>
 #include <stdint.h>
 
-/* A generator: the 256 bits of xoshiro256**, never all zero. Nothing else
-   is remembered, so a copy of the struct continues the same sequence. */
+/* The state of the generator xoshiro256**, never all zero. A copy of the
+   struct continues the same sequence. */
 struct random {
     uint64_t state[4];
 };
 
-/* Returns the next 64 bits. Source: xoshiro256**, Blackman and Vigna,
-   ACM Transactions on Mathematical Software 47:36, 2021. */
+/* Returns the next 64 random bits. Source: xoshiro256**, Blackman and
+   Vigna, ACM Transactions on Mathematical Software 47:36, 2021. */
 uint64_t random_bits(struct random *r);
 
-/* Sets the state from one number, through splitmix64. Any seed is good;
-   equal seeds give equal sequences on every machine. Source: Steele, Lea
-   and Flood, OOPSLA 2014, page 453. */
+/* Computes the state from seed with splitmix64. Any seed is good. Equal
+   seeds give equal sequences on every machine. Source: Steele, Lea and
+   Flood, OOPSLA 2014, page 453. */
 void random_seed(struct random *r, uint64_t seed);
 
-/* Returns a multiple of 2^-53 in [0,1), each equally likely. */
+/* Returns a random multiple of 2^-53 in [0,1). All are equally likely. */
 double random_uniform(struct random *r);
 
-/* Returns low + (high - low) u with u from random_uniform. Requires low <=
-   high with a finite difference. Only rounding can give high itself. */
+/* Returns a uniformly distributed random number from low to high: low +
+   (high - low) u with u from random_uniform. Only rounding can make the
+   result equal to high. Requires low <= high and a finite difference. */
 double random_between(struct random *r, double low, double high);
 
-/* Returns a whole number from 0 to n-1, each exactly equally likely.
-   Requires n > 0. */
+/* Returns a random whole number from 0 to n - 1. All are exactly equally
+   likely. Requires n > 0. */
 uint64_t random_below(struct random *r, uint64_t n);
 
-/* Returns a number from [low, high) with density proportional to 1/x, so
-   that every factor of two in the range is equally likely. If low = high,
-   returns low. Requires 0 < low <= high, finite and not subnormal. */
+/* Returns a random number x in [low, high) with a density proportional to
+   1/x: all intervals from a to 2a in the range are equally likely. If low =
+   high, returns low. Requires 0 < low <= high, both finite and not
+   subnormal. */
 double random_log_uniform(struct random *r, double low, double high);
 
-/* Returns the natural logarithm of x within 4 units in the last place, the
-   same bits on every machine. Requires x > 0, finite. Source: the series
-   of 2 artanh((x-1)/(x+1)). */
+/* Returns the natural logarithm of x with an error of at most 4 units in
+   the last place, and with the same bits on every machine. Requires x > 0,
+   finite. Source: the series of 2 artanh((x-1)/(x+1)). */
 double random_log(double x);
 
-/* Returns a normal variate of mean 0 and variance 1. Source: the polar
-   method, Marsaglia and Bray, SIAM Review 6:260, 1964. */
+/* Returns a normally distributed random number with mean 0 and variance 1.
+   Source: the polar method, Marsaglia and Bray, SIAM Review 6:260, 1964. */
 double random_normal(struct random *r);
 
-/* Fills direction[0..dimensions-1] with a unit vector, every direction
-   equally likely; its length is 1 within 4e-16. Requires dimensions 1, 2
-   or 3. Source: rejection, von Neumann, NBS Applied Mathematics Series
-   12:36, 1951. */
+/* Fills direction[0..dimensions-1] with a random unit vector. All
+   directions are equally likely. The length of the vector is 1 within
+   4e-16. Requires dimensions = 1, 2 or 3. Source: rejection, von Neumann,
+   NBS Applied Mathematics Series 12:36, 1951. */
 void random_direction(struct random *r, size_t dimensions,
                       double direction[]);
 

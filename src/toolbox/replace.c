@@ -1,8 +1,8 @@
-/* Creates temporary files, renames them, removes them at an early end. */
-/* If a program wrote straight to the final name, a run killed half way
+/* Creates, renames and removes temporary files. */
+/* If a program wrote directly to the final name, a run killed half way
    would leave a file that looks like a result, and the previous result
-   would be lost. Renaming within a folder is a single act of the file
-   system. */
+   would be lost. The file system renames a file within a folder in a single
+   step. */
 #include "toolbox/replace.h"
 
 #include <errno.h>
@@ -14,18 +14,18 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* The temporaries to be removed if the process ends early: plain pointers,
-   NULL for a free place, since a signal handler may read them at any
-   moment, in the middle of malloc or printf. A child of fork inherits the
-   list but must not remove what its parent is writing: hence `owner`, the
-   process that filled the list. */
+/* The temporary files to be removed if the process ends early; NULL marks a
+   free entry. The entries are plain pointers, because a signal handler may
+   read them at any moment, even during malloc. A child process inherits the
+   list but must not remove the files of its parent. `owner' is therefore
+   the process that filled the list. */
 enum { MOST_FILES = 8 };
 static char *volatile temporaries[MOST_FILES];
 static pid_t owner;
 
-/* Removes the files by unlink, one of the few functions that a signal
-   handler may call. Only SIGKILL leaves a file bonkers.XXXXXX behind, and
-   never half a table under its final name. */
+/* unlink is one of the few functions that a signal handler may call. Only
+   SIGKILL leaves a file bonkers.XXXXXX behind, and no signal leaves half a
+   table under its final name. */
 void replace_abandon(void)
 {
     for (int i = 0; i < MOST_FILES && owner == getpid(); ++i)
@@ -33,8 +33,9 @@ void replace_abandon(void)
             unlink(temporaries[i]);
 }
 
-/* Replaces an entry: adds `new` if `old` is NULL, removes `old` if `new` is
-   NULL. Returns false, with errno set, if the list is full. */
+/* Replaces the entry `old' of the list by `new': adds new if old is NULL,
+   and removes old if new is NULL. If the list is full, sets errno and
+   returns false. */
 static bool swap_temporary(const char *old, char *new)
 {
     for (int i = 0; i < MOST_FILES; ++i)
@@ -46,8 +47,8 @@ static bool swap_temporary(const char *old, char *new)
     return false;
 }
 
-/* Removes the temporaries, then ends the process by the same signal, so
-   that the shell learns what ended it. */
+/* Removes the temporary files, then ends the process with the same signal,
+   which tells the shell why the process ended. */
 static void die_tidily(int number)
 {
     replace_abandon();
@@ -55,11 +56,12 @@ static void die_tidily(int number)
     raise(number);
 }
 
-/* Forgets, in a child of fork, the files of its parent; the call at exit is
-   inherited. SIGPIPE (the reader of a pipe has gone) and SIGXFSZ (a limit
-   on the size of files) kill silently; ignored, they become errors of
-   write, which can be reported. Signals that are ignored, as under nohup,
-   or handled already stay as they are. */
+/* A child process forgets the files of its parent and inherits the function
+   for atexit. By default SIGPIPE (the reader of a pipe has ended) and
+   SIGXFSZ (a file exceeds the size limit) kill a process without a message.
+   If they are ignored, write returns an error, which can be reported. Other
+   signals stay as they are if they are handled or ignored already, as under
+   nohup. */
 bool replace_prepare(void)
 {
     static const int fatal[] = {SIGHUP,  SIGINT,  SIGQUIT,
@@ -81,9 +83,10 @@ bool replace_prepare(void)
     return true;
 }
 
-/* Removes a temporary, or forgets one that was renamed. Its entry in the
-   list is cleared before the name is freed, since a signal may come in
-   between. errno is saved because unlink may overwrite it. */
+/* Removes the entry of a temporary file from the list, and the file itself
+   unless it was renamed. Clears the entry before it frees the name, because
+   a signal may come in between. Saves errno, because unlink may overwrite
+   it. */
 static void forget(char *temporary, bool renamed)
 {
     const int error = errno;
@@ -109,10 +112,10 @@ int replace_above(int file)
     return high;
 }
 
-/* Creates a file with a short name: the final name with an ending could
-   exceed the limit for file names, mostly 255 bytes. Sets the permissions,
-   since only the owner can read what mkstemp creates. The process's mask is
-   set twice, since it can be read in no other way. */
+/* The name of the temporary file is short: the final name with an ending
+   could exceed the limit for file names, usually 255 bytes. The permissions
+   must be set, because mkstemp creates a file that only its owner can read.
+   umask is called twice, because reading the mask also sets it. */
 int replace_begin(const char *path, mode_t mode, char **temporary)
 {
     const char *slash = strrchr(path, '/');
@@ -142,8 +145,8 @@ int replace_begin(const char *path, mode_t mode, char **temporary)
     return -1;
 }
 
-/* Calls link for only_new: it fails if the name exists, where rename would
-   replace the file. */
+/* For only_new, link fails if path exists, where rename would replace the
+   file. */
 bool replace_finish(char *temporary, const char *path, bool only_new)
 {
     const bool done = only_new ? link(temporary, path) == 0

@@ -1,4 +1,4 @@
-/* Runs the study that the command names, with its table and summary. */
+/* Runs the study that the command line names. */
 #include "toolbox/study.h"
 
 #include <assert.h>
@@ -14,9 +14,9 @@ struct command {
 
 enum { LINE = 64 }; /* largest length of a study's line in the help */
 
-/* Fills names and the help of --study from the list of studies, and returns
-   their number. The usual study is in parentheses at the end, as every
-   option's default is. */
+/* Fills names and help, the help of --study, from the list of studies.
+   Returns the number of studies. The usual study is in parentheses at the
+   end of help, like the default of every option. */
 static size_t list_studies(const struct study_program *p,
                            const char *names[STUDY_MOST + 1],
                            char help[STUDY_MOST * LINE])
@@ -35,9 +35,9 @@ static size_t list_studies(const struct study_program *p,
     return n;
 }
 
-/* Fills the list of options, the program's own between the common ones.
-   --seed comes under the heading p->drawing, which is written unless it is
-   also the last heading of the program's own options. */
+/* Fills the list of options: --study, the program's own options, then the
+   other common options. --seed has the heading p->drawing. It is not
+   repeated if it is also the last heading of the program's own options. */
 static void list_options(const struct study_program *p, const char *help,
                          struct options_entry entries[])
 {
@@ -108,8 +108,8 @@ static void read_command(const struct study_program *p, struct command *c,
         p->check(&o, names[c->study]);
 }
 
-/* Checks the command first, then opens the files, and only then runs the
-   study, so that no time is lost on a wrong command. */
+/* Checks the command before it opens the files, and opens the files before
+   it runs the study, because a study may take minutes. */
 int study_main(const struct study_program *p, int argc, char *argv[])
 {
     struct command c = {.seed = p->seeds > 0, .summary = "/dev/null"};

@@ -15,7 +15,6 @@
 
 static struct table *tables; /* list of the open tables */
 
-/* Prints the reason why there is no table. */
 static void complain(const char *program, const char *path,
                      const char *reason)
 {
@@ -71,11 +70,11 @@ static bool is_same(const struct stat *a, const struct stat *b)
     return a->st_dev == b->st_dev && a->st_ino == b->st_ino;
 }
 
-/* Returns whether an open table goes to the same place; errno is then 0,
-   since no number means that. Two tables on one file would replace each
-   other silently. Names may differ (x, ./x, a link), so the resolved names
-   are compared, and for existing files device and inode. A device may be
-   opened twice. */
+/* Returns whether another open table writes to the same file. In that case
+   errno is 0, because no error number has this meaning. Two tables on one
+   file would replace each other silently. Their names may differ (x, ./x, a
+   link), so resolved names are compared, and also device and inode if the
+   files exist. A device may be opened twice. */
 static bool is_taken(const struct table *t)
 {
     errno = 0;
@@ -89,11 +88,11 @@ static bool is_taken(const struct table *t)
     return false;
 }
 
-/* Returns the descriptor, from 0 to 9, which a shell can pass, that already
-   writes this file, or -1. After `-o /dev/stdout >>log` a new file in log's
-   place would lose the content of log. A descriptor that only reads does
-   not count: with `-o gas.dat <gas.dat` the old table can be read to its
-   end while the new one grows beside it. */
+/* Returns a descriptor from 0 to 9, the range that a shell can pass, that
+   is open for writing to this file, or -1. With `-o /dev/stdout >>log`, a
+   new file in place of log would lose the content of log. Descriptors that
+   can only read do not count: with `-o gas.dat <gas.dat` the old table can
+   be read to its end while the new table is written to a temporary file. */
 static int find_descriptor(const struct stat *file)
 {
     struct stat status;
@@ -104,8 +103,8 @@ static int find_descriptor(const struct stat *file)
     return -1;
 }
 
-/* Returns whether a path leads to devices or processes, which are written
-   in place. Files in /dev/shm are ordinary ones, kept in memory. */
+/* Returns whether path leads to a device or a process, which is written
+   directly. Files in /dev/shm are ordinary files in memory. */
 static bool is_special(const char *path)
 {
     if (strncmp(path, "/dev/shm/", 9) == 0)
@@ -115,7 +114,8 @@ static bool is_special(const char *path)
 }
 
 /* Returns the final name of a file that does not exist yet, to be freed, or
-   NULL. It resolves the folder, since realpath needs an existing file. */
+   NULL. Resolves only the folder, because realpath needs an existing
+   file. */
 static char *resolve_new(const char *path)
 {
     const char *slash = strrchr(path, '/');
@@ -130,20 +130,21 @@ static char *resolve_new(const char *path)
     return name;
 }
 
-/* Opens the file or device `path` (NULL: standard output). Returns false
-   with errno set, or with errno 0 if another table goes there.
+/* Opens the file or device `path` (NULL: standard output). On failure
+   returns false and sets errno; errno is 0 if another table writes to the
+   same file.
 
    - fstat notices a closed standard output before a long run, not after.
-   - A file that this process writes already is opened by a copy of the
-     descriptor: both share one position, so nothing is written over.
+   - If this process already writes the file, the descriptor is copied. Both
+     descriptors share one position, so nothing is overwritten.
    - A device or pipe is opened with O_APPEND, which keeps earlier output,
-     and without O_CREAT, so that the mistyped /dev/nul is an error and no
+     and without O_CREAT: the mistyped /dev/nul must be an error and not a
      new file.
-   - Replacing a file needs permission for its folder only; but a read-only
-     table must not be replaced, so access() checks the file as well.
-   - A name that lstat finds and stat does not is a link to nothing; an
+   - Replacing a file needs permission for its folder only. access() also
+     checks the file, because a read-only table must not be replaced.
+   - A name that lstat finds and stat does not is a link to nothing. An
      empty name comes from an unset variable of a script. Both are refused
-     now and not after the run. */
+     before the run, not after. */
 static bool open_table(struct table *t, const char *path)
 {
     if (!path) {
@@ -175,13 +176,13 @@ static bool open_table(struct table *t, const char *path)
            open_stream(t, replace_begin(t->path, mode, &t->temporary));
 }
 
-/* Keeps the head in memory until there is a row. A program often finds a
-   mistake in its command or input only after it has begun a table: then a
-   head alone on standard output would look like the result of a run. */
+/* Keeps the head in memory until the first row. A program often finds a
+   mistake in its command or input only after it has begun a table. A head
+   alone on standard output would look like the result of a run. */
 static void hold_head(struct table *t)
 {
     FILE *memory = open_memstream(&t->head, &t->head_size);
-    if (!memory) /* then the head is written at once */
+    if (!memory) /* write the head at once */
         return;
     t->held = t->stream;
     t->stream = memory;
@@ -191,7 +192,7 @@ struct table *table_open(const char *program, const char *path)
 {
     struct table *t = calloc(1, sizeof *t);
     if (replace_prepare())
-        tables = NULL; /* after fork they belong to the parent */
+        tables = NULL; /* after fork the tables are the parent's */
     if (path && strcmp(path, "-") == 0)
         path = NULL;
     if (t && open_table(t, path)) {
@@ -221,8 +222,8 @@ static bool is_complete(const struct table *t)
     return !k || !k->name || !*k->name;
 }
 
-/* Flushes the buffer and closes the file before the temporary gets the
-   final name: only then is it known whether everything was written. */
+/* Flushes and closes the file before it gets its final name, because only
+   then is it known whether everything was written. */
 bool table_close(struct table *t)
 {
     if (!t)

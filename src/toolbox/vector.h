@@ -1,20 +1,23 @@
-/* Compiles loops for several kinds of processor and chooses at run time. */
+/* Compiles loops for several kinds of processors; chooses at run time. */
 #ifndef TOOLBOX_VECTOR_H
 #define TOOLBOX_VECTOR_H
 
 #include <limits.h> /* for __GLIBC__ */
 
-/* VECTOR_LOOP stands before a function of plain loops: gcc compiles it once
-   for each kind of processor, and its first call chooses a version (ifunc,
-   so glibc only; sanitizers must be loaded before that; -DVECTOR_PLAIN is
-   for tests that compare the bytes). The versions differ only in how many
-   numbers an instruction takes: with -ffp-contract=off the compiler may
-   neither reorder a sum nor round once instead of twice, so all give the
-   same bytes. A loop that rounds otherwise must not be marked so: it gets a
-   name of its own, as the kernels of gravity do.
+/* Put VECTOR_LOOP before a function of plain loops. gcc then compiles the
+   function for each kind of processor, and the program chooses a version
+   when it runs (by ifunc, which only glibc has). The macro has no effect
+   with sanitizers, which would be loaded after the choice, or with
+   -DVECTOR_PLAIN, for tests that compare the bytes.
 
-   VECTOR_LONG asks for gcc's -O3, since only that level vectorises whole
-   loops, which does not pay for short ones. */
+   The versions differ only in the number of values that an instruction
+   processes. With -ffp-contract=off, the compiler may neither reorder a sum
+   nor round once instead of twice, so all versions give the same bytes. Do
+   not use VECTOR_LOOP for a loop that rounds differently. Give such a loop
+   a name of its own, as the kernels of gravity do.
+
+   VECTOR_LONG requests gcc's -O3, because only that level vectorises whole
+   loops. Short loops do not gain from it. */
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(VECTOR_PLAIN)
 #define VECTOR_HAS(kind) __builtin_cpu_supports(kind)
 #if !defined(__clang__) && defined(__GLIBC__) &&                           \
@@ -36,9 +39,10 @@
 #define VECTOR_LOOP
 #endif
 
-/* VECTOR_AVX2 and VECTOR_AVX512 stand before a function that is written
-   with these instructions; it may be called only if VECTOR_HAS(kind) is
-   true. They are undefined for compilers and processors without them. */
+/* Put VECTOR_AVX2 or VECTOR_AVX512 before a function that is written with
+   these instructions. Call such a function only if VECTOR_HAS(kind) is
+   true. The macros are undefined for compilers and processors without the
+   instructions. */
 #ifdef VECTOR_HAS
 #define VECTOR_AVX2 VECTOR_LONG __attribute__((target("avx2")))
 #define VECTOR_AVX512 __attribute__((target("avx512f")))

@@ -68,8 +68,9 @@ struct run {
    a sixteenth of the run is divided further, because errors are also judged
    between the written rows.
 
-   The 1e-9 allows for rounding: 0.001 divides 1 although 0.001 and the
-   quotient are not exact in binary, and 0.3 must be refused. */
+   The 1e-9 allows for rounding. 0.001 divides 1, although 0.001 and the
+   quotient are not exact in binary. 0.3 does not divide 1 and is
+   refused. */
 static void set_rows(struct run *r)
 {
     const double length = given.until - r->scene.time;
@@ -212,8 +213,8 @@ static void explain_interactions(const struct run *r)
 
 /* Explains the request and the reference run, the second part of the
    explanation. Candidates are compared with the reference. The doubt is the
-   difference between the reference and a coarser one. An exact model needs
-   no reference, and then the line about it is missing. */
+   difference between the reference and a coarser one. There is no line
+   about the reference if the model is exact and needs none. */
 static void explain_request(const struct run *r)
 {
     const struct choose_choice *c = &r->choice;

@@ -224,7 +224,7 @@ static void name_body(char text[], size_t size, size_t i, size_t gaps)
         snprintf(text, size, "mover %zu", i);
 }
 
-/* Begins a run and sets *until to the start's default end of the run. Ends
+/* Begins a run and sets *until to the default end time of this start. Ends
    the program if the start is impossible, before anything is written.
    Refuses speeds whose squares are subnormal, because subnormal numbers
    have fewer digits. There are two exceptions: falling bodies become

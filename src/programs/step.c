@@ -360,8 +360,8 @@ static void begin_watch(struct run *r)
 
 /* Computes the energy of a row. Returns whether it is finite and within the
    bound (11.16, eq:energy-bound), relative to the scale of the previous
-   rows. A scale of 0 belongs to a scene that starts at rest at height 0.
-   Any energy gained by its next row, even by rounding, would exceed the
+   rows. The scale is 0 for a scene that starts at rest at height 0. Any
+   energy gained by the next row, even by rounding, would then exceed the
    bound, so the bound is not applied. */
 static bool energy_is_in_bounds(struct run *r)
 {

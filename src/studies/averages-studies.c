@@ -1,4 +1,4 @@
-/* Compares time averages with the errors predicted for them. */
+/* Compares the errors of time averages with the predicted errors. */
 #include "choosing/averages.h"
 #include "choosing/models.h"
 #include "scenes/gallery.h"

@@ -229,8 +229,8 @@ static quad pair_time(const struct flight *f, size_t i, size_t j)
     return f->now + (c > 0 ? c / (quad_root(square) - b) : 0);
 }
 
-/* Returns the first collision of body i with a wall (5.1, eq:wall-time). A
-   body beyond a wall because of rounding collides with it at once. */
+/* Returns the first collision of body i with a wall (5.1, eq:wall-time). If
+   rounding has put the body beyond a wall, the two collide at once. */
 static struct meeting wall_time(const struct flight *f, size_t i)
 {
     const struct scene *s = f->scene;
@@ -412,9 +412,10 @@ static void fill_column(struct column *now, const struct column *before,
 
 /* Fills best with the extrapolated path and returns its last change, m.
    Halves the steps until the result no longer changes or a run costs more
-   than `budget`, s. If the steps are too long for a run, the table starts
-   again with the next run. Once the result has nine correct digits,
-   rounding causes any growth of the change and the search ends. */
+   than `budget`, s. If a run fails because its steps are too long, the
+   table starts again with the next run. Once the result has nine correct
+   digits, any growth of the change is due to rounding and ends the
+   search. */
 static double converge(struct path *best, const char *method,
                        const struct scene *s, double every, double budget)
 {
@@ -902,13 +903,14 @@ struct price_run {
 
 /* The runs that measure the price list. A run takes from 0.5 ms to some
    hundredths of a second: long enough for a clock that counts microseconds
-   and short enough to measure every unit six times. The bodies of the
-   choreography have 276 pairs. Most springs of a short beam do not form
-   bands. In a row of a hundred balls hardly any pair comes close; in a gas
-   many do. Radau's paths are polynomials of degree nine: sixty disks need
-   many such curves, and on a line most curves have a root. Two balls have
-   one gap and thirty have 29. A collision of four disks needs few
-   examinations and a collision of ninety many. */
+   and short enough to measure every unit six times. Each scene is chosen
+   for its kind of work. The bodies of the choreography have 276 pairs. Most
+   springs of a short beam do not form bands. In a row of a hundred balls
+   hardly any pair comes close; in a gas many do. Radau's paths are
+   polynomials of degree nine: sixty disks need many such curves, and on a
+   line most curves have a root. Two balls have one gap and thirty have 29.
+   A collision of four disks needs few examinations and a collision of
+   ninety many. */
 static const struct price_run price_runs[MODELS_UNITS] = {
     [MODELS_EVALUATION] = {"sun-earth", NULL, 0, "kahan-li8:1000", 10, 10},
     [MODELS_BODY] = {"ring", "particles", 500, "kahan-li8:40", 1, 10},
@@ -931,10 +933,10 @@ static const struct price_run price_runs[MODELS_UNITS] = {
     [MODELS_MODE] = {"cantilever", "nx", 12, "modes", 1, 2},
     [MODELS_ROW] = {"cradle", "balls", 2, "relabel", 1, 20000},
 };
-/* Carries out the run. Returns its processor time, s, and fills work[] with
-   its units. The time includes the start, which is most of the work for
-   `modes`. `alone` switches gravity off, so the bodies of a ring move
-   freely. */
+/* Carries out the run. Returns its processor time, s, and sets work[] to
+   the units of work done. The time includes the start, which is most of the
+   work for `modes`. `alone` switches gravity off, so the bodies of a ring
+   move freely. */
 static double time_run(const struct price_run *b, bool alone,
                        double work[MODELS_UNITS])
 {

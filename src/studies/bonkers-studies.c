@@ -36,10 +36,10 @@ static void begin_or_exit(struct bonkers *b,
 
 /* struct line is a small engine that examines all gaps and computes in the
    compiler's widest floating-point type. It either gives the true motion or
-   rounds every result to a lower precision, exactly as hardware of that
-   precision would: the widest type has more than twice the digits of a
-   float plus two, so rounding twice gives the same float as rounding
-   once. */
+   rounds every result to a lower precision. The rounded results are exactly
+   those of hardware with that precision: the widest type has more than
+   twice the digits of a float plus two, so rounding twice gives the same
+   float as rounding once. */
 enum { LINE_BODIES = 32 }; /* maximum number of bodies in a line */
 
 enum line_kind {
@@ -518,8 +518,8 @@ static void study_steps(struct study *s)
 }
 
 /* Returns the number of collisions of two balls with each other and with a
-   wall on their left, or 0 if the number is infinite, that is, if the balls
-   collapse. */
+   wall on their left. Returns 0 if the balls collapse, that is, collide
+   infinitely often. */
 static uint64_t count_until_still(double restitution)
 {
     struct bonkers b;
@@ -536,8 +536,8 @@ static uint64_t count_until_still(double restitution)
     return n;
 }
 
-/* Counts the collisions for many coefficients of restitution. In theory the
-   half-turn takes pi/phi rounds of two collisions (2.7, eq:collapse). */
+/* Counts the collisions for many coefficients of restitution. Theory
+   predicts pi/phi rounds of two collisions (2.7, eq:collapse). */
 static void study_collapse(struct study *s)
 {
     const double pi = acos(-1);
@@ -564,8 +564,9 @@ static void study_collapse(struct study *s)
 static const double pull = 9.81, long_run = 900; /* m/s^2; s */
 
 /* Returns the state at the time long_run of a ball dropped from 1 m,
-   computed with `steps` leapfrog steps. They are exact for a falling body.
-   The only error is that the bounce takes place at the end of a step. */
+   computed with `steps` leapfrog steps. Leapfrog is exact for a falling
+   body. The only error is that the bounce takes place at the end of a
+   step. */
 static struct bonkers_body bounce_in_steps(uint64_t steps)
 {
     struct bonkers_body a = {.x = 1};

@@ -153,7 +153,7 @@ static double row_bias(uint64_t i, const double v[BODIES])
 }
 
 /* Measures the energy drift of each form. The forms take turns of a million
-   collisions, so an interrupted run ends soon. */
+   collisions each, so an interrupted run ends soon. */
 static void study_drift(struct study *s)
 {
     double v[COLLIDE_FORMS][BODIES], error[COLLIDE_FORMS + 1];

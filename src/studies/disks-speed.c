@@ -33,9 +33,9 @@ static struct {
 
 /* Returns whether the lattice must be melted before the timing. A crystal
    would be faster than a fluid, because its disks keep their neighbours.
-   Disks that are denser than at freezing stay on their lattice. So do the
-   disks of a run with --collisions, which is too short to melt a dense
-   lattice. */
+   Above the freezing density the disks stay on their lattice. With
+   --collisions they also stay there, because the run is too short to melt a
+   dense lattice. */
 static bool is_fluid(void)
 {
     return own.packing <= (own.dimensions == 2 ? 0.70 : 0.494) &&

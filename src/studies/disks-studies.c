@@ -47,8 +47,8 @@ static void begin_four(struct disks *d, double v, uint64_t seed)
 enum { BINS = 100 };
 
 /* Returns the bin of a position. A disk that has just hit a wall is exactly
-   on the edge of a bin. Shrinking x by 1e-9 keeps rounding from choosing
-   the bin at random. */
+   on the edge of a bin. Moving x towards the middle by 1e-9 keeps rounding
+   from choosing the bin. */
 static int bin_of(double x)
 {
     const double inside = 0.5 + (x - 0.5) * (1 - 1e-9);
@@ -61,7 +61,7 @@ enum { OURS, ARTICLE, MENDED, CLOCKS };
 
 static const char *const clocks[CLOCKS] = {"clock", "article", "mended"};
 
-/* Runs four disks with loop `way`, counts their coordinates in bins[], and
+/* Runs four disks with loop `way`. Counts their coordinates in bins[] and
    raises *overlap to the deepest overlap. Returns the initial energy. */
 static double sample_by(int way, const struct study *s, struct loop *l,
                         double bins[BINS], double *overlap)
@@ -267,9 +267,9 @@ static double contact_errors(const double x[], const double v[],
 enum { GRAZE, GAP, EXACT, KINDS };
 
 /* Draws random pairs of one kind and raises worst[] to the largest errors.
-   For grazing pairs these are the errors of the stable root's time and of
-   the distance then. For the other kinds they are the time errors of the
-   textbook's and of the stable root, divided by the gap, which is about
+   For grazing pairs these are the errors of the stable root and of the
+   distance at that time. For the other kinds they are the time errors of
+   the textbook's and of the stable root, divided by the gap, which is about
    equal to the time. */
 static void worst_of(int kind, double size, struct random *r,
                      double worst[])

@@ -91,9 +91,9 @@ static double length(const double x[3])
 }
 
 /* Measures the Earth's period and the drift of the centre of mass in the
-   paper's example, with the paper's time step. Interpolates the period: at
-   height y above the axis and speed v_y, the Earth crossed the axis the
-   time y / v_y earlier. */
+   paper's example, with the paper's time step. The period is interpolated:
+   an Earth at height y above the axis with speed v_y crossed the axis y /
+   v_y earlier. */
 static void measure_year(struct study *s)
 {
     struct sky k;
@@ -919,8 +919,8 @@ static void add_single(const struct scene *s, size_t i, size_t first,
     }
 }
 
-/* Accelerations of a body along x and y: by the planet (body 0), by the
-   ring, and the rounding error of the ring's contribution in a model of a
+/* Accelerations of a body along x and y: due to the planet (body 0), due to
+   the ring, and the rounding error of the ring's part in a model of a
    single-precision sum. The model rounds each term to a multiple of the
    spacing of single-precision numbers near the planet's acceleration. */
 struct pulls {
@@ -959,7 +959,8 @@ enum { FIRST, LAST, CARRIED, ORDERS };
 
 /* Sets row[] to the number of particles of a ring and the root mean square
    errors of their acceleration for the three sums and for the model.
-   Samples about 250 particles. The unit is the acceleration by the ring. */
+   Samples about 250 particles. The unit is the acceleration due to the
+   ring. */
 static void compare_singly(const struct scene *s, double row[2 + ORDERS])
 {
     const size_t every = s->bodies > 256 ? s->bodies / 256 : 1;
@@ -1029,8 +1030,8 @@ static double energy_singly(bool single)
     return fabs(change);
 }
 
-/* Writes the error of the acceleration by the ring against its number of
-   particles, for a ring of constant mass. */
+/* Writes the error of the acceleration due to the ring against its number
+   of particles, for a ring of constant mass. */
 static void study_single(struct study *s)
 {
     struct sky k;
@@ -1119,10 +1120,10 @@ static double peak1(uint64_t n)
     return sum;
 }
 
-/* What a kernel is compared with: a loop of pure multiply-adds in `lanes`
-   lanes. `operations` is the kernel's number of operations per pair, where
-   a fused multiply-add counts as two, and a root, quotient or estimate as
-   one. */
+/* A kernel is compared with a loop of pure multiply-adds in `lanes` lanes.
+   `operations` is the kernel's number of operations per pair. A fused
+   multiply-add counts as two operations, and a root, quotient or estimate
+   as one. */
 struct yardstick {
     double operations, lanes;
     double (*peak)(uint64_t n);
@@ -1333,7 +1334,7 @@ static double time_forces(struct sky *k, int way, double a[])
     return (bench_seconds() - begin) * 1e3;
 }
 
-/* Sets ring[] to the acceleration of body i by the ring alone, which is a[]
+/* Sets ring[] to the acceleration of body i due to the ring alone: a[]
    minus the planet's part. Relative to the planet's part, the error of any
    tree would look small. */
 static void without_planet(const struct sky *k, size_t i, const double a[],
@@ -1352,7 +1353,7 @@ static void without_planet(const struct sky *k, size_t i, const double a[],
 
 /* Returns the root mean square error of the tree's accelerations a[]
    compared with the direct sum b[], in units of the root mean square
-   acceleration by the ring. */
+   acceleration due to the ring. */
 static double tree_error(const struct sky *k, const double a[],
                          const double b[])
 {

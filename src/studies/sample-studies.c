@@ -17,7 +17,7 @@ enum {
     BINS = 14, /* bins for a coordinate of a disk's centre */
     HALF = BINS / 2,
     WALLS = BINS, /* index of the left side of (6.5, eq:two-sides) */
-    PAIRS,        /* index of its right side */
+    PAIRS,        /* index of the right side of (6.5) */
     QUANTITIES,
     PATIENCE = 200000000 /* maximum number of throws in study_acceptance */
 };

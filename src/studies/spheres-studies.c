@@ -599,7 +599,7 @@ static void do_checks(struct study *s, int way, double dt,
     }
 }
 
-/* Checks PAPER and BACK with two lengths of step each. */
+/* Checks PAPER and BACK with two step lengths each. */
 static void study_checks(struct study *s)
 {
     double truth[MEASURED], error[MEASURED];
@@ -869,8 +869,8 @@ static void break_by_steps(enum spheres_order order, double dt, double x[])
 }
 
 /* Sets x[] to the positions after the break, computed by events in a box so
-   large that its walls have no effect. Converts positions from the corner
-   of the box to the middle of the table. */
+   large that its walls have no effect. The origin of x[] is the middle of
+   the table, not the corner of the box. */
 static void break_by_events(double jitter, uint64_t seed, double x[])
 {
     const double far = 50; /* m */
@@ -1137,8 +1137,8 @@ static void make_touching(struct scene *s, int way, size_t balls)
     s->velocity[0] = 1;
 }
 
-/* Returns the speed at which two balls separate after approaching each
-   other at 1 m/s, m/s. `gap` is added to their initial distance, m. */
+/* Returns the speed, m/s, at which two balls separate after approaching
+   each other at 1 m/s. `gap` is added to their initial distance, m. */
 static double parting_speed(int way, double dashpot, double gap, double dt)
 {
     struct scene s;
@@ -1215,8 +1215,8 @@ static void energy_range(double omega_dt, double *least, double *most)
     }
 }
 
-/* Returns the largest error of the parting speed, which should be e, over
-   contacts whose duration `time`, s, is steps - 1/2 to steps + 1/2 steps.
+/* Returns the largest error of the parting speed, which should be e. The
+   contacts last `time` seconds and `steps` steps, give or take half a step.
    With a whole number of steps, contacts would begin and end at the same
    phase of a step, and some errors would cancel. */
 static double worst_parting_speed(int way, double dashpot, double time,
@@ -1272,7 +1272,7 @@ static void study_touch(struct study *s)
                        exp(-pi * zeta / sqrt(1 - zeta * zeta)));
 }
 
-enum { LOCATED = WAYS + 1 }; /* way WAYS: by events */
+enum { LOCATED = WAYS + 1 }; /* WAYS means event-driven */
 
 /* Returns the duration of a run, s. Locating contacts is slow, so LOCATED
    runs last a fifth as long as the others. They are left out at packing

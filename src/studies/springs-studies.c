@@ -98,8 +98,8 @@ static double by_the_book(double g, double t)
 
 /* Returns the same position as by_the_book, from a power series in y = (w
    t)^2 that is valid for weak, critical and strong damping. The series
-   converges for all t but loses digits when many terms alternate in sign.
-   Use it for short times only. */
+   converges for all t but loses digits when many terms alternate in sign,
+   so it is for short times only. */
 static double by_series(double g, double t)
 {
     const double y = (1 - g) * (1 + g) * t * t;
@@ -641,9 +641,9 @@ static void put_between(struct scene *s, double a)
     s->position[7] = a;
 }
 
-/* Returns the period, s, of a mass that is displaced sideways by a between
-   two springs at rest length. The period is the time from the first to the
-   third passage through the middle. */
+/* Returns the period, s, of a mass between two springs at rest length. The
+   mass is displaced sideways by `a`. The period is the time from its first
+   to its third passage through the middle. */
 static double period(double a)
 {
     const double guess = 0.3 / a;
@@ -692,7 +692,7 @@ static double amplitude(const struct scene *s, size_t n, size_t r,
 }
 
 /* Returns the root of the sum of the squared amplitudes of all modes except
-   the first, divided by a. */
+   the first, divided by `a`. */
 static double others(const struct scene *s, size_t n, double a)
 {
     const double *const z = s->position + 2 * s->bodies;
@@ -1028,10 +1028,10 @@ static void study_beams(struct study *s)
 }
 
 /* Adds to f[] the forces of a band's springs on the bodies at one end of
-   each spring: those of larger index if side is 1, otherwise the others.
-   Dashpots are as printed by MPPhys. This is the method that the bands
-   replaced. Each body looks up all its neighbours, so every spring force is
-   computed twice. */
+   each spring. These are the bodies of larger index if side is 1, otherwise
+   those of smaller index. Dashpots are as printed by MPPhys. This is the
+   method that the bands replaced. Each body looks up all its neighbours, so
+   every spring force is computed twice. */
 VECTOR_LOOP static void look_up(const struct springs *p,
                                 const struct springs_band *b,
                                 const double *restrict x,

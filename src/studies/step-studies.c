@@ -639,9 +639,9 @@ static void study_fails(struct study *s)
     }
 }
 
-/* number of slightly different orbits over which errors are averaged; the
+/* The number of slightly different orbits whose errors are averaged. The
    rounding errors of a single orbit are one random walk, which may be small
-   by chance */
+   by chance. */
 enum { STARTS = 16 };
 
 /* Continues all orbits up to `steps` steps. Returns the root mean square of

@@ -440,8 +440,9 @@ static void warm_up(struct run *r, double each)
     const double slice = 1000 * first_piece(&r->d);
     while (r->d.collisions < last && !progress_signal() &&
            r->stop != DISKS_COLLAPSE) {
-        const uint64_t bite = r->d.collisions + 1000 + r->d.count;
-        r->stop = advance(r, r->d.now + slice, bite < last ? bite : last);
+        const uint64_t portion = r->d.collisions + 1000 + r->d.count;
+        r->stop =
+            advance(r, r->d.now + slice, portion < last ? portion : last);
     }
     if (r->stop != DISKS_COLLAPSE)
         advance(r, r->d.now * 1.01, UINT64_MAX);

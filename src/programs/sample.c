@@ -21,8 +21,8 @@ enum {
     MOST_DIGITS = 15, /* refuse more than 10^MOST_DIGITS throws */
     SOME = 256        /* samples between updates of progress */
 };
-#define GIVE_UP 1e8      /* consecutive failed throws */
-enum { BITE = 1 << 16 }; /* throws between checks for signals */
+#define GIVE_UP 1e8         /* consecutive failed throws */
+enum { PORTION = 1 << 16 }; /* throws between checks for signals */
 
 enum method { DIRECT, MARKOV, CHAINS };
 static const char *const method_names[] = {"direct", "markov", "chains",
@@ -309,7 +309,7 @@ static bool next_direct(struct run *run)
 {
     uint64_t throws = 1;
     while (sampling_throw(&run->p, &run->r) < run->p.disks.count)
-        if (throws++ % BITE == 0) {
+        if (throws++ % PORTION == 0) {
             progress_update(&run->progress, run->done, run->tries + throws);
             run->hopeless = throws > GIVE_UP;
             if (progress_signal() || run->hopeless) {

@@ -56,8 +56,8 @@ static struct averages_found find_pressure(const struct scene *s, double T)
 /* Writes a row with the pressure averaged over all of T and the estimate of
    averages_find. The estimate and its error are nan if averages_find
    refuses to answer. The two runs are independent: their starting
-   velocities differ by about 1e-12, so their paths separate after a few
-   dozen collisions. */
+   velocities differ by about one part in 1e12, so their paths separate
+   after a few dozen collisions. */
 static void study_pair(struct study *s, double T, double seed)
 {
     struct scene pair;

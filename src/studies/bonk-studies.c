@@ -250,8 +250,8 @@ static struct meeting wall_time(const struct flight *f, size_t i)
     return first;
 }
 
-/* Finds the next collision of body i. Also updates the next collision of
-   every other body that body i meets earlier. */
+/* Finds the next collision of body i. Also updates every other body whose
+   collision with body i comes before its own next collision. */
 static void predict(struct flight *f, size_t i)
 {
     f->next[i] = wall_time(f, i);

@@ -158,7 +158,7 @@ static double line_energy(const struct line *l)
    as a collision if there are a million bodies. */
 static double speed_of(struct bonkers *b)
 {
-    const double n = (double)b->gaps, bite = fmax(4, 1e5 / n);
+    const double n = (double)b->gaps, portion = fmax(4, 1e5 / n);
     const uint64_t before = b->collisions;
     const double start = bench_seconds();
     double seconds = 0;
@@ -167,7 +167,7 @@ static double speed_of(struct bonkers *b)
             bonkers_run(b, INFINITY,
                         b->collisions + 1 + (uint64_t)(1e6 / n));
         else
-            bonkers_run(b, b->now + bite, UINT64_MAX);
+            bonkers_run(b, b->now + portion, UINT64_MAX);
         seconds = bench_seconds() - start;
     }
     return (double)(b->collisions - before) / seconds;

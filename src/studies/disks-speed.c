@@ -95,15 +95,15 @@ struct engines {
     struct cells cells;
 };
 
-/* Runs `more` collisions in batches and checks for signals after each
-   batch. */
+/* Runs `more` collisions in portions and checks for signals after each
+   portion. */
 static void run_collisions(struct engines *e, bool fast, uint64_t more)
 {
     const struct disks *d = fast ? &e->disks : &e->pairs;
-    const uint64_t end = d->collisions + more, bite = 100000;
+    const uint64_t end = d->collisions + more, portion = 100000;
     for (uint64_t next = d->collisions;
          d->collisions == next && next < end && !progress_signal();) {
-        next += end - next < bite ? end - next : bite;
+        next += end - next < portion ? end - next : portion;
         if (fast)
             cells_run(&e->cells, INFINITY, next);
         else
@@ -112,19 +112,20 @@ static void run_collisions(struct engines *e, bool fast, uint64_t more)
 }
 
 /* Returns the collisions per second of one round. A round has
-   own.collisions collisions if that is set. Otherwise it runs batches until
-   0.2 s have passed. The slower all-pairs engine gets smaller batches. */
+   own.collisions collisions if that is set. Otherwise it runs portions
+   until 0.2 s have passed. The slower all-pairs engine gets smaller
+   portions. */
 static double speed_of(struct engines *e, bool fast)
 {
     const struct disks *d = fast ? &e->disks : &e->pairs;
-    const uint64_t bite = own.collisions ? own.collisions
-                          : fast         ? 10000
-                                         : 1 + 100000 / d->count;
+    const uint64_t portion = own.collisions ? own.collisions
+                             : fast         ? 10000
+                                            : 1 + 100000 / d->count;
     const uint64_t before = d->collisions;
     const double start = bench_seconds();
     double seconds = 0;
     do {
-        run_collisions(e, fast, bite);
+        run_collisions(e, fast, portion);
         seconds = bench_seconds() - start;
     } while (!own.collisions && seconds < 0.2);
     return (double)(d->collisions - before) / seconds;
@@ -265,7 +266,7 @@ static void make_cells(struct engines *e)
    to its nearest neighbour. If the disks filled the whole gap, thousands
    would touch and collide at the same time, and no calendar day would be
    short enough for so many events. */
-static double room_of(const struct cells *c, size_t i)
+static double grown_radius(const struct cells *c, size_t i)
 {
     const struct disk *disk = c->d->disk;
     const uint32_t *list = c->neighbour + i * c->seats;
@@ -290,7 +291,7 @@ static bool grow(struct engines *e)
 {
     bool whole = true;
     for (size_t i = 0; i < e->disks.count; ++i) {
-        const double radius = room_of(&e->cells, i);
+        const double radius = grown_radius(&e->cells, i);
         e->disks.disk[i].radius = radius;
         whole = whole && radius == 0.5;
     }

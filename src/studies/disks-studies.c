@@ -34,8 +34,7 @@ static void begin_or_exit(struct disks *d, size_t count, double r,
     program_give_up("no memory or no room for the disks");
 }
 
-static const double radius =
-    0.15; /* m, of four disks in a box of side 1 m */
+static const double radius = 0.15; /* m; the box is 1 m wide */
 
 static void begin_four(struct disks *d, double v, uint64_t seed)
 {
@@ -95,8 +94,7 @@ static void study_clock(struct study *s)
         double overlap = 0;
         const double energy = sample_by(way, s, &l, bins[way], &overlap);
         const double impulse = l.d.impulse[0] + l.d.impulse[1];
-        const double nkt =
-            disks_energy(&l.d); /* N kT = 2 E / D with D = 2 */
+        const double nkt = disks_energy(&l.d); /* 2 E / D, D = 2 */
         const double edge = (bins[way][15] + bins[way][84]) / 16 * BINS;
         TABLE_RESULTS_OF(
             s->summary, clocks[way], {"Z", impulse / (4 * nkt * l.t)},
@@ -386,11 +384,11 @@ static double speed_of(struct disks *d, bool plan)
 {
     const uint64_t before = d->collisions + d->wall_collisions;
     const double start = bench_seconds();
-    const double bite = plan ? 1 + 1e6 / (double)d->count
-                             : 1 + 1e6 / pow((double)d->count, 2);
+    const double portion = plan ? 1 + 1e6 / (double)d->count
+                                : 1 + 1e6 / pow((double)d->count, 2);
     double seconds = 0;
     while (seconds < 0.05) {
-        const uint64_t goal = d->collisions + (uint64_t)bite;
+        const uint64_t goal = d->collisions + (uint64_t)portion;
         if (plan)
             disks_run(d, INFINITY, goal);
         else
@@ -451,8 +449,7 @@ static double pressure_of(uint64_t collisions, uint64_t seed, bool plan,
 
 enum { RUNS = 32 };
 
-static const double reference =
-    2.69889; /* from direct sampling, +- 0.00031 */
+static const double reference = 2.69889; /* direct sampling, +- 0.00031 */
 
 /* Fills row[1] to row[4] with the times of both engines, the error and the
    bias for runs of row[0] collisions. Returns the number of runs in which

@@ -516,7 +516,7 @@ static double largest_energy_error(struct sky *k, double t, double *cost)
 {
     struct jacobi j = {0};
     const uint64_t steps = (uint64_t)round(t / k->stepping.dt);
-    const uint64_t bite = steps / 1000 + 1;
+    const uint64_t portion = steps / 1000 + 1;
     const double before = energy_of(k);
     double worst = 0;
     if (k->stepping.method->orbits) { /* drifts follow ellipses */
@@ -526,8 +526,8 @@ static double largest_energy_error(struct sky *k, double t, double *cost)
         k->stepping.flow = jacobi_flow;
     }
     *cost = -bench_seconds();
-    for (uint64_t n = 0; n < steps; n += bite) {
-        stepping_run(&k->stepping, bite);
+    for (uint64_t n = 0; n < steps; n += portion) {
+        stepping_run(&k->stepping, portion);
         worst = fmax(worst, fabs(energy_of(k) / before - 1));
     }
     *cost += bench_seconds();
@@ -870,8 +870,7 @@ static double precession(double e, double softening)
         before = now;
         now = x[0] * v[0] + x[1] * v[1];
     } while (!(before > 0 && now <= 0));
-    const double fraction =
-        now / (now - before); /* fraction of the last step */
+    const double fraction = now / (now - before); /* of the last step */
     for (size_t i = 0; i < 3; ++i)
         x[i] = x[i] - fraction * k.stepping.dt * v[i];
     end_sky(&k);

@@ -20,11 +20,10 @@ enum { MOST_RUNS = 1000 };
 
 static struct {
     uint64_t runs; /* runs with different seeds */
-    double until;  /* duration of the run in study_law, s */
+    double until;  /* duration of study_law's run, s */
 } own = {.runs = 8, .until = 600};
 
-static const double usual_length =
-    60; /* duration of runs in other studies, s */
+static const double usual_length = 60; /* of runs in other studies, s */
 
 /* Makes a scene of chapter 11 with the chosen values. */
 static void make_scene(struct scene *s, const char *name,
@@ -1122,8 +1121,7 @@ static const struct {
                          {"hertz", SCENE_HERTZ, 50000, 0},
                          {"gaps", SCENE_LINEAR, 5000, 0.03}};
 
-static const double pair_omega =
-    100; /* angular frequency of a linear contact, 1/s */
+static const double pair_omega = 100; /* of a linear contact, 1/s */
 
 /* Makes a row of balls of 1 kg. The first ball moves at 1 m/s. */
 static void make_touching(struct scene *s, int way, size_t balls)

@@ -11,12 +11,11 @@
 const char *const bonkers_engine_names[BONKERS_ENGINES + 1] = {
     "auto", "naive", "scan", "heap", "slab", NULL};
 
-/* Prepares a run, as bonkers_create does. Allocates only what the run
-   needs: no shifts for points, counters of repeats only if energy is lost,
-   fractions only for the scan and slab engines. The heap has room for all
-   gaps in the heap engine, for those of one island in the slab engine. If
-   memory runs out, bonkers_free frees what has been allocated; all other
-   pointers are NULL. */
+/* Prepares a run, as bonkers_create does, and allocates only what the run
+   needs. Points need no shifts. Counters of repeats are needed only if
+   energy is lost, and fractions only by the scan and slab engines. The heap
+   has room for all gaps in the heap engine, and for the gaps of an island
+   in the slab engine. */
 static bool create(struct bonkers *b, size_t movers, double restitution,
                    enum bonkers_engine engine, bool points)
 {
@@ -67,7 +66,7 @@ bool bonkers_create(struct bonkers *b, size_t movers, double restitution,
     return create(b, movers, restitution, engine, false);
 }
 
-/* Subtracts the s_i of (2.2, eq:rods) from the positions. radius and
+/* Subtracts the shifts s_i of (2.2, eq:rods) from the positions. radius and
    b->shift may be the same array. */
 static void take_out_radii(struct bonkers *b, const double radius[])
 {
@@ -80,10 +79,9 @@ static void take_out_radii(struct bonkers *b, const double radius[])
     }
 }
 
-/* Bodies that should touch may overlap after the radii have been
-   subtracted; an overlap no larger than the rounding error is corrected. A
-   larger overlap or a NaN is an error of the caller. Points need no
-   shifts. */
+/* Subtracting the radii may make touching bodies overlap by a rounding
+   error. Such an overlap is corrected. A larger overlap or a NaN is an
+   error of the caller. */
 size_t bonkers_start(struct bonkers *b, const double radius[])
 {
     b->extent = 0;
@@ -101,7 +99,7 @@ size_t bonkers_start(struct bonkers *b, const double radius[])
         if (!(right->x - left->x >= -engine_rounding(b, i + 1)))
             return i;
         if (right->x < left->x)
-            right->x = left->x; /* they overlap by rounding only */
+            right->x = left->x; /* the overlap is a rounding error */
         b->due[i] = time_due(b, i);
         if (b->fraction)
             b->fraction[i] = fraction(b, i);
@@ -111,10 +109,9 @@ size_t bonkers_start(struct bonkers *b, const double radius[])
     return b->gaps;
 }
 
-/* Mover i of the start becomes body i + 1 of the line, between two walls of
-   infinite mass. Points have no array of shifts, since a run would have to
-   read it. For other bodies the array first contains the radii, which
-   bonkers_start replaces by the shifts. */
+/* Mover i of the start becomes body i + 1 of the line. b->shift first
+   contains the radii, which bonkers_start replaces by the shifts. For
+   points it is NULL, so a run need not read it. */
 bool bonkers_begin(struct bonkers *b, const struct start *s,
                    double restitution, enum bonkers_engine engine,
                    size_t *wrong)
@@ -153,8 +150,8 @@ void bonkers_settle(struct bonkers *b)
 }
 
 /* Returns whether no gap will ever close. Without gravity, a gap of finite
-   length closes if its left body is faster than its right one; the two
-   positions need not be computed for a common time. */
+   length closes if its left body is faster than its right body. This test
+   does not need positions at the same time. */
 bool bonkers_is_still(const struct bonkers *b)
 {
     for (size_t i = 0; i < b->gaps; ++i)

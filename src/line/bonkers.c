@@ -1,6 +1,6 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 3682171056 of the lines below */
-/* Engines that find the next collision on a line and carry it out. */
+/* checksum 3334897227 of the lines below */
+/* Finds the next collision on a line, by one of four engines. */
 #include "line/bonkers.h"
 
 #include "line/collide.h"
@@ -28,8 +28,8 @@ static enum bonkers_stop idle_all(struct bonkers *b, double until)
     return BONKERS_TIME;
 }
 
-/* Moves all bodies by `wait`, s, to the next collision, which is in gap i,
-   and carries it out. Returns whether the run ends as BONKERS_COLLAPSE. */
+/* Moves all bodies for `wait`, s, until gap i closes, and collides the
+   bodies of this gap. Returns whether the run ends as BONKERS_COLLAPSE. */
 static bool move_and_collide(struct bonkers *b, size_t i, double wait)
 {
     struct bonkers_body *left = &b->body[i], *right = left + 1;
@@ -42,7 +42,8 @@ static bool move_and_collide(struct bonkers *b, size_t i, double wait)
     return count_repeat(b, i, stands, approach);
 }
 
-/* For every collision computes the times of all gaps; moves all bodies. */
+/* For every collision, computes the times of all gaps and moves all
+   bodies. */
 static enum bonkers_stop run_naive(struct bonkers *b, double until,
                                    uint64_t limit)
 {
@@ -78,8 +79,8 @@ enum bonkers_stop engine_idle(struct bonkers *b, double until)
     return BONKERS_STILL;
 }
 
-/* For every collision compares the stored times of all gaps; moves only two
-   bodies. */
+/* For every collision, compares the stored times of all gaps and moves only
+   two bodies. */
 static enum bonkers_stop run_scan(struct bonkers *b, double until,
                                   uint64_t limit)
 {
@@ -105,7 +106,7 @@ void engine_reschedule(struct bonkers *b, size_t i)
         schedule_drop(&b->schedule, i);
 }
 
-/* For every collision takes the earliest gap from the top of the heap;
+/* For every collision, takes the earliest gap from the top of the heap and
    moves only two bodies. */
 enum bonkers_stop engine_run_heap(struct bonkers *b, double until,
                                   uint64_t limit)

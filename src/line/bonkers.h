@@ -23,35 +23,37 @@ enum bonkers_stop {
     BONKERS_TIME,       /* the time was reached */
     BONKERS_COLLISIONS, /* the number of collisions was reached */
     BONKERS_STILL,      /* there will be no further collision */
-    BONKERS_COLLAPSE    /* the clock stands still, or bodies are too slow */
+    BONKERS_COLLAPSE    /* the clock does not advance, or bodies are too
+                           slow */
 };
 
-/* The engines: methods of finding the next collision. All but the naive one
-   give results equal to the last bit. BONKERS_AUTO stands for the scan with
-   up to BONKERS_SCANNED movers, and for the slab engine with more. */
+/* Methods of finding the next collision. All but BONKERS_NAIVE give the
+   same results to the last bit. BONKERS_AUTO selects the scan for up to
+   BONKERS_SCANNED movers, and the slab engine for more. */
 enum bonkers_engine {
     BONKERS_AUTO,
     BONKERS_NAIVE, /* computes all gaps, moves all bodies */
     BONKERS_SCAN,  /* compares all stored times, moves two bodies */
-    BONKERS_HEAP,  /* takes earliest time from a heap, moves two bodies */
+    BONKERS_HEAP,  /* takes the earliest time from a heap, moves two
+                      bodies */
     BONKERS_SLAB,  /* runs distant bodies independently for a while */
     BONKERS_ENGINES
 };
 
 enum {
     BONKERS_SCANNED = 32,  /* most movers for which the scan is fastest */
-    BONKERS_REPEATS = 100, /* collisions at one time, see most_repeats */
-    BONKERS_MOVERS = 10000000 /* most movers, which need 1 GB */
+    BONKERS_REPEATS = 100, /* see most_repeats */
+    BONKERS_MOVERS = 10000000 /* largest number of movers, 1 GB */
 };
 
-/* A run of bodies between two walls: body 0 on the left, body `gaps` on the
-   right. The caller may read body, gaps, now, collisions, disorder and
-   redone, and may set gravity before the start. */
+/* A run of bodies between two walls. Body 0 is the left wall, and body
+   `gaps` the right wall. The caller may read body, gaps, now, collisions,
+   disorder and redone, and may set gravity before the start. */
 struct bonkers {
     struct bonkers_body *body;
     size_t gaps;   /* number of movers + 1 */
     double now;    /* the present time, s */
-    double begun;  /* when the present call of bonkers_run began, s */
+    double begun;  /* time at the last call of bonkers_run, s */
     double extent; /* largest distance from 0 at the start, m */
     uint64_t collisions;
     uint64_t disorder; /* pairs that bonkers_state found out of order */
@@ -61,54 +63,54 @@ struct bonkers {
     double gravity;    /* acceleration towards body 0, m/s2; not negative */
     double *due;       /* time when gap i will close, s */
     double *shift;     /* the s_i of (2.2, eq:rods); NULL: all zero */
-    uint32_t *repeats; /* collisions of gap i at one time; NULL: elastic */
+    uint32_t *repeats; /* collisions of gap i while the clock does not
+                          advance; NULL: elastic */
     double *fraction;  /* f of gap i (1.12, eq:smaller), or NULL */
     struct schedule schedule;
     struct bonkers_slab *slab;
 };
 
-/* Prepares a run of `movers` bodies between two walls by this engine, with
-   restitution from 0 to 1; all numbers of the bodies are 0. Requires 1 to
-   BONKERS_MOVERS movers. Returns false, with nothing to free, if memory
-   runs out. */
+/* Prepares a run of `movers` bodies, 1 to BONKERS_MOVERS, between two walls
+   by this engine. restitution is from 0 to 1. All numbers of the bodies are
+   0. Returns false, with nothing to free, if memory runs out. */
 bool bonkers_create(struct bonkers *b, size_t movers, double restitution,
                     enum bonkers_engine engine);
 void bonkers_free(struct bonkers *b);
 
 /* Starts a run at time 0. The caller has filled in body[0..gaps]: x (m, of
    the centre), v (m/s) and im (1/kg). radius contains the radii of bodies 0
-   to gaps (m), or is NULL for points. An x of -INFINITY or INFINITY means
-   no wall on that side. Returns the number of gaps on success; otherwise
-   the index of the first gap that is NaN or narrower than its bodies' two
-   radii. */
+   to gaps (m), or is NULL for points. If there is no wall on a side, its x
+   is -INFINITY or INFINITY. Returns the number of gaps on success.
+   Otherwise returns the index of the first gap that is NaN or narrower than
+   the radii of its bodies. */
 size_t bonkers_start(struct bonkers *b, const double radius[]);
 
 /* Runs until the time `until` (s, may be INFINITY), the collision number
-   `collisions` or the last collision, whichever comes first, and returns
-   why the run stopped. A collision exactly at `until` takes place. The
-   number of calls does not affect the results, except in the naive engine.
-   Under gravity a body at rest on the floor, or on a pile of such bodies,
-   stays there until it is hit; with restitution below 1 a body comes to
-   rest when its bounces are too short for the clock. */
+   `collisions`, or the last collision, whichever is first. Returns why the
+   run stopped. A collision exactly at `until` takes place. The number of
+   calls does not affect the results, except in the naive engine. Under
+   gravity a body at rest on the floor, or on a pile of such bodies, stays
+   there until it is hit. With restitution below 1 a body comes to rest when
+   its bounces are too short for the clock. */
 enum bonkers_stop bonkers_run(struct bonkers *b, double until,
                               uint64_t collisions);
 
-/* Fills x (m) and v (m/s) with the state of bodies 0 to gaps at b->now, the
-   positions in increasing order. Changes nothing but b->disorder. */
+/* Fills x (m) and v (m/s) with the state of bodies 0 to gaps at b->now. The
+   positions are in increasing order. Changes only b->disorder. */
 void bonkers_state(struct bonkers *b, double x[], double v[]);
 
 /* Returns whether there will be no further collision. */
 bool bonkers_is_still(const struct bonkers *b);
 
-/* A run with restitution below 1 ends as BONKERS_COLLAPSE if two bodies
-   collide at a relative speed, m/s, below this one while the clock
-   advances: all faster bodies have then had their last collision. The
+/* Lowest relative speed of a collision, m/s. A run with restitution below 1
+   ends as BONKERS_COLLAPSE if two bodies collide more slowly while the
+   clock advances: all faster bodies have then had their last collision. The
    square of this speed is 2^-900. Squares of speeds 3e10 times lower,
    2^-970, still have full precision, so energies lose no digits. */
 #define BONKERS_SLOWEST 0x1p-450
 
-/* Returns whether a run that ended as BONKERS_COLLAPSE was too cold to go
-   on, while its clock still advanced. */
+/* Returns whether a run ended as BONKERS_COLLAPSE because its bodies were
+   too slow, while the clock still advanced. */
 bool bonkers_is_cold(const struct bonkers *b);
 
 /* Returns the energy of the movers, J: kinetic energy and, under gravity,
@@ -125,7 +127,7 @@ bool bonkers_begin(struct bonkers *b, const struct start *s,
                    double restitution, enum bonkers_engine engine,
                    size_t *wrong);
 
-/* Moves every body to its position at b->now; sets the clock and the number
+/* Moves every body to its position at b->now. Sets the clock and the number
    of collisions to 0. To continue, call bonkers_start with the radii. */
 void bonkers_settle(struct bonkers *b);
 

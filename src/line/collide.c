@@ -1,21 +1,23 @@
 /* From chapters/01-collide.nw: edit there, then run make tangle. */
-/* checksum 3134124968 of the lines below */
-/* Collisions on a line and along a normal, in five forms of one formula. */
+/* checksum 1735082191 of the lines below */
+/* Collides bodies on a line or along a normal, by five forms of a
+   formula. */
 #include "line/collide.h"
 
 #include <float.h>
 #include <math.h>
 
-/* Returns whether the result of the collision is defined: not for two
-   walls, nor for negative inverse masses or an infinite sum. */
+/* Returns whether the result of the collision is defined. It is undefined
+   for two walls, for negative inverse masses, and if their sum is
+   infinite. */
 static bool can_collide(double im1, double im2)
 {
     const double sum = im1 + im2;
     return im1 >= 0 && im2 >= 0 && sum > 0 && sum <= DBL_MAX;
 }
 
-/* Splits change, the change of the relative velocity, into the decrease of
-   v1, part[0], and the increase of v2, part[1] (1.12, eq:smaller). */
+/* Splits `change`, the change of the relative velocity, into the decrease
+   part[0] of v1 and the increase part[1] of v2 (1.12, eq:smaller). */
 static void split(double change, double im1, double im2, double part[2])
 {
     const bool heavier = im1 >= im2; /* index of the heavier body */
@@ -36,9 +38,9 @@ bool collide(double *v1, double *v2, double im1, double im2,
     return true;
 }
 
-/* Copies the normal to n, scaled if its square would overflow or lose
-   digits, and sets *nn to n.n. Returns false if the number of dimensions is
-   not 1 to COLLIDE_DIMENSIONS, or the normal is zero or not finite. */
+/* Copies the normal to n, and sets *nn to n.n. Scales n if its square would
+   overflow or lose digits. Returns false if the number of dimensions is not
+   1 to COLLIDE_DIMENSIONS, or the normal is zero or not finite. */
 static bool safe_normal(size_t dimensions, const double normal[],
                         double n[], double *nn)
 {

@@ -1,4 +1,4 @@
-/* Velocities of two bodies after a collision. */
+/* Computes the velocities of two bodies after a collision. */
 #ifndef COLLIDE_H
 #define COLLIDE_H
 
@@ -18,21 +18,21 @@ enum collide_form {
     COLLIDE_FORMS       /* number of forms */
 };
 
-/* Collides two bodies on a line: replaces their velocities *v1, *v2 (in any
-   common unit) by those after the collision. im1, im2: inverse masses (in
-   any common unit), 0 for a wall; restitution: from 1, elastic, to 0,
-   sticking. Returns false, with nothing changed, if the result is
-   undefined: for two walls, or inverse masses that are negative or whose
-   sum is not finite. Requires velocities below a quarter of DBL_MAX. Does
-   not check that the bodies approach. Source: equation (1.8,
-   eq:restitution), rounded as (1.12, eq:smaller). */
+/* Collides two bodies on a line: replaces their velocities *v1 and *v2 (in
+   any common unit) by those after the collision. im1 and im2 are inverse
+   masses (in any common unit), 0 for a wall. restitution is from 0
+   (sticking) to 1 (elastic). Returns false and changes nothing for two
+   walls, for negative inverse masses, and if their sum is not finite.
+   Requires velocities below a quarter of DBL_MAX. Does not check that the
+   bodies approach each other. Source: equation (1.8, eq:restitution),
+   rounded as (1.12, eq:smaller). */
 bool collide(double *v1, double *v2, double im1, double im2,
              double restitution);
 
-/* Collides two smooth bodies. normal, a vector of any length but zero, is
-   parallel to the line between their centres; normal, v1 and v2 have
+/* Collides two smooth bodies. `normal` is parallel to the line between
+   their centres and has any length except zero. normal, v1 and v2 have
    `dimensions` components, 1 to COLLIDE_DIMENSIONS. Otherwise like collide,
-   but returns false also if the normal is zero or not finite. With one
+   but also returns false if the normal is zero or not finite. With one
    dimension and normal 1 the results equal those of collide to the last
    bit. Source: equation (1.10, eq:impulse). */
 bool collide_along(size_t dimensions, const double normal[], double v1[],
@@ -41,7 +41,7 @@ bool collide_along(size_t dimensions, const double normal[], double v1[],
 /* The forms' names, in the order of enum collide_form, then NULL. */
 extern const char *const collide_form_names[COLLIDE_FORMS + 1];
 
-/* Work as collide and collide_along do, but by a chosen form. */
+/* Collide bodies as collide and collide_along do, but by a chosen form. */
 bool collide_by(enum collide_form form, double *v1, double *v2, double im1,
                 double im2, double restitution);
 bool collide_along_by(enum collide_form form, size_t dimensions,

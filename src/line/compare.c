@@ -1,4 +1,4 @@
-/* Errors of a series, the scatter of counts, dependence of two series. */
+/* Describes a series, measures scatter of counts, compares two series. */
 #include "line/statistics.h"
 
 #include <math.h>
@@ -16,8 +16,8 @@ static double in_unit(size_t n, const double x[], double u[])
 
 enum number { MEAN, VARIANCE, KURTOSIS };
 
-/* Fills y with a series whose mean has the same standard error as the mean,
-   variance or kurtosis of x, as chosen by `of` (3.12, eq:delta). */
+/* Fills y with a series whose mean has the same standard error as the
+   moment of x that `of` selects (3.12, eq:delta). */
 static void series_of(size_t n, const double x[], double y[],
                       const struct statistics_moments *m, enum number of)
 {
@@ -33,9 +33,9 @@ static void series_of(size_t n, const double x[], double y[],
 }
 
 /* Sets *error to the standard error of the mean of y. If y is a series in
-   time, it is estimated from blocks, and the inefficiency, block length and
-   plateau in *d become the worst of all calls. Returns false if memory runs
-   out. */
+   time (`serial`), the error is estimated from blocks. The inefficiency,
+   block and plateau of *d keep the worst values of all calls. Returns false
+   if memory runs out. */
 static bool error_of(size_t n, const double y[], bool serial,
                      struct statistics_description *d, double *error)
 {
@@ -54,8 +54,8 @@ static bool error_of(size_t n, const double y[], bool serial,
     return true;
 }
 
-/* A constant column, such as the position of a wall, has no kurtosis; then
-   the kurtosis and all errors are set to 0. */
+/* A constant series, such as the position of a wall, has no kurtosis. Its
+   kurtosis and all errors are set to 0. */
 bool statistics_describe(size_t n, const double x[], bool serial,
                          struct statistics_description *d)
 {
@@ -95,7 +95,7 @@ bool statistics_describe(size_t n, const double x[], bool serial,
     return done;
 }
 
-/* Returns the covariance, over all blocks, of the counts of two cells. */
+/* Returns the covariance of the counts of two cells over all blocks. */
 static double covariance(size_t blocks, size_t cells, const double a[],
                          const double b[])
 {
@@ -109,11 +109,10 @@ static double covariance(size_t blocks, size_t cells, const double a[],
     return sum / (double)(blocks - 1);
 }
 
-/* The two sums over g of (3.15, eq:scatter) are the traces of the
-   covariance matrix of the counts of blocks, and of its square. The square
-   of a measured covariance matrix is on average larger than that of the
-   true one; the excess, which is known for normally distributed counts of m
-   blocks, is subtracted. */
+/* The two sums over g in (3.15, eq:scatter) are the trace of the covariance
+   matrix of the counts of blocks and the trace of its square. The square of
+   a measured covariance matrix is on average too large. The excess is known
+   for normally distributed counts of m blocks, and is subtracted. */
 struct statistics_scatter statistics_scatter(size_t blocks, size_t cells,
                                              const double count[],
                                              double expected)
@@ -147,8 +146,8 @@ static int by_value(const void *a, const void *b)
 }
 
 /* Divides the samples by rank into cells of equal size. Returns an array
-   with the cell of each sample, which the caller frees, or NULL if memory
-   runs out. */
+   with the cell of each sample, or NULL if memory runs out. The caller
+   frees the array. */
 static size_t *cells_of(size_t n, const double x[], size_t cells)
 {
     struct placed *sorted = malloc(n * sizeof sorted[0]);
@@ -166,9 +165,9 @@ static size_t *cells_of(size_t n, const double x[], size_t cells)
     return sorted ? cell : NULL;
 }
 
-/* Sets chi-square and its degrees of freedom for a table of cells x cells.
-   Each cell would be expected to contain equally many samples if the two
-   series were independent. Returns false if memory runs out. */
+/* Computes chi-square and its degrees of freedom from a table of cells x
+   cells. If the two series are independent, all cells have the same
+   expected count. Returns false if memory runs out. */
 static bool count_table(size_t n, const double x[], const double y[],
                         size_t cells, struct statistics_dependence *d)
 {
@@ -188,8 +187,8 @@ static bool count_table(size_t n, const double x[], const double y[],
     return done;
 }
 
-/* The correlation coefficient is the mean of a product and gets its error
-   like any other mean. */
+/* The correlation coefficient is the mean of a product, so its error is
+   that of a mean. */
 bool statistics_dependence(size_t n, const double x[], const double y[],
                            size_t cells, bool serial,
                            struct statistics_dependence *d)

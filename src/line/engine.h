@@ -4,7 +4,7 @@
 
 #include "line/bonkers.h"
 
-/* Returns the largest rounding error, m, to be expected in the distance of
+/* Returns the largest expected rounding error, m, of the distance between
    bodies i - 1 and i. */
 double engine_rounding(const struct bonkers *b, size_t i);
 
@@ -12,7 +12,7 @@ double engine_rounding(const struct bonkers *b, size_t i);
    that time or, if it is infinite, to the time of the last collision. */
 enum bonkers_stop engine_idle(struct bonkers *b, double until);
 
-/* Puts gap i into the schedule if it will close; otherwise removes it. */
+/* Puts gap i into the schedule if it will close. Otherwise removes it. */
 void engine_reschedule(struct bonkers *b, size_t i);
 
 /* Runs the engine with a heap, as bonkers_run does. */

@@ -1,10 +1,11 @@
-/* Times at which a parabola reaches a floor or a roof. */
+/* Computes when and how fast a falling body reaches a floor or a roof. */
 #include "line/fall.h"
 
 #include <math.h>
 
 /* For v < 0 the usual form v + speed would be a difference of nearly equal
-   numbers; the other form of (5.13, eq:fall-floor) avoids it. */
+   numbers. The other form of (5.13, eq:fall-floor) has no such
+   difference. */
 double fall_to_floor(double x, double v, double g)
 {
     if (x == INFINITY)

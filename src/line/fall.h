@@ -2,19 +2,20 @@
 #ifndef FALL_H
 #define FALL_H
 
-/* Returns the time, s, until a body at height x (m) above a floor reaches
-   it, with the velocity v upwards (m/s) and the acceleration g > 0
-   downwards (m/s2) (5.13, eq:fall-floor). For x <= 0 the body is on the
-   floor, and the time is 0 if v < 0. INFINITY if x is infinite. */
+/* Returns the time, s, until a body at the height x (m) above a floor
+   reaches the floor (5.13, eq:fall-floor). v is its upward velocity (m/s)
+   and g > 0 the downward acceleration (m/s2). For x <= 0 the body is on the
+   floor, and the time is 0 if v < 0. Returns INFINITY if x is infinite. */
 double fall_to_floor(double x, double v, double g);
 
-/* Returns the time, s, until the body reaches a roof at a distance x, m,
-   above it (5.14, eq:fall-roof); INFINITY if it at most touches the
-   roof. */
+/* Returns the time, s, until the body reaches a roof at the distance x, m,
+   above it (5.14, eq:fall-roof). Returns INFINITY if the body at most
+   touches the roof. */
 double fall_to_roof(double x, double v, double g);
 
-/* Returns the speed, m/s, at which the body reaches the floor, or with -x
-   for x the roof; 0 if rounding makes the square of the speed negative. */
+/* Returns the speed, m/s, at which the body reaches the floor, or the roof
+   if -x is passed for x. Returns 0 if rounding makes the square of the
+   speed negative. */
 double fall_speed(double x, double v, double g);
 
 #endif

@@ -6,8 +6,8 @@
 
 /* The probability of an interval is a difference of two values of the error
    function. Far to the right of the mean both values are almost 1, and
-   their difference is lost in rounding; the values of erfc are small there,
-   and accurate. */
+   their difference is lost in rounding. There erfc is used, whose values
+   are small and accurate. */
 double statistics_gaussian_between(double mean, double sd, double a,
                                    double b)
 {
@@ -18,10 +18,11 @@ double statistics_gaussian_between(double mean, double sd, double a,
     return 0.5 * (erfc(-to) - erfc(-from));
 }
 
-/* Returns (z^power) phi(z) / sd with z = (x - mean) / sd and phi the normal
-   density. The derivatives of a bin's probability p with respect to mean
-   and sd are the differences of phi / sd and z phi / sd between its two
-   ends. At infinity z phi is zero, but floating point would give NaN. */
+/* Returns z^power phi(z) / sd, where z = (x - mean) / sd and phi is the
+   normal density. The derivative of the probability of a bin with respect
+   to the mean (power 0) or sd (power 1) is the difference of this value
+   between the two ends of the bin. At infinity z phi is zero, but floating
+   point would give NaN. */
 static double bell(double x, double mean, double sd, int power)
 {
     const double z = (x - mean) / sd;
@@ -30,13 +31,13 @@ static double bell(double x, double mean, double sd, int power)
     return exp(-z * z / 2) / (sd * sqrt(8 * atan(1))) * (power ? z : 1);
 }
 
-/* The sums over the bins of (3.20, eq:score) and (3.21, eq:fisher). */
+/* The sums over the bins in (3.20, eq:score) and (3.21, eq:fisher). */
 struct newton {
     double score[2], information[3]; /* I: mean-mean, mean-sd, sd-sd */
 };
 
-/* Adds a bin, which may be infinitely wide, to the sums. An underflowed
-   probability, being a divisor, becomes the smallest normal number. */
+/* Adds a bin, which may be infinitely wide, to the sums. The probability is
+   a divisor, so it is not allowed to underflow. */
 static void add_bin(struct newton *s, double mean, double sd, double a,
                     double b, double count, double total)
 {
@@ -51,16 +52,17 @@ static void add_bin(struct newton *s, double mean, double sd, double a,
     s->information[2] += total * slope[1] * slope[1] / p;
 }
 
-/* Returns the lower edge of bin i in this unit. With a standard deviation
-   above 1e77 in another unit the determinant of the information, which is
-   proportional to its inverse fourth power, would underflow. */
+/* Returns the lower edge of bin i in this unit. The determinant of the
+   information is proportional to the inverse fourth power of the standard
+   deviation. Without a unit it would underflow for standard deviations
+   above 1e77. */
 static double edge_in(double unit, const struct statistics_histogram *h,
                       size_t i)
 {
     return statistics_histogram_edge(h, i) / unit;
 }
 
-/* Returns the sums over all bins, including the two infinitely wide ones
+/* Returns the sums over all bins, including the two infinitely wide bins
    outside the range. */
 static struct newton newton_sums(const struct statistics_histogram *h,
                                  double unit, double mean, double sd)
@@ -75,9 +77,9 @@ static struct newton newton_sums(const struct statistics_histogram *h,
     return s;
 }
 
-/* Sets the start of Newton's method: mean and standard deviation as if
-   every sample were at the centre of its bin. They are computed relative to
-   the lower end of the range, so that no digits are lost if the range is
+/* Computes the start of Newton's method: the mean and standard deviation as
+   if every sample were at the centre of its bin. They are computed relative
+   to the lower end of the range, since digits would be lost if the range is
    far from zero. Returns false if the samples have no spread. */
 static bool moments_of_bins(const struct statistics_histogram *h,
                             double unit, double *mean, double *sd)
@@ -93,13 +95,13 @@ static bool moments_of_bins(const struct statistics_histogram *h,
     }
     *mean = h->low / unit + sum / inside;
     *sd = sqrt(square / inside - sum / inside * (sum / inside));
-    return *sd > 0; /* false also for NaN, with all samples outside */
+    return *sd > 0; /* also false for NaN, if all samples are outside */
 }
 
-/* Compares the counts with the fit: sets chi-square of groups of
-   neighbouring bins, and its degrees of freedom. A group is complete when
-   its expected count is at least five and so is that of the remaining bins.
-   The degrees of freedom are the number of groups minus three: one for the
+/* Computes chi-square of the counts about the fit, and its degrees of
+   freedom. Neighbouring bins form groups. A group is complete when its
+   expected count and that of the remaining bins are both at least five. The
+   degrees of freedom are the number of groups minus three: one for the
    total, two for the fitted parameters. */
 static void compare_with(const struct statistics_histogram *h, double unit,
                          double g, struct statistics_gaussian *fit)
@@ -130,8 +132,8 @@ static void compare_with(const struct statistics_histogram *h, double unit,
 
 /* Each Newton step is the inverse of I times S, computed by Cramer's rule.
    A step that is too large is shortened, since the standard deviation must
-   stay positive. A hundred steps are far more than are ever needed. The
-   diagonal of the inverse gives the variances of the two parameters. */
+   stay positive. A hundred steps are always enough. The diagonal of the
+   inverse gives the variances of the two parameters. */
 bool statistics_fit_gaussian(const struct statistics_histogram *h, double g,
                              struct statistics_gaussian *fit)
 {

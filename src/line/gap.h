@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 3380644771 of the lines below */
+/* checksum 3763110216 of the lines below */
 /* A gap between two bodies: the time when it closes, and the collision. */
 #ifndef GAP_H
 #define GAP_H
@@ -34,8 +34,8 @@ static inline double time_due(const struct bonkers *b, size_t i)
                           : time_of_gap(&b->body[i]);
 }
 
-/* Returns the state of body i at the time t, provided that it has no
-   collision before. */
+/* Returns the state of body i at the time t, if the body does not collide
+   before. */
 static inline struct bonkers_body body_at(const struct bonkers *b, size_t i,
                                           double t)
 {
@@ -47,23 +47,23 @@ static inline struct bonkers_body body_at(const struct bonkers *b, size_t i,
     return a;
 }
 
-/* Returns whether t is later than `before` by a rounding error at most. */
+/* Returns whether t is later than `before` by at most a rounding error. */
 static inline bool same_time(double before, double t)
 {
     return t - before <= 4 * DBL_EPSILON * t;
 }
 
-/* Returns the number of collisions of a gap at one time that counts as a
-   collapse. */
+/* Returns the number of collisions of a gap at the same clock reading that
+   counts as a collapse. */
 static inline uint32_t most_repeats(const struct bonkers *b)
 {
     return BONKERS_REPEATS + (b->gaps < 200 ? (uint32_t)b->gaps : 200);
 }
 
-/* Counts the collisions of gap i while the clock stands still; resets the
-   count when the clock advances. Returns true if there are too many, or if
-   the clock advances but the bodies approach more slowly than
-   BONKERS_SLOWEST. */
+/* Counts the collisions of gap i while the clock does not advance
+   (`stands`). Resets the count when it advances. Returns true if there are
+   too many collisions, or if the clock advances but the bodies approach
+   more slowly than BONKERS_SLOWEST. */
 static inline bool count_repeat(struct bonkers *b, size_t i, bool stands,
                                 double approach)
 {
@@ -74,7 +74,7 @@ static inline bool count_repeat(struct bonkers *b, size_t i, bool stands,
            (!stands && approach < BONKERS_SLOWEST);
 }
 
-/* Returns the fraction f of (1.12, eq:smaller); NaN for two bodies of
+/* Returns the fraction f of (1.12, eq:smaller), or NaN for two bodies of
    infinite mass. */
 static inline double fraction(const struct bonkers *b, size_t i)
 {
@@ -117,8 +117,8 @@ static inline bool collide_gap(struct bonkers *b, size_t i)
     return count_repeat(b, i, stands, approach);
 }
 
-/* Sets *low and *high to the first and the last gap whose times a collision
-   in gap i changes. */
+/* Sets *low and *high to the first and last gap whose times change in a
+   collision of gap i. */
 static inline void find_changed(const struct bonkers *b, size_t i,
                                 size_t *low, size_t *high)
 {

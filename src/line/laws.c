@@ -1,4 +1,4 @@
-/* Normal, Beta and Maxwell laws from the special functions of GSL. */
+/* Computes normal, Beta and Maxwell laws with the functions of GSL. */
 #include "line/laws.h"
 
 #include "line/statistics.h"
@@ -11,8 +11,8 @@
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_randist.h>
 
-/* For each law its name, the form of its text as error messages show it,
-   and the fewest and the most parameters that the text may give. */
+/* The name of each law, the form of its text for error messages, and the
+   smallest and largest number of parameters in the text. */
 static const struct {
     const char *name, *form;
     size_t fewest, most;
@@ -48,9 +48,9 @@ static bool makes_sense(const struct law *law)
 }
 
 /* Reads a colon and numbers separated by commas. Returns false if the text
-   is wrong. Either all optional numbers must be given or none: a low end
-   without a high end is an error. Only in Maxwell's law, where each number
-   makes sense without the next, may some be left out. */
+   is wrong. Optional numbers must be given all or not at all: a low end
+   without a high end is an error. Maxwell's law is an exception, as each of
+   its numbers makes sense without the next. */
 static bool read_numbers(const char *text, struct law *law)
 {
     for (law->given = 0; *text; ++law->given) {
@@ -99,7 +99,7 @@ size_t laws_complete(struct law *law, double mean, double sd)
     return law->kind == LAW_MICROCANONICAL && given == 1 ? 1 : 0;
 }
 
-/* The law of low + (high - low) X, with X a Beta(a,b) variate. */
+/* The law of low + (high - low) X, where X is a Beta(a,b) variate. */
 struct stretched {
     double a, b, low, high;
 };
@@ -130,8 +130,8 @@ static double stretched_below(struct stretched s, double x)
                         : gsl_cdf_beta_P(place, s.a, s.b);
 }
 
-/* Maxwell's density of a speed is that of a component times x^(d-1), from
-   the surface of a sphere in velocity space, and normalised. */
+/* Maxwell's density of a speed is proportional to that of a component times
+   x^(d-1), the surface of a sphere in velocity space. */
 double laws_density(const struct law *law, double x)
 {
     const double *p = law->parameter;
@@ -225,9 +225,10 @@ static int by_size(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Returns the largest difference between the samples' empirical
-   distribution function, a step function, and the law. below[]: the law's
-   cumulative probabilities at the samples, sorted. */
+/* Returns the largest difference between the law and the empirical
+   distribution function of the samples, which is a step function. below
+   contains the cumulative probabilities of the law at the samples,
+   sorted. */
 static double largest_distance(size_t n, const double below[])
 {
     double distance = 0;
@@ -239,9 +240,9 @@ static double largest_distance(size_t n, const double below[])
     return distance;
 }
 
-/* Returns the bin of a cumulative probability. For samples that obey the
-   law these probabilities are uniformly distributed from 0 to 1, and all
-   bins are equally probable. */
+/* Returns the bin of a cumulative probability. If samples obey the law,
+   these probabilities are uniformly distributed from 0 to 1, so all bins
+   are equally probable. */
 static size_t bin_of(double below)
 {
     return below < 1 ? (size_t)(below * LAW_CELLS) : LAW_CELLS - 1;
@@ -265,8 +266,8 @@ static bool find_scatter(size_t n, const double below[], size_t block,
 }
 
 /* A law that was fitted to the samples is closer to them than (3.16,
-   eq:kolmogorov) expects, so the probability of its distance is unknown,
-   NaN. */
+   eq:kolmogorov) expects. The probability of its distance is then unknown,
+   and set to NaN. */
 bool laws_test(const struct law *law, size_t n, const double x[], double g,
                size_t block, size_t fitted, struct law_test *t)
 {

@@ -12,14 +12,14 @@ enum { LAW_PARAMETERS = 4 };
 /* A law with its parameters, in the order in which laws_read takes them. */
 struct law {
     enum law_kind kind;
-    size_t given; /* how many of the parameters are set */
+    size_t given; /* number of parameters that are set */
     double parameter[LAW_PARAMETERS];
 };
 
 enum { LAW_CELLS = 20 }; /* number of equally probable bins */
 
-/* How well samples agree with a law. Each probability is that of a result
-   at least as bad for samples that obey the law. */
+/* The agreement of samples with a law. Each probability is that of a result
+   at least as bad if the samples obey the law. */
 struct law_test {
     double distance;               /* Kolmogorov's distance */
     double distance_probability;   /* NaN if the law was fitted */
@@ -38,9 +38,10 @@ struct law_test {
    Returns NULL, or an error message. */
 const char *laws_read(const char *text, struct law *law);
 
-/* Sets the parameters that were not given: low = 0, high = 1, m = 1, d = 0
-   for a component, and the others from the mean and standard deviation of a
-   column. Returns how many were computed from the column. */
+/* Sets the parameters that were not given. The defaults are low = 0, high =
+   1, m = 1, and d = 0 for a component. Other parameters are computed from
+   the mean and standard deviation of a column. Returns the number of
+   computed parameters. */
 size_t laws_complete(struct law *law, double mean, double sd);
 
 /* Return the density of a complete law at x, in the inverse unit of x, and
@@ -53,14 +54,15 @@ double laws_below(const struct law *law, double x);
 double laws_mean(const struct law *law);
 double laws_sd(const struct law *law);
 
-/* Tests n samples, of which every g-th is independent, against a complete
-   law with `fitted` parameters computed from these samples. If there are at
-   least 3 blocks of `block` > 1 samples, the scatter of chi-square is
-   measured from the blocks, which are assumed to be independent, and is
-   overestimated for a fitted law; otherwise it is that of independent
-   samples. Returns false if memory runs out. Requires n >= 2, g > 0, fitted
-   < LAW_CELLS - 1. Sources: Kolmogorov's limit with Stephens' correction,
-   J. R. Statist. Soc. B 32, 115 (1970); Pearson's chi-square. */
+/* Tests n samples against a complete law. Every g-th sample is independent,
+   and `fitted` parameters of the law were computed from the samples. If
+   there are at least 3 blocks of `block` > 1 samples, the scatter of
+   chi-square is measured from the blocks, which are assumed to be
+   independent. For a fitted law this overestimates the scatter. With fewer
+   blocks the scatter is that of independent samples. Returns false if
+   memory runs out. Requires n >= 2, g > 0, fitted < LAW_CELLS - 1. Sources:
+   Kolmogorov's limit with Stephens' correction, J. R. Statist. Soc. B 32,
+   115 (1970); Pearson's chi-square. */
 bool laws_test(const struct law *law, size_t n, const double x[], double g,
                size_t block, size_t fitted, struct law_test *t);
 

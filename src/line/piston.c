@@ -1,6 +1,6 @@
 /* From chapters/04-piston.nw: edit there, then run make tangle. */
-/* checksum 2906820513 of the lines below */
-/* Time steps of the piston; its period and its frequency with sound. */
+/* checksum 3253235984 of the lines below */
+/* Moves the piston in steps, and computes its period and frequency. */
 #include "line/piston.h"
 
 #include <math.h>
@@ -135,7 +135,7 @@ bool piston_turning_points(const struct piston *p, double energy,
     return true;
 }
 
-/* Returns the force, N, of a standing wave in a gas on the piston if the
+/* Returns the force, N, on the piston from a standing wave in a gas, if the
    velocity amplitude of the piston is 1 m/s. */
 static double wave_force(const struct piston_gas *gas, double length,
                          double frequency)

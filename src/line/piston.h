@@ -1,4 +1,4 @@
-/* A piston between two gases on a line, which act as springs. */
+/* Computes the motion of a piston between two gases that act as springs. */
 #ifndef PISTON_H
 #define PISTON_H
 
@@ -25,7 +25,7 @@ struct piston_state {
 };
 
 /* Returns the kinetic energy (J) of a gas after slow compression or
-   expansion to this length (m), positive. Source: (4.1, eq:adiabat). */
+   expansion to a positive length (m). Source: (4.1, eq:adiabat). */
 double piston_gas_energy(const struct piston_gas *gas, double length);
 
 /* Return the energy (J) stored in the two gases, and their force (N) on
@@ -34,13 +34,13 @@ double piston_gas_energy(const struct piston_gas *gas, double length);
 double piston_potential(const struct piston *p, double x);
 double piston_force(const struct piston *p, double x);
 
-/* Returns the effective moving mass (kg): that of the piston and a third of
-   that of each gas. Source: (4.10, eq:added-mass). */
+/* Returns the effective moving mass (kg): the mass of the piston and a
+   third of the mass of each gas. Source: (4.10, eq:added-mass). */
 double piston_inertia(const struct piston *p);
 
-/* Moves the piston by one leapfrog step dt (s), positive or negative.
-   Returns false, with nothing changed, if the step is so long that it leads
-   into a wall. Uses only + - * /. Source: (4.5, eq:leapfrog). */
+/* Moves the piston by a leapfrog step dt (s), positive or negative. Returns
+   false and changes nothing if the step leads into a wall. Uses only + - *
+   /. Source: (4.5, eq:leapfrog). */
 bool piston_step(const struct piston *p, struct piston_state *s, double dt);
 
 /* Moves the piston as piston_step does, but by a classical fourth-order
@@ -68,10 +68,10 @@ bool piston_turning_points(const struct piston *p, double energy,
                            double *low, double *high);
 
 /* Returns the period (s) of an oscillation of this energy (J), integrated
-   with this many points: 16 give 12 digits if no gas is compressed below a
-   third of its length. Returns NAN if there are no points or no turning
-   points. Source: (4.8, eq:piston-large), by the substitution (4.9,
-   eq:piston-circle). */
+   with this number of points. 16 points give 12 digits if no gas is
+   compressed below a third of its length. Returns NAN if there are no
+   points or no turning points. Source: (4.8, eq:piston-large), by the
+   substitution (4.9, eq:piston-circle). */
 double piston_period(const struct piston *p, double energy, size_t points);
 
 /* Returns the lowest angular frequency (1/s) of small oscillations of the

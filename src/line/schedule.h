@@ -1,4 +1,4 @@
-/* A schedule: finds the earliest of many events. */
+/* Finds the earliest of many events. */
 #ifndef SCHEDULE_H
 #define SCHEDULE_H
 
@@ -6,8 +6,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Returns the index of the smallest of n times, the first of equal ones.
-   Requires n > 0. The cost is proportional to n. */
+/* Returns the index of the smallest of n times, or the first of equal
+   times. Requires n > 0. The cost is proportional to n. */
 size_t schedule_scan(const double time[], size_t n);
 
 struct schedule_entry {
@@ -15,22 +15,22 @@ struct schedule_entry {
     uint32_t event;
 };
 
-/* Some of the events 0 to size-1 in a heap. heap[0] is the earliest one and
-   may be read if count > 0. */
+/* A heap with some of the events 0 to size - 1. heap[0] is the earliest
+   event, and may be read if count > 0. */
 struct schedule {
     struct schedule_entry *heap; /* ordered by (2.5, eq:heap) */
     uint32_t *place;             /* index of each event in heap */
     size_t size, count;
 };
 
-/* Prepares an empty schedule for events 0 to size-1, of which it can
-   contain `room` at once. Returns false, with nothing to free, if memory
+/* Prepares an empty schedule for the events 0 to size - 1. It can contain
+   `room` events at once. Returns false, with nothing to free, if memory
    runs out. */
 bool schedule_create(struct schedule *s, size_t size, size_t room);
 void schedule_free(struct schedule *s);
 
-/* Sets the time of an event, and adds the event if it was not in the
-   schedule. The cost is at most of the order log2(count). */
+/* Sets the time of an event. Adds the event if it is not in the schedule.
+   The cost is at most of the order log2(count). */
 void schedule_put(struct schedule *s, size_t event, double time);
 
 /* Removes an event; does nothing if it is not in the schedule. */

@@ -1,11 +1,12 @@
 /* The slab engine: distant bodies run independently for a short time. */
 
-/* A slab is an interval of time. Its collisions form islands, groups of
-   neighbouring gaps, and one pass along the line runs island by island.
-   Chapter 2 (section Small islands of time) proves that the result equals
-   that of the scan engine to the last bit as long as at least two gaps
-   without collisions lie between islands (2.6, eq:islands). Islands that
-   come closer are undone from a log and run again as one. */
+/* A slab is an interval of time. The collisions in a slab form islands,
+   which are groups of neighbouring gaps. A pass along the line runs a slab
+   island by island. Chapter 2 (section Small islands of time) proves that
+   the result equals that of the scan engine to the last bit if at least two
+   gaps without collisions are between islands (2.6, eq:islands). Islands
+   that come closer are undone from a log and run again as a single
+   island. */
 #include "line/slab.h"
 
 #include "line/engine.h"
@@ -17,15 +18,15 @@
 #include <string.h>
 
 /* An entry of the log: the numbers that a collision in `gap` overwrites.
-   These are position, velocity and time of its two bodies, and the counter
-   of the gap. The times of the gaps are not stored: computed again from the
-   bodies, they are equal to the last bit. */
+   These are the positions, velocities and times of two bodies, and the
+   counter of the gap. The times when gaps close are not stored, since
+   computing them again from the bodies gives the same bits. */
 struct log_entry {
     double x[2], v[2], since[2];
     uint32_t gap, repeats;
 };
 
-/* An island consists of the gaps first to last. Its entries in the log
+/* A group of neighbouring gaps, from first to last. Its entries in the log
    begin at index `start` and end before the start of the next island. */
 struct island {
     uint32_t first, last;
@@ -34,17 +35,17 @@ struct island {
 
 /* A slab, which advances from left to right. A line of a million bodies
    does not fit into a cache, and loading it from memory for every slab
-   would take as long as the collisions. So up to SLABS slabs follow each
-   other, each BLOCK gaps behind the one before, and share the bodies that
-   the first has loaded. */
+   would take as long as the collisions. So up to SLABS slabs advance
+   together, each BLOCK gaps behind the slab before it. They share the
+   bodies that the first slab has loaded. */
 struct slab {
     double end;  /* end of the interval of time, s */
-    size_t next; /* the first gap that is not finished */
+    size_t next; /* first gap that is not finished */
     struct log_entry *log;
     size_t logged, log_size;
     struct island *island;
     size_t islands, island_size;
-    uint64_t collisions; /* collisions no longer in the log */
+    uint64_t collisions; /* collisions dropped from the log */
 };
 
 enum {
@@ -53,23 +54,22 @@ enum {
     MOST_ALONE = 63 /* largest number of slabs run alone after a failure */
 };
 
-/* The numbers of a body that collisions change: position in m, velocity in
-   m/s and time in s. */
+/* The numbers of a body that collisions change, in m, m/s and s. */
 struct motion {
     double x, v, since;
 };
 
 /* The state of the engine. slab[0] runs no collisions: it advances first
-   and saves the bodies. slab[1] to slab[count] run collisions; slab[count +
+   and saves the bodies. slab[1] to slab[count] run collisions. slab[count +
    1] only marks how far slab[count] has finished. */
 struct bonkers_slab {
     double width;         /* duration of the next slabs, s; 0 if unknown */
-    size_t slabs, count;  /* numbers to run next, and in progress */
+    size_t slabs, count;  /* slabs to run next; slabs in progress */
     size_t alone;         /* number of slabs still to be run alone */
     size_t after_failure; /* slabs run alone after the last failure */
     struct slab slab[SLABS + 2];
     struct motion *saved;
-    uint32_t *repeats; /* the saved counters of b->repeats */
+    uint32_t *repeats; /* saved copy of b->repeats */
     uint64_t redone;   /* collisions undone in these slabs */
     bool collapse;     /* the run must end as BONKERS_COLLAPSE */
     bool failed;       /* all slabs must be undone */
@@ -104,7 +104,6 @@ struct bonkers_slab *slab_create(const struct bonkers *b)
     return NULL;
 }
 
-/* Returns a log entry: the numbers that a collision in gap i overwrites. */
 static struct log_entry entry_of(const struct bonkers *b, size_t i)
 {
     const struct bonkers_body *l = &b->body[i], *r = l + 1;
@@ -115,7 +114,6 @@ static struct log_entry entry_of(const struct bonkers *b, size_t i)
                               b->repeats ? b->repeats[i] : 0};
 }
 
-/* Undoes the collision of log entry r. */
 static void undo(struct bonkers *b, const struct log_entry *r)
 {
     struct bonkers_body *pair = &b->body[r->gap];
@@ -129,10 +127,10 @@ static void undo(struct bonkers *b, const struct log_entry *r)
     renew(b, r->gap);
 }
 
-/* Undoes the collisions of the log, the last one first, except for the
-   first `start` entries; each entry then finds its two bodies as its
-   collision left them. Adds the number of undone collisions to redone,
-   since a slab that undoes many is too long. */
+/* Undoes the collisions of the log from the last back to entry `start`. In
+   this order each entry finds its two bodies as its collision left them.
+   Adds the number of undone collisions to redone, since a slab that undoes
+   many collisions is too long. */
 static void undo_to(struct bonkers *b, struct slab *s, size_t start)
 {
     b->slab->redone += s->logged - start;
@@ -140,8 +138,8 @@ static void undo_to(struct bonkers *b, struct slab *s, size_t start)
         undo(b, &s->log[--s->logged]);
 }
 
-/* Makes room in an array for one more item of `size` bytes. Returns false
-   if memory runs out; the slabs then fail and are undone. */
+/* Makes room in an array for another item of `size` bytes. Returns false if
+   memory runs out. */
 static bool make_room(void **array, size_t count, size_t *room, size_t size)
 {
     if (count < *room)
@@ -155,8 +153,8 @@ static bool make_room(void **array, size_t count, size_t *room, size_t size)
     return true;
 }
 
-/* Returns the last gap of an island that has reached gap `last`: it extends
-   to the right while one of the next two gaps is due by `end`. */
+/* Returns the last gap of an island that has reached gap `last`. The island
+   extends to the right while one of the next two gaps is due by `end`. */
 static size_t end_of_chain(const struct bonkers *b, size_t last, double end)
 {
     for (;;)
@@ -168,8 +166,8 @@ static size_t end_of_chain(const struct bonkers *b, size_t last, double end)
             return last;
 }
 
-/* Schedules those of the gaps first to last that are due by `end`, removes
-   the earliest from the schedule and returns it. */
+/* Schedules the gaps from first to last that are due by `end`. Removes the
+   earliest from the schedule and returns it. */
 static size_t schedule_due(struct bonkers *b, size_t first, size_t last,
                            double end)
 {
@@ -180,9 +178,9 @@ static size_t schedule_due(struct bonkers *b, size_t first, size_t last,
     return schedule_take(&b->schedule);
 }
 
-/* Computes the times of gap i and its neighbours again, and schedules those
-   of them that are now due. In most islands none of them is: then the
-   schedule stays empty and costs nothing. */
+/* Recomputes the times of gap i and its neighbours, and schedules the gaps
+   that are now due. In most islands no gap is due again, so the schedule
+   stays empty and costs nothing. */
 static void renew_due(struct bonkers *b, size_t i, double end)
 {
     size_t low, high;
@@ -198,7 +196,7 @@ static void renew_due(struct bonkers *b, size_t i, double end)
 
 /* Returns whether an island of gaps first to last would leave the range of
    gaps that only slab s may change. The island reads bodies up to last + 2,
-   which slab s - 1 must have finished, and changes the time of gap first -
+   which slab s - 1 must have finished. It changes the time of gap first -
    1, which slab s + 1 must not have read. Within this range every island
    runs as if the slabs ran one after another, and the proof of chapter 2
    applies to each slab. */
@@ -210,19 +208,19 @@ static bool leaves_its_slab(const struct slab *s, size_t first, size_t last)
 }
 
 /* Returns whether the slab has logged, or all slabs have undone, far more
-   collisions than there are gaps, as when a light ball bounces a million
-   times between two heavy ones. The log would become enormous, so the slab
-   is undone and tried again at a quarter of the width. */
+   collisions than there are gaps. An example is a light ball that bounces a
+   million times between two heavy balls. The log would become enormous, so
+   the slab is undone and tried again at a quarter of the width. */
 static bool too_long(const struct bonkers *b, const struct slab *s)
 {
     const size_t most = 8 * b->gaps + 65536;
     return s->logged > most || b->slab->redone > most;
 }
 
-/* Extends the island of gaps *first to *last if gap i is just outside it.
-   Returns false if it then comes too close to a finished island on its left
-   or to a due gap on its right (2.6, eq:islands); that gap becomes *last.
-   Gap i + 1 needs no test: if it had been due, the island would have
+/* Extends the island of gaps *first to *last by gap i if i is just outside.
+   Returns false if the island is then too close to a finished island on its
+   left or to a due gap on its right (2.6, eq:islands). The due gap becomes
+   *last. Gap i + 1 needs no test: if it had been due, the island would have
    included it from the start. */
 static bool keep_apart(const struct bonkers *b, const struct slab *s,
                        size_t i, size_t *first, size_t *last)
@@ -243,11 +241,11 @@ static bool keep_apart(const struct bonkers *b, const struct slab *s,
 }
 
 /* Runs the collisions of the island of gaps *first to *last up to the end
-   of the slab. Returns false if the slabs have failed, or if the island
-   must start again because it has come too close to another; keep_apart may
-   have extended it. Before each collision there must be room for it in the
-   log, and for three gaps in the schedule. After a collapse the island
-   stops, since the run ends before its next collision. */
+   of the slab. keep_apart may extend the island. Returns false if the slabs
+   have failed, or if the island is too close to another island and must
+   start again. Each collision needs room for an entry in the log and for
+   three gaps in the schedule. After a collapse the island stops, since the
+   run ends before its next collision. */
 static bool run_island(struct bonkers *b, struct slab *s, size_t *first,
                        size_t *last)
 {
@@ -280,12 +278,13 @@ static bool run_island(struct bonkers *b, struct slab *s, size_t *first,
     }
 }
 
-/* Runs the island that begins at gap first. Returns the first gap after it
-   that may begin another, or 0 if the slabs have failed. If it comes too
-   close to islands on its left, their collisions and its own are undone,
-   and one larger island starts in their place, which may in turn come too
-   close to a third. As islands are logged from left to right, the one to
-   undo is always the last. */
+/* Runs the island that begins at gap first. Returns the first gap after the
+   island that may begin another island, or 0 if the slabs have failed. If
+   the island comes too close to islands on its left, the collisions of all
+   these islands are undone, and a single larger island starts in their
+   place. The larger island may come too close to yet another island.
+   Islands are logged from left to right, so the island to undo is always
+   the last. */
 static size_t add_island(struct bonkers *b, struct slab *s, size_t first)
 {
     size_t start = s->logged, last = end_of_chain(b, first, s->end);
@@ -313,9 +312,9 @@ static size_t add_island(struct bonkers *b, struct slab *s, size_t first)
     return last + 3;
 }
 
-/* Saves the bodies and the counters of the gaps from..to-1. This also loads
-   them from memory, and prefetches the next block; with a compiler without
-   __builtin_prefetch large lines are slower. */
+/* Saves the bodies and the counters of the gaps from..to-1, which also
+   loads them from memory. Prefetches the next block. With a compiler
+   without __builtin_prefetch large lines are slower. */
 static void save(struct bonkers *b, size_t from, size_t to)
 {
     const size_t count = to - from + (to == b->gaps);
@@ -334,7 +333,8 @@ static void save(struct bonkers *b, size_t from, size_t to)
 #endif
 }
 
-/* Restores all saved bodies and counters, and the times of their gaps. */
+/* Restores all saved bodies and counters. Recomputes the times of the
+   gaps. */
 static void undo_all(struct bonkers *b)
 {
     const struct bonkers_slab *s = b->slab;
@@ -351,9 +351,9 @@ static void undo_all(struct bonkers *b)
         b->due[i] = time_due(b, i);
 }
 
-/* Drops the log entries of islands that the next slab has passed: they can
-   no longer be undone one by one. Does so only if the log has at least MANY
-   entries, since moving the others costs time. */
+/* Drops the log entries of islands that the next slab has passed, as such
+   islands are not undone one by one. Does this only if the log has at least
+   MANY entries, since moving the remaining entries costs time. */
 static void drop_safe_entries(struct slab *s)
 {
     enum { MANY = 256 };
@@ -378,10 +378,10 @@ static void drop_safe_entries(struct slab *s)
 }
 
 /* Runs the islands of slab s that begin in the gaps from..to-1. Returns
-   false if the slabs have failed; then all slabs must be undone. The list
-   of due gaps is made without a branch, which would be mispredicted at
-   every island: each number is written, but the index advances only if the
-   gap is due. */
+   false if the slabs have failed and must all be undone. The list of due
+   gaps is made without a branch, which would be mispredicted at every
+   island. Each gap is written to the list, but the index advances only if
+   the gap is due. */
 static bool run_block(struct bonkers *b, struct slab *s, size_t from,
                       size_t to)
 {
@@ -401,7 +401,7 @@ static bool run_block(struct bonkers *b, struct slab *s, size_t from,
     return true;
 }
 
-/* Advances one slab by a block; returns false if the slabs have failed. */
+/* Advances a slab by a block. Returns false if the slabs have failed. */
 static bool advance(struct bonkers *b, size_t slab, size_t block)
 {
     struct slab *s = &b->slab->slab[slab];
@@ -434,23 +434,23 @@ static bool run_islands(struct bonkers *b)
     return true;
 }
 
-/* Returns how many collisions a slab should have. If they are few, passing
-   along the line for them is expensive; if they are many, islands often
-   come too close to each other and many collisions are repeated. Three for
-   every twenty gaps proved fastest. */
+/* Returns the number of collisions that a slab should have. With fewer
+   collisions, most of the cost is that of passing along the line. With more
+   collisions, islands often come too close to each other, and many
+   collisions are repeated. Three for every twenty gaps proved fastest. */
 static double collisions_wanted(const struct bonkers *b)
 {
     return 0.15 * (double)b->gaps + 1;
 }
 
-/* Chooses width and number of the next slabs from the width of the last
-   ones and the number of their collisions. This affects no result. The
-   width changes by a factor of two at most; it becomes 0, unknown, if there
-   were no collisions. If it is about right, the number of slabs doubles. A
-   fast ball among many at rest starts a wave longer than the range of one
-   slab among several, and will do so again: so after a failure one slab
-   runs alone, after the next failure three, then seven, up to MOST_ALONE.
-   This number is halved whenever all SLABS have succeeded. */
+/* Chooses the width and number of the next slabs from the width and the
+   collisions of the last slabs. Results do not depend on this choice. The
+   width changes by a factor of two at most. It becomes 0, unknown, if there
+   were no collisions. If the width is about right, the number of slabs
+   doubles. A fast ball among many at rest starts a wave that is too long
+   for one of several slabs, and will do so again. So after a failure one
+   slab runs alone, after the next failure three, then seven, up to
+   MOST_ALONE. This number is halved whenever all SLABS have succeeded. */
 static void adapt_width(struct bonkers *b, double width,
                         uint64_t collisions)
 {
@@ -469,10 +469,10 @@ static void adapt_width(struct bonkers *b, double width,
     s->alone -= s->alone > 0;
 }
 
-/* Returns a first guess of the width, s, which adapt_width corrects: twice
-   the time to the next collision, or INFINITY if there is none. Late in a
-   run that time may be too short for the clock, so the width is at least
-   1e-12 of the clock reading. */
+/* Returns a first guess of the width, s, which adapt_width corrects. This
+   is twice the time to the next collision, or INFINITY if there is no
+   collision. Late in a run such a time may be too short for the clock, so
+   the width is at least 1e-12 of the clock reading. */
 static double first_width(const struct bonkers *b)
 {
     const double wait = b->due[schedule_scan(b->due, b->gaps)] - b->now;
@@ -481,8 +481,8 @@ static double first_width(const struct bonkers *b)
 }
 
 /* Runs slabs of this width, s, from the time `begin`, but not beyond
-   `until`. Returns false if they fail, after undoing all of their
-   collisions. */
+   `until`. If the slabs fail, undoes all of their collisions and returns
+   false. */
 static bool try_slabs(struct bonkers *b, double begin, double width,
                       double until)
 {
@@ -502,7 +502,7 @@ static bool try_slabs(struct bonkers *b, double begin, double width,
     return done;
 }
 
-/* Returns the number of collisions in these slabs. */
+/* Returns the number of collisions in the slabs in progress. */
 static uint64_t collisions_of(const struct bonkers *b)
 {
     uint64_t sum = 0;
@@ -511,18 +511,19 @@ static uint64_t collisions_of(const struct bonkers *b)
     return sum;
 }
 
-/* Returns whether the run may have to stop within these slabs, which do not
-   run their collisions in the order of time. */
+/* Returns whether the run may have to stop within the slabs in progress.
+   Slabs do not run their collisions in the order of time. */
 static bool holds_the_end(const struct bonkers *b, uint64_t collisions,
                           uint64_t limit)
 {
     return b->slab->collapse || collisions >= limit - b->collisions;
 }
 
-/* Runs up to `end` by the heap engine, which counts collisions in the order
-   of time and copes with any number of them at one time, as when a thousand
-   touching balls are struck. Its heap needs room for every gap: it uses the
-   memory of the saved bodies, which have been restored. */
+/* Runs up to `end` by the heap engine. This engine counts collisions in the
+   order of time and can handle any number of simultaneous collisions, as
+   when a thousand touching balls are struck. The heap needs room for every
+   gap, so it uses the memory of the saved bodies, which have been
+   restored. */
 static enum bonkers_stop run_slab_by_heap(struct bonkers *b, double end,
                                           uint64_t limit)
 {
@@ -533,12 +534,12 @@ static enum bonkers_stop run_slab_by_heap(struct bonkers *b, double end,
     const enum bonkers_stop stop = engine_run_heap(b, end, limit);
     schedule_clear(&b->schedule);
     b->schedule = islands;
-    b->slab->width = 0; /* the width is unknown again */
+    b->slab->width = 0; /* unknown */
     return stop;
 }
 
-/* Returns how many slabs to run next: only one if the width is a guess or
-   if the run is near its end. */
+/* Returns the number of slabs to run next. This is one if the width is a
+   guess or if the run is near its end. */
 static size_t slabs_to_go(const struct bonkers *b, double width,
                           double until, uint64_t limit)
 {
@@ -550,12 +551,13 @@ static size_t slabs_to_go(const struct bonkers *b, double width,
     return b->slab->width > 0 && most > 1 ? (size_t)most : 1;
 }
 
-/* After a failure of several slabs one is tried alone; if it fails, it is
-   tried again at a quarter of the width, up to four times in all, as each
-   attempt costs as much as a slab. If too many gaps are due at one time, a
-   shorter slab would not help, and one attempt is made. After that, and in
-   the slab with the last requested collision, the heap takes over; that
-   costs as much as one slab, once in a run. */
+/* If several slabs fail, a single slab is tried. If this fails, it is tried
+   again at a quarter of the width, up to four times in all, since each
+   attempt costs as much as a slab. If too many gaps are due at the same
+   time, a shorter slab would not help, and there is only one attempt. After
+   the last attempt the heap engine takes over. It also runs the slab with
+   the last requested collision, which costs as much as a slab, once in a
+   run. */
 enum bonkers_stop slab_run(struct bonkers *b, double until, uint64_t limit)
 {
     struct bonkers_slab *s = b->slab;

@@ -4,14 +4,14 @@
 
 #include "line/bonkers.h"
 
-/* Largest number of due gaps of one island that the schedule can contain;
-   islands with more are left to the heap engine. */
+/* Largest number of due gaps of an island that the schedule can contain.
+   Larger islands are left to the heap engine. */
 enum { SLAB_WAITING = 4096 };
 
 /* Returns the state of the engine, or NULL if memory runs out. */
 struct bonkers_slab *slab_create(const struct bonkers *b);
 
-/* Frees the engine's memory; does nothing if s is NULL. */
+/* Frees the memory of the engine. Does nothing if s is NULL. */
 void slab_free(struct bonkers_slab *s);
 
 /* Runs until the time `until`, as bonkers_run does. */

@@ -1,4 +1,4 @@
-/* The presets of a line: fixed numbers, random points and thermal gases. */
+/* Fills in the starts of runs: fixed, random or thermal. */
 #include "line/start.h"
 
 #include "toolbox/random.h"
@@ -11,7 +11,7 @@ const char *const start_names[START_KINDS + 1] = {
     "four",      "mixed", "cradle", "thermal",  "piston",
     "adiabatic", "two",   "random", "galperin", NULL};
 
-/* One block of memory serves all four arrays. */
+/* All four arrays share a block of memory. */
 bool start_create(struct start *s, size_t movers)
 {
     *s = (struct start){.movers = movers};
@@ -32,10 +32,11 @@ void start_free(struct start *s)
     *s = (struct start){0};
 }
 
-/* Fills x with n uniform random points between a and b, in order, without
-   sorting: the gaps between them are n + 1 exponential variates divided by
-   their sum. (Before the division they are independent, which is why the
-   free space of a line behaves like an ideal gas.) */
+/* Fills x with n uniform random points between a and b, in order. No
+   sorting is needed, since the gaps between such points are n + 1
+   exponential variates divided by their sum. (Before the division the gaps
+   are independent, which is why the free space of a line behaves like an
+   ideal gas.) */
 static void throw_points(struct random *r, size_t n, double a, double b,
                          double x[])
 {
@@ -50,8 +51,8 @@ static void throw_points(struct random *r, size_t n, double a, double b,
 }
 
 /* Draws velocities for movers i to i + n - 1 from normal distributions with
-   variances proportional to 1/m, and scales them so that the total kinetic
-   energy is `energy`, J. */
+   variances proportional to 1/m. Scales them to a total kinetic energy of
+   `energy`, J. */
 static void warm(struct random *r, struct start *s, size_t i, size_t n,
                  double energy)
 {
@@ -161,12 +162,12 @@ static void fill_random(struct start *s, struct random *r)
 }
 
 /* Fills in a piston of 40 kg in the middle of 12 m, and other bodies with a
-   total mass of 40/3 kg. Not warmed, all fly to the right at 1 m/s with
-   80/3 J, three quarters of it in the piston. Warmed, each gas has 10/3 J
-   and the piston moves at 0.1 m/s. The masses increase from the left wall
-   to the piston, from a tenth below to a tenth above their mean. They
-   decrease on its right, over a smaller range, so that the two gases have
-   equal masses but are not mirror images. */
+   total mass of 40/3 kg. If not `warmed`, all bodies fly to the right at 1
+   m/s with 80/3 J, and three quarters of this are in the piston. If
+   `warmed`, each gas has 10/3 J and the piston moves at 0.1 m/s. On the
+   left of the piston the masses increase from a tenth below to a tenth
+   above their mean. On the right they decrease over a smaller range, so the
+   two gases have equal masses but are not mirror images. */
 static void fill_piston(struct start *s, struct random *r, double ratio,
                         bool warmed)
 {
@@ -216,9 +217,8 @@ bool start_allows(enum start_kind kind, size_t movers)
             (!kinds[kind].odd || movers % 2 == 1));
 }
 
-/* Requested walls are set twice: before filling, for kinds that place
-   random points between them, and afterwards, for kinds that set walls of
-   their own. */
+/* Sets requested walls twice: before filling for kinds that place random
+   points between them, and afterwards for kinds that set other walls. */
 bool start_fill(struct start *s, const struct start_request *w)
 {
     struct random r;

@@ -32,24 +32,25 @@ enum start_kind {
 /* The names of the kinds, in the order of enum start_kind, then NULL. */
 extern const char *const start_names[START_KINDS + 1];
 
-/* Allocates a start for this many movers with masses of 1 kg, all else 0.
-   Returns false, with nothing to free, if memory runs out. */
+/* Allocates a start for this number of movers. All masses are 1 kg, and all
+   other numbers 0. Returns false, with nothing to free, if memory runs
+   out. */
 bool start_create(struct start *s, size_t movers);
 void start_free(struct start *s);
 
-/* A request to start_fill. Members that are zero stand for the defaults. */
+/* A request to start_fill. Members that are zero select the defaults. */
 struct start_request {
     enum start_kind kind;
     size_t movers;
-    double ratio; /* of masses; two, galperin: second to first; piston,
-                     adiabatic: piston to mean of others */
+    double ratio; /* of masses: second to first body (two, galperin) or
+                     piston to mean of others (piston, adiabatic) */
     bool walls;   /* whether wall is given */
     double wall[2];
     uint64_t seed; /* seed of the random numbers */
 };
 
-/* Returns whether this kind of start allows this number of movers; 0 stands
-   for its default. */
+/* Returns whether this kind of start allows this number of movers. 0
+   selects the default number. */
 bool start_allows(enum start_kind kind, size_t movers);
 
 /* Allocates and fills in a start. Returns false, with nothing to free, if

@@ -1,6 +1,6 @@
 /* From chapters/03-equilibrium.nw: edit there, then run make tangle. */
-/* checksum 2833696931 of the lines below */
-/* Moments, blocks and correlations of a series, and its histogram. */
+/* checksum 588946187 of the lines below */
+/* Computes moments, errors, correlations and histograms of a series. */
 #include "line/statistics.h"
 
 #include <assert.h>
@@ -101,7 +101,7 @@ bool statistics_blocking(size_t n, const double x[],
         b->level[b->levels++] = error_of_blocks(n, block, length);
         n /= 2;
         length *= 2;
-        for (size_t i = 0; i < n; ++i) /* a block left over is lost */
+        for (size_t i = 0; i < n; ++i) /* an odd block is dropped */
             block[i] = (block[2 * i] + block[2 * i + 1]) / 2;
     }
     free(block);
@@ -115,7 +115,7 @@ bool statistics_blocking(size_t n, const double x[],
 }
 
 /* Returns the covariance as statistics_covariance does. The mean is in this
-   unit, the covariance in its square. */
+   unit, and the covariance in the square of the unit. */
 static double covariance_in(double unit, size_t n, const double x[],
                             double mean, size_t lag)
 {
@@ -200,7 +200,8 @@ double statistics_histogram_error(const struct statistics_histogram *h,
                                   size_t i, double inefficiency)
 {
     const double width = (h->high - h->low) / (double)h->bins;
-    const double n = (double)h->total / inefficiency; /* independent */
+    const double n = (double)h->total / inefficiency; /* independent
+                                                         samples */
     const double found = (double)h->count[i] / (double)h->total;
     const double p = fmin(fmax(found, 1 / n), 1 - 1 / n);
     return sqrt(p * (1 - p) / n) / width;

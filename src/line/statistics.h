@@ -30,14 +30,16 @@ struct statistics_block {
 
 /* The error of the mean, estimated from blocks of 1, 2, 4, ... samples. */
 struct statistics_blocking {
-    size_t levels, chosen; /* number of lengths; index of the chosen one */
+    size_t levels, chosen; /* number of lengths; index of the chosen
+                              length */
     bool plateau;          /* false: the error is only a lower bound */
     double error;          /* of the mean, from the chosen level */
     double inefficiency;   /* samples per independent sample */
     struct statistics_block level[STATISTICS_LEVELS];
 };
 
-/* The inefficiency from the sum of the correlations in a window of lags. */
+/* The inefficiency from the sum of the correlations over a window of
+   lags. */
 struct statistics_correlation {
     size_t window;
     bool settled; /* false: even the longest window was too short */
@@ -50,7 +52,7 @@ struct statistics_correlation {
 struct statistics_histogram {
     double low, high;
     size_t bins;
-    uint64_t total, below, above; /* all samples; those below low; above
+    uint64_t total, below, above; /* all samples; samples below low; above
                                      high */
     uint64_t count[];             /* samples in each bin */
 };
@@ -58,7 +60,7 @@ struct statistics_histogram {
 /* The Gaussian fitted to a histogram. */
 struct statistics_gaussian {
     double mean, sd, mean_error, sd_error;
-    double chi2;    /* of the bins about the fit, divided by g */
+    double chi2;    /* of the fit, divided by g */
     size_t degrees; /* of freedom of chi2 */
 };
 
@@ -69,8 +71,9 @@ struct statistics_description {
     double least, greatest;
     double mean, mean_error, sd, sd_error, kurtosis, kurtosis_error;
     double naive_error;  /* of the mean, assuming independence */
-    double inefficiency; /* largest of 1 and those of x, (x - mean)^2 */
-    size_t block;        /* longest block in use, in samples */
+    double inefficiency; /* largest of 1 and the values for x and (x -
+                            mean)^2 */
+    size_t block;        /* longest block used, in samples */
     bool plateau;        /* false: the errors are only lower bounds */
 };
 
@@ -102,10 +105,10 @@ bool statistics_blocking(size_t n, const double x[],
 
 /* Estimates the inefficiency from the sum of the correlations of a series
    (3.8, eq:inefficiency). The sum ends at the first lag that is at least 6
-   and six times the correlation time, tau = g / 2, or else at n / 8. The
-   time is proportional to n times the window. Requires n >= 2. Sources:
-   Sokal's lectures (1997); uncertainty and bias: Wolff, Comput. Phys.
-   Commun. 156, 143 (2004). */
+   and at least six correlation times (tau = g / 2), or else at n / 8. The
+   computing time is proportional to n times the window. Requires n >= 2.
+   Sources: Sokal's lectures (1997); uncertainty and bias: Wolff, Comput.
+   Phys. Commun. 156, 143 (2004). */
 struct statistics_correlation statistics_correlation(size_t n,
                                                      const double x[]);
 
@@ -113,13 +116,13 @@ struct statistics_correlation statistics_correlation(size_t n,
 double statistics_covariance(size_t n, const double x[], double mean,
                              size_t lag);
 
-/* Returns an empty histogram, which free() frees, or NULL if memory runs
-   out. Requires low < high with a finite difference and bins > 0. */
+/* Returns an empty histogram, or NULL if memory runs out. Free it with
+   free(). Requires low < high with a finite difference and bins > 0. */
 struct statistics_histogram *statistics_histogram_create(double low,
                                                          double high,
                                                          size_t bins);
 
-/* Adds x to the count of its bin; the last bin includes high. */
+/* Adds x to the count of its bin. The last bin includes high. */
 void statistics_histogram_add(struct statistics_histogram *h, double x);
 
 /* Returns the lower edge of bin i or, for i = bins, the upper edge of the
@@ -138,10 +141,10 @@ double statistics_histogram_error(const struct statistics_histogram *h,
    standard deviation sd (3.19, eq:width), from 1 to 1000. */
 size_t statistics_bins(size_t n, double low, double high, double sd);
 
-/* Fits a Gaussian by maximum likelihood (3.20, eq:score); g is the
+/* Fits a Gaussian by maximum likelihood (3.20, eq:score). g is the
    inefficiency of the samples, 1 if they are independent. Returns false if
-   there is no best Gaussian: all samples are in one bin, or Newton's method
-   does not converge. */
+   all samples are in a single bin, or if Newton's method does not
+   converge. */
 bool statistics_fit_gaussian(const struct statistics_histogram *h, double g,
                              struct statistics_gaussian *fit);
 
@@ -149,24 +152,24 @@ bool statistics_fit_gaussian(const struct statistics_histogram *h, double g,
 double statistics_gaussian_between(double mean, double sd, double a,
                                    double b);
 
-/* Describes x, with errors from blocking if serial; otherwise the samples
-   are assumed to be independent. Returns false if memory runs out. Requires
-   n >= 2. */
+/* Describes x. If `serial`, errors are estimated by blocking. Otherwise the
+   samples are assumed to be independent. Returns false if memory runs out.
+   Requires n >= 2. */
 bool statistics_describe(size_t n, const double x[], bool serial,
                          struct statistics_description *d);
 
 /* Measures the scatter of counts (3.15, eq:scatter) over blocks that are
    long enough to be independent. count[b * cells + k] is the number of
-   samples of block b in cell k, on average `expected`. Requires 3 blocks.
-   Source: Satterthwaite, Biometrics Bull. 2, 110 (1946). */
+   samples of block b in cell k, on average `expected`. Requires at least 3
+   blocks. Source: Satterthwaite, Biometrics Bull. 2, 110 (1946). */
 struct statistics_scatter statistics_scatter(size_t blocks, size_t cells,
                                              const double count[],
                                              double expected);
 
-/* Compares x with y, measured at the same times: computes their
-   correlation, with an error from blocking if serial, and chi-square of a
-   table of cells x cells, which are equally filled if x and y are
-   independent. This chi-square is not divided by an inefficiency. Returns
+/* Compares x with y, which are measured at the same times. Computes their
+   correlation, with an error from blocking if `serial`, and chi-square of a
+   table of cells x cells. If x and y are independent, these cells are
+   equally filled. Chi-square is not divided by an inefficiency. Returns
    false if memory runs out, or if x or y is constant. Requires n >= 2,
    cells >= 2. */
 bool statistics_dependence(size_t n, const double x[], const double y[],

@@ -1,9 +1,9 @@
-/* Gravity on the line: a vertical wire, with the left wall as the floor. */
+/* Adds gravity to the line, a vertical wire with the left wall as floor. */
 
-/* Chapter 5 (section Weight) derives the differences: two falling bodies
-   collide when they would without gravity, and only a floor or a roof needs
-   a square root. Nothing else in the engines changes, and a run without
-   gravity does not call these functions. */
+/* Two falling bodies collide when they would without gravity, and only a
+   floor or a roof needs a square root (chapter 5, section Weight). Nothing
+   else in the engines changes. A run without gravity does not call these
+   functions. */
 #include "line/weight.h"
 
 #include "line/collide.h"
@@ -14,9 +14,9 @@
 #include <float.h>
 #include <math.h>
 
-/* Returns whether a body does not fall: a wall, or a body lying on the
-   floor. As the radii have been subtracted, all bodies of a pile are at the
-   position of the floor, each with velocity 0. */
+/* Returns whether a body does not fall: it is a wall, or lies on the floor.
+   The radii have been subtracted, so all bodies of a pile are at the
+   position of the floor with velocity 0. */
 static bool rests(const struct bonkers *b, const struct bonkers_body *a)
 {
     return a->im == 0 || (a->v == 0 && a->x <= b->body[0].x);
@@ -37,8 +37,8 @@ struct bonkers_body weight_body_at(const struct bonkers *b, size_t i,
 
 /* The positions and velocities of both bodies are computed for the later of
    their two times, as in time_of_gap. Gravity does not change the relative
-   velocity of two falling bodies (exercise 05b); a body at rest is a floor
-   or a roof for the other. */
+   velocity of two falling bodies (exercise 05b). A body at rest is a floor
+   or a roof for the other body. */
 double weight_time_of_gap(const struct bonkers *b, size_t i)
 {
     const double t = fmax(b->body[i].since, b->body[i + 1].since);
@@ -57,8 +57,7 @@ double weight_time_of_gap(const struct bonkers *b, size_t i)
 /* Moves the bodies of gap i, one of which rests, into contact at the time
    t, s. The clock is rounded, so a body reaches the floor a little early or
    late. Its velocity at the floor is computed from its energy and not from
-   the time: a bounce then keeps the energy up to rounding, however late it
-   is. */
+   the time. A bounce then keeps the energy up to rounding. */
 static void land(struct bonkers *b, size_t i, double t)
 {
     struct bonkers_body *left = &b->body[i], *right = left + 1;
@@ -73,12 +72,11 @@ static void land(struct bonkers *b, size_t i, double t)
     left->since = right->since = t;
 }
 
-/* In a pile the number of collisions at one time that counts as a collapse
-   is multiplied by PILE. Each bounce of an upper body sets all bodies below
-   it in motion, which must come to rest first: with restitution 1/2 one
-   ball needs fifty bounces, two need hundreds, three thousands, and many of
-   them happen at one clock reading. With nine balls no factor would be
-   enough. */
+/* In a pile the limit on collisions at the same clock reading is PILE times
+   higher. Each bounce of an upper body sets all bodies below in motion,
+   which must come to rest first. With restitution 1/2 one ball needs fifty
+   bounces, two balls need hundreds, and three thousands, many of them at
+   the same clock reading. With nine balls no factor would be enough. */
 enum { PILE = 1000 };
 
 /* Returns whether a body is at the floor, up to rounding. */
@@ -99,14 +97,15 @@ static void stop_bouncing(const struct bonkers *b, struct bonkers_body *a)
     }
 }
 
-/* Two falling bodies also collide a little early or late: at that time they
-   overlap or do not touch. Moving them to one position, as collide_gap
-   does, would change the energy, since moving a body lifts it: the errors
-   add up to a random walk (2e-9 of the energy in ten million collisions,
-   1e-11 if the position is the centre of mass). But the overlap tells how
-   late the collision is, so each body moves to where it would be if it had
-   turned at the right moment: this does not move the centre of mass, and
-   makes the positions eighty times more accurate. */
+/* The clock is rounded, so two falling bodies collide a little late, when
+   they overlap, or a little early, when they do not touch. collide_gap
+   moves them to the same position. Under gravity this would change the
+   energy, since moving a body lifts it. The errors would add up to a random
+   walk: 2e-9 of the energy in ten million collisions, or 1e-11 if the
+   position is the centre of mass. But the overlap shows how late the
+   collision is. So each body moves to the position that it would have if it
+   had turned at the right moment. This does not move the centre of mass,
+   and makes the positions eighty times more accurate. */
 bool weight_collide_gap(struct bonkers *b, size_t i)
 {
     struct bonkers_body *left = &b->body[i], *right = left + 1;

@@ -4,8 +4,8 @@
 
 #include "line/bonkers.h"
 
-/* Returns the state of body i at the time t under gravity, provided that it
-   has no collision before (5.12, eq:fall). */
+/* Returns the state of body i at the time t under gravity, if the body does
+   not collide before (5.12, eq:fall). */
 struct bonkers_body weight_body_at(const struct bonkers *b, size_t i,
                                    double t);
 
@@ -16,8 +16,7 @@ double weight_time_of_gap(const struct bonkers *b, size_t i);
 /* Collides the bodies of gap i when it is due, as collide_gap does. */
 bool weight_collide_gap(struct bonkers *b, size_t i);
 
-/* Runs the naive engine under gravity; the arguments and the result are
-   those of bonkers_run. */
+/* Runs the naive engine under gravity, as bonkers_run does. */
 enum bonkers_stop weight_run_naive(struct bonkers *b, double until,
                                    uint64_t limit);
 

@@ -13,13 +13,14 @@ enum { STAGES = 7, MOST_ROUNDS = 12 };
 
 /* Weights computed from a method's coefficients, for a step of length 1. */
 struct adaptive_weights {
-    /* Of a pair: c has the row sums of a; a2, error2 and dense2 are a,
-       error and dense multiplied by the matrix a. */
+    /* For an embedded pair: c holds the row sums of the matrix a. a2,
+       error2 and dense2 are a, error and dense times a. */
     double c[STAGES], a2[STAGES][STAGES];
     double error2[STAGES], dense2[STAGES];
-    /* Of Radau's method. If g_(k+1) is 1 and all others are 0, x[i][k] is
-       the displacement at node i + 1 divided by the node's square, and
-       v[i][k] is the change of velocity divided by the node. */
+    /* For Radau's method: if g_(k+1) is 1 and the other coefficients are 0,
+       x[i][k] is the displacement at node i + 1 divided by the square of
+       the node, and v[i][k] is the change of velocity divided by the
+       node. */
     double x[STAGES][STAGES], v[STAGES][STAGES];
     double gap[STAGES][STAGES]; /* 1 / (c_(i+1) - c_j) */
     double last[STAGES];        /* 1 / (1 - c_(j+1)) */
@@ -39,9 +40,9 @@ static double power_of(double z, int n)
 
 /* Returns the n-th root of z > 0, with a relative error of a few millionths
    at most. Newton's method uses only + - * /, so the result is the same on
-   every machine. The last bit of a library's root is not, and it would
-   change all later steps. The iteration starts above the root and decreases
-   towards it. */
+   every machine. The last bit of a library function depends on the machine
+   and would change all later steps. The iteration starts above the root and
+   decreases towards it. */
 static double root(double z, int n)
 {
     double y = z > 1 ? z : 1, down;
@@ -81,7 +82,7 @@ static bool is_free(const struct adaptive *s)
     return s->tolerance > 0;
 }
 
-/* Sets `to` to the compensated sum from + by. `carry` has the rounding
+/* Computes to = from + by as a compensated sum. `carry` has the rounding
    errors so far, and `owed` gets the new ones. If steps are few and large,
    these sums are the main source of rounding errors. */
 static void add(double *restrict to, double *restrict owed,
@@ -96,8 +97,8 @@ static void add(double *restrict to, double *restrict owed,
 }
 
 /* Computes the end of a trial step from the changes in place[] and speed[].
-   The result overwrites s->from, the beginning of the last step, which is
-   not needed once a time after that step is requested. */
+   The result overwrites s->from, the beginning of the last step. It is not
+   needed when a time after the last step is requested. */
 static void arrive(struct adaptive *s)
 {
     const size_t n = s->forces.size;
@@ -287,7 +288,7 @@ static void measure_radau(struct adaptive *s)
 /* Returns the displacement of a body in the time `part`. v and a are the
    velocity and the acceleration at the beginning. change * part^2 is the
    change of the acceleration, integrated twice. Small terms are summed
-   first. A rounded constant c^2/2 would cause the same error in all
+   first. Using a rounded constant c^2/2 would cause the same error in all
    steps. */
 static inline double way(double part, double v, double a, double change)
 {
@@ -295,9 +296,9 @@ static inline double way(double part, double v, double a, double change)
 }
 
 /* Computes the displacements and the changes of velocity in a part of a
-   step from g. When one coordinate was computed after the other, a run of a
-   membrane of 81 nodes spent nine tenths of its time in these sums. With
-   vector code a step takes less than half the time. */
+   step from the coefficients g. When one coordinate was computed after the
+   other, a run of a membrane of 81 nodes spent nine tenths of its time in
+   these sums. With vector code a step takes less than half the time. */
 VECTOR_LOOP static void lead(double *restrict place, double *restrict speed,
                              const double *restrict g,
                              const struct adaptive_state *start,
@@ -418,7 +419,7 @@ static void guess_force(struct adaptive *s, double h)
     turn(s->g, s->new_b, s->weights->newton, n);
 }
 
-#define RADAU_SCALE 50 /* calibrated, not derived */
+#define RADAU_SCALE 50 /* found by experiment, not derived */
 
 /* Returns whether the iteration may end: the change of g_7 is less than the
    tolerance or has stopped decreasing. A seventh difference amplifies
@@ -430,10 +431,10 @@ static bool settled(const struct adaptive *s, double change, double last)
 }
 
 /* Sets *to to from + by + small, and *owed to the rounding error. `small`
-   is the contribution of the tails of the weights. It is less than the last
-   digit of the sum and would be lost in every step, so it is first added to
-   the rounding error of from + by. The formula for this error is exact
-   whichever term is larger. */
+   is the contribution of the second parts of the weights. It is less than
+   the last digit of the sum and would be lost in every step, so it is first
+   added to the rounding error of from + by. The formula for this error is
+   exact whichever term is larger. */
 static void add_tail(double *to, double *owed, double from, double by,
                      double small)
 {
@@ -477,11 +478,10 @@ static double scale_of(double start, double along)
 }
 
 /* Returns the largest g_8, for which the end of the step is an eighth node.
-   The seventh node is at 0.977 of the step. The force of a spring jumps
-   when its ends pass through each other. If it jumps after the seventh
-   node, the nodes of this step and of the next step may miss the jump. This
-   happened at one of about fifty jumps. In a smooth step g_8 is smaller
-   than g_7. */
+   Without g_8, step control may miss a jump of the force after the seventh
+   node, at 0.977 of the step. The force of a spring jumps when its ends
+   pass through each other, and about one of fifty such jumps was missed. In
+   a smooth step g_8 is smaller than g_7. */
 static double beyond(struct adaptive *s)
 {
     const size_t n = s->forces.size;
@@ -717,7 +717,7 @@ void adaptive_begin(struct adaptive *s, double tolerance, double dt,
     memset(s->guess, 0, all * sizeof *x);
 }
 
-enum { NOTED = 14 }; /* numbers of a note before its arrays */
+enum { NOTED = 14 }; /* how many numbers precede the arrays in note[] */
 
 size_t adaptive_notes(const struct adaptive *s)
 {
@@ -734,9 +734,10 @@ static double *pass(double *note, double *own, size_t n, bool back)
 }
 
 /* Copies the arrays of the state to note or, if back is true, from note.
-   These are both ends of the last step, since the next requested time may
-   lie within it, and either the stages of a pair, or Radau's polynomial and
-   its guess. Both are needed to guess the next polynomial. */
+   Both ends of the last step are copied, since the next requested time may
+   lie within the step. A pair also needs its stages. Radau's method also
+   needs its polynomial and the guess of it, to guess the next
+   polynomial. */
 static void pass_lists(const struct adaptive *s, double *note, bool back)
 {
     const size_t n = s->forces.size, all = n * s->method->stages;

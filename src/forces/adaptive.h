@@ -14,7 +14,8 @@ struct adaptive_state {
 struct adaptive {
     const struct stepping_method *method;
     struct stepping_forces forces;
-    double tolerance, dt;    /* dt in s; both as in struct stepping */
+    double tolerance, dt;    /* tolerance and step (s), as in struct
+                                stepping */
     uint64_t taken, refused; /* numbers of accepted and rejected steps */
     uint64_t evaluations;    /* number of force evaluations */
     double t, h;             /* end and length of the last step, s */
@@ -27,16 +28,16 @@ struct adaptive {
     double past, past_owed; /* t and owed before the last step, s */
     double whole;           /* length of the step described by b, s */
     bool begun; /* false: the forces at the start are not yet computed */
-    struct adaptive_state from, to; /* ends of the last step */
+    struct adaptive_state from, to; /* beginning and end of the last step */
     double noise;          /* effect of rounding errors on g_8, m/s^2 */
-    double *place, *speed, /* [size] displacements, or state, at a stage */
+    double *place, *speed, /* [size] displacement or state at a stage */
         *stage;            /* [stages * size] accelerations at all stages */
     double *difference;    /* [size] scratch */
     double *g,             /* [stages * size] g_k, Radau's force in Newton
                               polynomials */
         *b,                /* [stages * size] the same force in powers of
                               s */
-        *guess;            /* [stages * size] b as guessed */
+        *guess;            /* [stages * size] the guess of b */
     double *new_b, *new_guess; /* b and guess of a trial step */
     struct adaptive_weights *weights;
     double *work;
@@ -48,7 +49,8 @@ struct adaptive {
     void *with;
     double slack;  /* fraction by which the first step and limited steps are
                       shortened */
-    uint64_t most; /* steps fail after more evaluations; 0: no limit */
+    uint64_t most; /* limit of evaluations, after which steps fail; 0:
+                      none */
 };
 
 /* Creates the data for runs by the adaptive method m with the forces f.

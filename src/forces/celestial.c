@@ -354,7 +354,7 @@ static double ring_speed(const struct ring *g, double r)
 static void put_random(struct scene *s, size_t i, const struct ring *g,
                        struct random *random)
 {
-    const double u = random_uniform(random) + 0x1p-54; /* never 0 */
+    const double u = random_uniform(random) + 0x1p-54; /* u is never 0 */
     const double low = g->inner * g->inner, high = g->outer * g->outer;
     const double r = sqrt(low + u * (high - low)), v = ring_speed(g, r);
     double d[2];

@@ -289,7 +289,7 @@ bool checkpoint_write(struct checkpoint *c, struct motion *m,
     return table_close(t);
 }
 
-enum { COUNTS = 3 }; /* lines with the keys length, sum and end */
+enum { COUNTS = 3 }; /* the lines length, sum and end */
 
 /* The contents of the lines "#= KEY VALUE" of a checkpoint. All of them are
    checked, so an edited file is refused. */
@@ -301,8 +301,8 @@ struct head {
     uint64_t own;         /* checksum of the lines read so far */
 };
 
-/* Returns the value in a line, given without its "#= ", if the line has
-   this key. Returns NULL if it has another key. */
+/* Returns the value of a line that begins with this key, or NULL for
+   another key. The line is passed without its "#= ". */
 static const char *after(const char *line, const char *key)
 {
     const size_t n = strlen(key);
@@ -331,7 +331,7 @@ static bool take_number(const char *value, bool count, double *number)
    it is full, since the file does not say how many numbers follow. */
 static bool take_own(struct checkpoint *c, const char *value)
 {
-    if ((c->owned & (c->owned - 1)) == 0) { /* 0, 1, 2, 4, 8 ...: full */
+    if ((c->owned & (c->owned - 1)) == 0) { /* full at 0, 1, 2, 4, 8 ... */
         const size_t room = c->owned > 0 ? 2 * c->owned : 1;
         double *const more = realloc(c->own, room * sizeof *more);
         if (!more)

@@ -17,7 +17,7 @@ struct checkpoint_numbers {
     double start; /* time at the start of the run, s */
     double steps, collisions, evaluations, rows; /* counts so far */
     double energy,                               /* at the start, J */
-        depth,     /* largest depth of the potential in a row, J */
+        depth,     /* largest depth of the potential below 0 in a row, J */
         worst;     /* largest deviation from `energy` in a row, J */
     double passed, /* number of pairs that passed through each other */
         overlap;   /* largest overlap at the start, m */

@@ -15,7 +15,8 @@ struct elastic_membrane {
     double mass;      /* kg */
     double stiffness; /* N/m */
     double damping;   /* of the dashpots, kg/s */
-    double rest;      /* rest length divided by distance of neighbours */
+    double rest;      /* rest length divided by the distance of
+                         neighbours */
     double amplitude; /* of the displacement in the mode (r, s), m */
     size_t r, s;      /* numbers of half waves along x and y */
     bool free;        /* bodies may also move in the plane */

@@ -116,8 +116,8 @@ VECTOR_AVX512 static inline void pull8(const struct gravity *g,
 
 /* Adds the accelerations of eight bodies from number i on. Each body has
    its own lane, so the order of its sum is unchanged. Lanes beyond the last
-   body are masked. The pull of a body on itself is zero. Its squared
-   distance is 1 instead of the squared softening, which may be 0. */
+   body are masked. The pull of a body on itself is zero. For this pair 1
+   replaces the squared softening, which may be 0. */
 VECTOR_AVX512 static void add_avx512(const struct gravity *g,
                                      const double x[], double a[], size_t i)
 {

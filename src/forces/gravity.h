@@ -12,7 +12,7 @@
    the tree add the terms in the same order. AVX-512 rounds differently, by
    less than 1e-14 of each term. */
 enum gravity_kernel {
-    GRAVITY_AUTO,         /* fastest kernel with the results of portable */
+    GRAVITY_AUTO,         /* fastest kernel with the bits of portable */
     GRAVITY_PORTABLE,     /* plain C; bit-identical on all machines */
     GRAVITY_AVX512,       /* intrinsics, for eight bodies at once */
     GRAVITY_TREE,         /* Barnes-Hut tree; needs gravity_use_tree */
@@ -32,8 +32,8 @@ enum {
 
 struct tree;
 
-/* Bodies that attract each other. Coordinate k of body i is element [k *
-   bodies + i] of an array. */
+/* Bodies that attract each other. Coordinate k of body i has the index k *
+   bodies + i in an array. */
 struct gravity {
     size_t bodies;
     const double *mass; /* [bodies], owned by the caller */

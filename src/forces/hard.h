@@ -10,8 +10,8 @@
    four-disks, thermal, piston and galperin. */
 
 /* Converts a scene into disks for the engine of chapter 5, or into spheres
-   if the scene is not plane. The box must have hard walls along all of
-   their axes, or be periodic along all of them. Its lower corner becomes
+   if the scene is not plane. The box must have hard walls along both or all
+   three axes, or be periodic along all of them. Its lower corner becomes
    the origin. Returns false, with nothing to free, if memory runs out. */
 bool hard_disks(struct disks *d, const struct scene *s);
 

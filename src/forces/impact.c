@@ -17,13 +17,14 @@ _Static_assert((int)DEGREE <= (int)ROOT_DEGREE, "of a pair's gap");
    the last place. */
 static const double ROUNDING = 0x1p-50;
 
-/* A gap between two bodies or, if a == b, between a body and a wall. The
-   state is that during the current part of the step. */
+/* A gap between two bodies or, if a == b, between a body and a wall, in the
+   current part of the step. */
 struct impact_gap {
     uint32_t a, b;
     size_t axis;                /* normal to the wall */
     double side,                /* -1: lower wall, 1: upper wall */
-        edge;                   /* limit of the body's centre, m */
+        edge;                   /* coordinate of the body's centre at
+                                   contact, m */
     double image[SPHERES_AXES]; /* shift to the nearest image of b, m */
     double sum;                 /* of the radii of a pair, m */
     double start;               /* width when closed, m: 0, or negative
@@ -100,8 +101,8 @@ static void divide_numbers(struct impact *p, size_t n)
     p->pull = p->high + n;
 }
 
-/* Makes the stepping use accelerate() above, and removes the stepping's
-   sweep, which ignores walls. */
+/* Replaces the forces of *s by accelerate() above, and removes its sweep,
+   which ignores walls. */
 bool impact_create(struct impact *p, struct spheres *spheres,
                    struct stepping *s)
 {
@@ -544,10 +545,9 @@ static struct impact_gap *first_gap(const struct impact *p)
     return first;
 }
 
-/* Returns the first gap that the method closes before the time *h, or NULL.
-   Sets *h to an estimate of the gap's time. This check is needed because
-   two roots that are close together may be in the wrong order on the
-   paths. */
+/* Returns the gap that has closed first before the time *h, or NULL if none
+   has. Sets *h to an estimate of the time at which it closed. Two roots
+   that are close together may be in the wrong order on the paths. */
 static struct impact_gap *earlier_gap(const struct impact *p, double *h)
 {
     const double now = *h;
@@ -566,7 +566,7 @@ static struct impact_gap *earlier_gap(const struct impact *p, double *h)
     return first;
 }
 
-/* Ends a step unfinished, and records the two bodies of the gap that caused
+/* Abandons the step, and records the two bodies of the gap that caused
    this. */
 static void abandon_step(struct impact *p, const struct impact_gap *g)
 {

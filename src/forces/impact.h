@@ -14,9 +14,9 @@ struct impact {
     uint64_t simultaneous; /* contacts at the same time as an earlier one */
     uint64_t grazing;      /* contacts on paths that the method did not
                               confirm */
-    double least;          /* minimum of a gap that is nearest to 0, m; to
-                              be set first to the largest value that
-                              counts */
+    double least;          /* the minimal width of a gap that is nearest to
+                              0, m; to be set first to the largest one that
+                              counts; 0: not searched for */
     uint64_t parts;        /* parts of steps searched for contacts */
     uint64_t pairs;        /* pairs examined in these parts */
     uint64_t curves;       /* number of terms of all gaps followed: control

@@ -70,11 +70,20 @@ static const double midpoint_a[] = {0.5}, midpoint_b[] = {1};
    seventeen conditions of order 5 and the eight conditions of the dense
    weights. */
 static const double dopri5_a[] = {
-    0, 0, 0, 0, 0, 0, 0, 1.0 / 5, 0, 0, 0, 0, 0, 0, 3.0 / 40, 9.0 / 40, 0,
-    0, 0, 0, 0, 44.0 / 45, -56.0 / 15, 32.0 / 9, 0, 0, 0, 0, 19372.0 / 6561,
-    -25360.0 / 2187, 64448.0 / 6561, -212.0 / 729, 0, 0, 0, 9017.0 / 3168,
-    -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656, 0, 0,
-    /* the end of the step */
+    /* stage 1 */
+    0, 0, 0, 0, 0, 0, 0,
+    /* stage 2 */
+    1.0 / 5, 0, 0, 0, 0, 0, 0,
+    /* stage 3 */
+    3.0 / 40, 9.0 / 40, 0, 0, 0, 0, 0,
+    /* stage 4 */
+    44.0 / 45, -56.0 / 15, 32.0 / 9, 0, 0, 0, 0,
+    /* stage 5 */
+    19372.0 / 6561, -25360.0 / 2187, 64448.0 / 6561, -212.0 / 729, 0, 0, 0,
+    /* stage 6 */
+    9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656,
+    0, 0,
+    /* stage 7, the end of the step */
     35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84, 0};
 static const double dopri5_error[] = {
     71.0 / 57600,      0,          -71.0 / 16695, 71.0 / 1920,
@@ -97,8 +106,8 @@ static const double radau15_node[] = {
    each of the seven nodes the weight for v is followed by the weight for x.
    Each weight is the sum of two doubles. The rounding error of a single
    double would be the same in all steps and visible in the energy after 1e5
-   steps. The weights are computed for the rounded nodes. With the force at
-   the start they integrate t^0 to t^7. */
+   steps. The weights are computed for the rounded nodes. Together with the
+   force at the start they integrate t^0 to t^7 exactly. */
 static const double radau15_weight[] = {
     0.092679077401489687,  -6.9250597277834874e-19,
     0.08746471519868225,   1.2569814901812666e-18,

@@ -420,7 +420,7 @@ bool motion_locate(struct motion *m)
 }
 
 /* Calls stepping_disturb after a contact: the velocities have changed, so
-   the acceleration stored by the method is not valid any more. */
+   the acceleration stored by the method is invalid. */
 enum stepping_end motion_run(struct motion *m, uint64_t steps)
 {
     enum stepping_end end = STEPPING_DONE;

@@ -101,11 +101,11 @@ double motion_potential(const struct motion *m);
 
 /* Returns why s cannot be stepped, or MOTION_WELL if it can. MOTION_WALLS:
    the scene has walls but no contact. MOTION_RESTITUTION: it has a
-   restitution, but its contacts are springs, which have their own. The
-   other flaws set *body, unless body is NULL. MOTION_MASSLESS: a force acts
-   on a body without mass. MOTION_POINTS: a body without a radius shares a
-   line with another; steps cannot detect their collisions. MOTION_THICK: a
-   body is wider than the box. */
+   restitution, but its contacts are springs, which have their own
+   restitution. The other flaws set *body, unless body is NULL.
+   MOTION_MASSLESS: a force acts on a body without mass. MOTION_POINTS: a
+   body without a radius shares a line with another; steps cannot detect
+   their collisions. MOTION_THICK: a body is wider than the box. */
 enum motion_flaw motion_flaw(const struct scene *s, size_t *body);
 
 /* Returns the contacts that are resolved after steps, or NULL. */

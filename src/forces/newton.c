@@ -85,9 +85,9 @@ static void substitute(const double m[], size_t n, const size_t row[],
 }
 
 /* Subtracts from the matrix the derivatives of the accelerations at stage i
-   with respect to coordinate k or its velocity. d is the displacement of
-   this coordinate or velocity. The acceleration of stage j has the weight
-   by[i * stages + j] in it. */
+   with respect to coordinate k or to its velocity. d is the displacement of
+   that coordinate or velocity. by[i * stages + j] is the weight of the
+   acceleration of stage j in that coordinate or velocity. */
 static void add_slope(struct stepping *s, size_t i, size_t k,
                       const double by[], double d)
 {
@@ -103,9 +103,10 @@ static void add_slope(struct stepping *s, size_t i, size_t k,
     }
 }
 
-/* Enters the derivatives at stage i with respect to coordinate k, which is
-   displaced by dx. If the forces depend on velocities, also enters the
-   derivatives with respect to the velocity of coordinate k. */
+/* Enters into the matrix the derivatives at stage i with respect to
+   coordinate k, which is displaced by dx. If the forces depend on
+   velocities, also enters the derivatives with respect to the velocity of
+   coordinate k. */
 static void displace(struct stepping *s, size_t i, size_t k, double dx)
 {
     const struct stepping_work *const w = s->part;

@@ -40,9 +40,10 @@ void observables_head(const struct observables *o, struct table *t);
 void observables_values(const struct observables *o, const struct motion *m,
                         double values[]);
 
-/* Add the lines of the head, and write the values, of the positions and
-   velocities of n bodies, six columns for each body. A table without
-   observables has these columns for all bodies. */
+/* observables_head_states adds the lines of the head for the positions and
+   velocities of n bodies, six columns for each body. observables_states
+   writes their values. A table without observables has these columns for
+   all bodies. */
 void observables_head_states(struct table *t, size_t n,
                              const size_t body[]);
 void observables_states(const struct motion *m, size_t n,

@@ -103,8 +103,8 @@ static const char *const source[] = {
     /* The sums of the accelerations, and their rounding errors. Single
        precision compensates these errors: (sec:gravity-single). Small pulls
        would otherwise lose their last digits when they are added to the sum
-       of thousands of others. Double precision does not, since it must have
-       the bits of the portable kernel. */
+       of thousands of others. Double precision does not compensate the
+       errors, since it must have the bits of the portable kernel. */
     LINES(struct sums { wide a, b, c, lost_a, lost_b, lost_c; };),
     LINES(void add(wide *sum, wide *lost, wide term) {
         if (DOUBLE)
@@ -131,8 +131,8 @@ static const char *const source[] = {
 
     /* OPENCL_BLOCKS: each work item computes a block of bodies, one in each
        lane, and adds the pulls of all bodies in order. The pull of a body
-       on itself is 0. Its squared distance is 1 instead of the squared
-       softening, which may be 0. */
+       on itself is 0. For this pair 1 replaces the squared softening, which
+       may be 0. */
     "\n#if WIDTH > 1\n",
     LINES(kernel void sum(global const real *x, global const real *mass,
                           global real *a, uint n, uint padded, real least) {

@@ -13,9 +13,9 @@ enum {
    Bernstein's form: (11.8, eq:gap-control). */
 
 /* Returns the first time from 0 to 1 at which a curve with q[0] > 0 is
-   below 0 by more than rounding, or INFINITY if there is none. The
-   bisection ends after `halvings` halvings; a time that is not excluded by
-   then also counts. */
+   below 0 by more than rounding, or INFINITY if there is none. The interval
+   is halved up to `halvings` times. A time at which the curve may still be
+   below 0 then also counts. */
 double root_first(const double q[], size_t m, double rounding,
                   int halvings);
 

@@ -98,8 +98,8 @@ static enum state state_of(const char *name)
 }
 
 /* Reads a test's mark. Returns false if anything is missing, for example
-   after a full disk or an edit by hand. The exercise is then graded again.
-   */
+   after a full disk or an edit by hand. The exercise is then graded
+   again. */
 static bool mark_of_json(struct mark *mark, json_t *json)
 {
     const char *name, *state, *story;

@@ -134,10 +134,10 @@ static bool has_ended(pid_t pid)
            about.si_pid == pid;
 }
 
-/* Returns whether a process uses more memory than `most` bytes. The second
-   number in statm is the memory in use, in pages. Copies of a runner need
-   this check: no limit of the kernel fits, since sanitizers map terabytes.
-   */
+/* Returns whether a process uses more memory than `most` bytes. The
+   second number in statm is the memory in use, in pages. Copies of a
+   runner need this check: no limit of the kernel fits, since sanitizers
+   map terabytes. */
 static bool uses_more(pid_t pid, rlim_t most)
 {
     char path[64];

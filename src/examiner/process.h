@@ -60,8 +60,8 @@ bool process_copy(int orders, const void *order, size_t length, int seconds,
                   rlim_t memory_bytes, struct process_end *end);
 
 /* Kills the process that was last started by process_start, with its
-   process group, and returns how it ended. Does nothing if there is none.
-   */
+   process group, and returns how it ended. Does nothing if there is
+   none. */
 struct process_end process_stop(void);
 
 /* Returns a descriptor that becomes readable when the child ends, or -1 if

@@ -1,5 +1,4 @@
-/* Checks tables, error messages and remarks of projects, for their suites.
- */
+/* Checks the tables, error messages and remarks of projects. */
 #include "examiner/project.h"
 
 #include <math.h>
@@ -94,8 +93,8 @@ static void leap(project_pull *pull, const void *of, int n, long double x[],
 
 /* Extrapolates from leapfrog runs with 1, 2, ..., 8 steps to infinitely
    many steps (Richardson). A leapfrog is symmetric, so its error has only
-   even powers of the step. The error of the result has the sixteenth power.
-   */
+   even powers of the step. The error of the result has the sixteenth
+   power. */
 void project_exactly(project_pull *pull, const void *of, int n,
                      long double x[], long double v[], double t, int parts)
 {

@@ -1,5 +1,4 @@
-/* Sends and receives numbers of each type, with the same code on both
-   sides. */
+/* Sends and receives numbers, with the same code on both sides. */
 #include "examiner/remote.h"
 #include "examiner/transport.h"
 

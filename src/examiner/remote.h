@@ -31,8 +31,8 @@ void *remote_array(size_t count, size_t size);
    SIZE_MAX or larger. */
 size_t remote_bytes(size_t count, size_t size);
 
-/* The number of blocks that remote_memory and remote_array have returned.
- */
+/* The number of blocks that remote_memory and remote_array have
+   returned. */
 extern unsigned long remote_blocks;
 
 /* Makes the next call start in a new process, with fresh static variables.
@@ -63,8 +63,8 @@ void remote_wait(void);
    pipes, and takes 2.5 s this way. */
 void remote_serve_callback(int which);
 
-/* Ends the arguments of a callback. Next, the caller must send the answer.
- */
+/* Ends the arguments of a callback. Next, the caller must send the
+   answer. */
 void remote_callback_reply(void);
 
 /* Serves a call on the side of the student's function: receives the

@@ -1,5 +1,4 @@
-/* Judges exercises one after the other, and prints results and the next
-   step. */
+/* Judges exercises one after the other, and prints results. */
 #ifndef ROUND_H
 #define ROUND_H
 

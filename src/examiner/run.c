@@ -164,9 +164,9 @@ static void tell_run(const struct run_order *o, bool late)
         check_tell("question", o->late);
 }
 
-/* Ends the test if the program crashed or was stopped. Uses the program's
-   signal, so that the examiner reports the crash like that of a function.
-   */
+/* Ends the test if the program crashed or was stopped. Uses the
+   program's signal, so that the examiner reports the crash like that of
+   a function. */
 static void end_like(const struct run_order *o, int status, bool late)
 {
     const bool sane =

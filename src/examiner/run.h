@@ -12,8 +12,8 @@ enum {
     RUN_COMPLAINT = 1 << 14 /* bytes kept of standard error */
 };
 
-/* How to count the calls of the function that the kit gives to a project.
- */
+/* How to count the calls of the function that the kit gives to a
+   project. */
 enum run_count {
     RUN_UNCOUNTED,
     RUN_INSIDE, /* by the function itself, in shared memory */
@@ -74,8 +74,8 @@ int run_remark(const struct run *run, const char *words, double x[],
 void run_law(int which, double constant, int n, const double m[],
              const double x[], double f[]);
 
-/* Receives an order, runs it, and sends the result. Called in the sandbox.
- */
+/* Receives an order, runs it, and sends the result. Called in the
+   sandbox. */
 void remote_serve(void);
 
 #endif

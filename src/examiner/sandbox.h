@@ -54,13 +54,13 @@ enum sandbox_stage {
     SANDBOX_READY
 };
 
-/* Returns the best kind of sandbox that this machine allows, SANDBOX_NONE
-   if none. Exits with status 2 when the compiler cannot be started in it.
- */
+/* Returns the best kind of sandbox that this machine allows,
+   SANDBOX_NONE if none. Exits with status 2 when the compiler cannot be
+   started in it. */
 enum sandbox_kind sandbox_probe(const char *compiler);
 
-/* Returns an unused user id for the judges of this process. Returns 0 if we
-   are not root: then judges keep our user id. */
+/* Returns an unused user id for the judges of this process, or 0 if we are
+   not root. With 0 the judges keep our user id. */
 long sandbox_judge(void);
 
 /* Returns a description of a kind, for the lecturer. */

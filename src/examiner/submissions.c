@@ -1,5 +1,4 @@
-/* Finds the files to grade in a folder of submissions, and notes the
-   others. */
+/* Finds the files to grade in a folder of submissions. */
 #include "examiner/submissions.h"
 #include "examiner/marks.h"
 #include "examiner/text.h"
@@ -93,8 +92,8 @@ static char *compose(const char *format, ...)
     return line;
 }
 
-/* Returns a path without the student's folder, which the notes name anyway.
- */
+/* Returns a path without the student's folder, which the notes name
+   anyway. */
 static const char *below(const char *path)
 {
     const char *slash = strchr(path, '/');
@@ -235,9 +234,9 @@ static bool matches(const char *name, const char *form, regmatch_t part[5])
     return found;
 }
 
-/* Reads the owner and the date of the attempt from a name. Returns the rest
-   of the name, which is "" for a folder. Returns NULL if there is no date.
-   */
+/* Reads the owner and the date of the attempt from a name. Returns the
+   rest of the name, which is "" for a folder. Returns NULL if there is no
+   date. */
 static const char *part_attempt(const char *name, struct owner *owner)
 {
     regmatch_t part[5];

@@ -54,10 +54,10 @@ char *submissions_read(const char *folder, const struct submission *s,
                        const char *usual, size_t *length, char **file,
                        char **note);
 
-/* Reads the student's file of this name, "P1.gp" or "P1.txt", from the best
-   place. Returns its bytes as submissions_read does, or NULL. Sets *refusal
-   to NULL, or to the reason why a file was not read. The caller frees both.
-   */
+/* Reads the student's file of this name, "P1.gp" or "P1.txt", from the
+   best place. Returns its bytes as submissions_read does, or NULL. Sets
+   *refusal to NULL, or to the reason why a file was not read. The caller
+   frees both. */
 char *submissions_page(const char *folder, const struct submission *s,
                        const char *name, size_t *length, char **refusal);
 

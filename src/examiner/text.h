@@ -55,17 +55,17 @@ void text_quote_line(FILE *out, const char *path, int number);
    it. */
 extern const char *text_program;
 
-/* Prints an error message, formatted as by printf, and exits with status 2.
- */
+/* Prints an error message, formatted as by printf, and exits with status
+   2. */
 _Noreturn void text_fail(const char *format, ...);
 
 /* Returns `memory`. If it is NULL, ends with an error message. */
 void *text_must(void *memory);
 
-/* Opens a stream that writes into memory. When the stream is closed, *text
-   is the text written, which the caller frees, and *size its number of
-   bytes; size may be NULL. Ends with an error message if memory runs out.
-   */
+/* Opens a stream that writes into memory. When the stream is closed,
+   *text is the text written, which the caller frees, and *size its number
+   of bytes; size may be NULL. Ends with an error message if memory runs
+   out. */
 FILE *text_stream(char **text, size_t *size);
 
 #endif

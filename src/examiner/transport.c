@@ -22,9 +22,9 @@ void transport_send(int word)
     putc(word, out);
 }
 
-/* Flushes the messages sent, then receives the first byte of the next one.
-   Messages are flushed only here, so that a short call is a single write.
-   */
+/* Flushes the messages sent, then receives the first byte of the next
+   one. Messages are flushed only here, so that a short call is a single
+   write. */
 int transport_receive(void)
 {
     if (fflush(out) != 0)

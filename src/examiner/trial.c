@@ -85,8 +85,8 @@ static void drop_words(char *text, const char *words)
    behaviour always writes to standard error, never to a file.) The report
    begins with a line that names a sanitizer or says "runtime error", or
    with a line of equals signs before it. Called only if the status is a
-   sanitizer's, so that a program that prints these words keeps its output.
-   */
+   sanitizer's, so that a program that prints these words keeps its
+   output. */
 static char *cut_error(char *output)
 {
     char *error = strstr(output, "AddressSanitizer:");
@@ -438,8 +438,8 @@ static void tell_crash(const struct trial *trial,
         text_field(story, "where", nowhere);
 }
 
-/* Shows where the first leaked block was allocated. A leak costs no points.
- */
+/* Shows where the first leaked block was allocated. A leak costs no
+   points. */
 bool trial_leak(const char *prints, const char *source, FILE *story)
 {
     char *text = text_read(prints);

@@ -27,8 +27,7 @@ struct trial {
     long user;          /* user id that a judge takes, or 0 */
     int sandbox[2];     /* pipes to a program in a sandbox, or zeros */
     int later;          /* limit in seconds after a time-out, or 0 */
-    const char
-        *prints; /* output file of the program in the sandbox, or NULL */
+    const char *prints; /* output of a program in a sandbox, or NULL */
 };
 
 /* Returns the name of a state: "not begun", "does not build", ... */

@@ -7,7 +7,7 @@
 enum { MOST = 16, WAVE = START_KINDS };
 
 /* Parameters: the kind of start, or WAVE; the seed; the number of masses
-   that follow; those masses (kg), which replace the first ones of the
+   that follow; these masses (kg), which replace the first masses of the
    start. To change a mass, the script starts the run again and continues to
    the time already reached, so that the whole past is drawn again. */
 double page_number[PAGE_NUMBERS];
@@ -16,9 +16,8 @@ static struct start start;
 static struct bonkers beads;
 static double seen[4 + 3 * (MOST + 2)];
 
-/* Makes the start of the figure of world lines. This is not among the
-   starts of the program bonkers: the book describes it by a list of
-   options. */
+/* Makes the start of the figure of world lines. The program bonkers has no
+   such start, because the book describes it by a list of options. */
 static bool start_wave(struct start *s)
 {
     static const double mass[] = {9.3, 2.1, 5.2, 0.9, 3.4,

@@ -51,11 +51,12 @@ bool page_begin(void)
 }
 
 /* Adds a record: counts the distances of all disks from the nearer wall,
-   along both axes. These are 8 distances, and a bin covers two hundredths
-   of the box, one at either wall, so each distance counts 100 / 16. A disk
-   at a wall lies on the edge of a bin; the 1e-9 keeps rounding errors from
-   deciding which bin counts it. The means compare blocks of records, so
-   their errors allow for correlations of neighbouring records. */
+   along both axes. Each bin covers two hundredths of the box, one at either
+   wall. So each of the 8 distances counts 1 / (8 * 0.02) = 100 / 16. A disk
+   that touches a wall is at the edge of a bin; without the 1e-9 a rounding
+   error would decide which bin counts it. The means compare blocks of
+   records, so their errors allow for correlations between neighbouring
+   records. */
 static void sample(void)
 {
     for (size_t i = 0; i < DISKS; ++i) {

@@ -11,11 +11,12 @@
 
 enum { MOST = 12, WAYS = 3 };
 
-/* Parameters: the number of balls, how many of them fly in, the gap, m; the
-   step of the second run, s; for the third run 1 for Hertz's springs, or 0,
-   the stiffness of the springs, and the step, s. The scene cradle runs
-   three times, side by side: by events (line/), in steps with instantaneous
-   contacts, and in steps with contacts that are springs. */
+/* The scene cradle runs three times, side by side: by events (line/), in
+   steps with instantaneous contacts, and in steps with springs as contacts.
+   Parameters: the number of balls; the number of balls that fly in; the
+   gap, m; the step of the second run, s; and for the third run 1 for
+   Hertz's law or 0 for linear springs, the stiffness of the springs, and
+   the step, s. */
 double page_number[PAGE_NUMBERS];
 
 static struct bonkers events;
@@ -56,7 +57,7 @@ static bool begin_way(struct way *w, bool by_springs)
     return w->begun;
 }
 
-/* Begins the run by events from the scene, as bonk does. */
+/* Begins the run by events from the scene, as the program bonk does. */
 static bool begin_events(void)
 {
     struct scene scene;
@@ -101,7 +102,7 @@ double page_run(double until, double number)
 }
 
 /* Writes the number of collisions, the energy, all x and all v to next.
-   Returns the end of what was written. */
+   Returns where they end. */
 static double *look_at(const struct way *w, double *next)
 {
     const struct scene *s = &w->scene;

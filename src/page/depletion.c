@@ -1,4 +1,4 @@
-/* Live figure of chapter 6: the force between disks among small ones. */
+/* Live figure of chapter 6: the force between two large disks. */
 #include "box/means.h"
 #include "box/sampling.h"
 #include "page/page.h"
@@ -36,8 +36,8 @@ bool page_begin(void)
     return sampling_start(&box, &dice);
 }
 
-/* Returns the gap between disks i and j, m; apart: the vector from i to
-   j. */
+/* Returns the gap between disks i and j, m, and sets `apart` to the vector
+   from i to j. */
 static double gap(size_t i, size_t j, double apart[])
 {
     const struct disk *a = &box.disks.disk[i], *b = &box.disks.disk[j];
@@ -57,9 +57,9 @@ static void scatter(void)
                     random_between(&dice, 0, SIDE);
 }
 
-/* Puts large disk `which` where the mouse is; returns false if the other
-   one is in the way. Discards the force measured so far, as it belongs to
-   another distance. */
+/* Puts large disk `which` where the mouse is. Returns false if the other
+   large disk is in the way. Discards the force measured so far, because it
+   was measured at another distance. */
 bool page_make(double which)
 {
     struct disk *hand = &box.disks.disk[(size_t)which];
@@ -82,11 +82,11 @@ bool page_make(double which)
 /* Returns the force between the large disks in units of kT per metre,
    negative if it pushes them together. The pressure of an ideal gas on a
    surface is n kT, where n is the density at the surface. So each small
-   disk within a shell of width d around a large one pushes it with kT/d
-   along the line between their centres; the component along the line
-   between the large disks counts. If the centres are a distance s apart
-   instead of `reach`, as at contact, the shell is larger by s / reach, so
-   the push is multiplied by reach / s. */
+   disk within a shell of width d around a large disk pushes it with kT/d
+   along the line between their centres. Only the component along the line
+   between the large disks counts. At contact the centres are `reach` apart.
+   If they are s apart, the shell is larger by s / reach, so the push is
+   multiplied by reach / s. */
 static double sample_force(void)
 {
     double line[DISKS_AXES], apart[DISKS_AXES], sum = 0;
@@ -103,8 +103,8 @@ static double sample_force(void)
     return sum / (2 * width);
 }
 
-/* Runs the Markov chain; an event is a try. The force is sampled once in as
-   many tries as there are disks. */
+/* Runs the Markov chain; an event is a try. Samples the force once in N
+   tries, where N is the number of disks. */
 double page_run(double until, double events)
 {
     const double before = tries, all = (double)box.disks.count;
@@ -131,7 +131,7 @@ static double exact_force(double r)
 }
 
 /* Returns the number of tries, the number of disks, the distance of the
-   large ones, the force, its error, the exact force and the number of
+   large disks, the force, its error, the exact force and the number of
    samples; then x and y of each disk. */
 const double *page_look(void)
 {

@@ -37,9 +37,9 @@ static bool place_gas(struct disks *d, size_t count)
 }
 
 /* Starts the gas. The line in the histogram is the law for this number of
-   disks, (7.3, eq:speed-law), not Maxwell's: the difference is invisible
-   for a thousand disks and visible for ten. If a few large disks leave no
-   space for three cells along an axis, cells are not used. */
+   disks, (7.3, eq:speed-law), not Maxwell's law. The difference is
+   invisible for a thousand disks and visible for ten. Cells are not used if
+   a few large disks leave no space for three cells along an axis. */
 bool page_begin(void)
 {
     const size_t count = (size_t)page_number[0];

@@ -23,9 +23,9 @@ static size_t samples, measured;
 static double seen[8 + 3 * BINS + BEADS + 2];
 
 /* Returns the probability density of bead k, up to a factor, at the
-   fraction u of the range: that of its velocity (3.2, eq:velocity-law), or
-   that of its position, the beta distribution of the k-th of n positions
-   (3.7, eq:beta). */
+   fraction u of the range. The density of its velocity is (3.2,
+   eq:velocity-law). That of its position is the beta distribution of the
+   k-th of n positions (3.7, eq:beta). */
 static double shape(size_t k, double u)
 {
     if (page_number[POSITION] != 0)
@@ -33,7 +33,7 @@ static double shape(size_t k, double u)
     return pow(1 - (2 * u - 1) * (2 * u - 1), (BEADS - 3) / 2.0);
 }
 
-/* Averages the density over each bin. As the bins cover the whole range,
+/* Averages the density over each bin. Since the bins cover the whole range,
    the factor follows from the sum over the bins. */
 static void draw_law(size_t k, double range)
 {
@@ -77,11 +77,11 @@ bool page_begin(void)
            begin_histogram((size_t)page_number[BEAD]);
 }
 
-/* Estimates the statistical inefficiency, the number of samples that are
-   worth one independent sample, as the program histogram does. The estimate
-   is repeated whenever there are 5 % more samples: so the error bars allow
-   for correlations, and the total cost is a small multiple of that of the
-   last estimate. */
+/* Estimates the statistical inefficiency as the program histogram does: the
+   number of samples that are worth one independent sample. The error bars
+   then allow for correlations. Repeats the estimate only when there are 5 %
+   more samples, so that the total cost is a small multiple of the cost of
+   the last estimate. */
 static void measure(void)
 {
     struct statistics_description d;
@@ -92,7 +92,7 @@ static void measure(void)
     measured = samples;
 }
 
-/* Runs the beads; an event is a sample, of which there are at most MOST. */
+/* Runs the beads; an event is a sample. There are at most MOST samples. */
 double page_run(double until, double events)
 {
     const size_t before = samples, k = (size_t)page_number[BEAD];

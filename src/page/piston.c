@@ -8,9 +8,9 @@
 enum { MOST = 401 };
 #define STEP 0.01 /* time step of the model, s */
 
-/* The model treats the two gases as springs (line/piston.h). It is given
-   only the energies and masses of the gases and the position and velocity
-   of the piston at the start; then it runs by itself. */
+/* The model treats the two gases as springs (line/piston.h). It gets only
+   the energies and masses of the gases and the position and velocity of the
+   piston at the start; then it runs by itself. */
 
 /* Parameters: the kind of start, the number of movers, the mass ratio,
    seed. */
@@ -22,8 +22,8 @@ static struct piston model;
 static struct piston_state model_state;
 static double model_time, seen[9 + 2 * (MOST + 2)];
 
-/* Returns the kinetic energy of the movers from `from` to `to` - 1, and
-   adds their mass to *mass. */
+/* Returns the kinetic energy of movers from, ..., to - 1, and adds their
+   mass to *mass. */
 static double kinetic(size_t from, size_t to, double *mass)
 {
     double sum = 0;

@@ -1,4 +1,4 @@
-/* The scene player: runs the text of a scene, changes it, saves it. */
+/* Scene player: reads a scene, runs it, changes it and saves it. */
 #include "forces/motion.h"
 #include "forces/observables.h"
 #include "page/page.h"
@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The kinds of word; page_word takes kind * 1000 + number. */
+/* The kinds of words. The argument of page_word is kind * 1000 + number. */
 enum word { SCENES, ABOUT, KEYS, HELP, METHODS, NAMES, MESSAGE, WRITTEN };
 
 /* The arrays that page_array returns. */
@@ -23,23 +23,23 @@ bool page_observe(void);
 bool page_change(double what, double value);
 bool page_save(bool table, double every);
 
-/* Parameters: the number of the method, before page_begin; the values of a
-   scene's keys, before page_make. The player runs scenes as the program
-   step does (forces/motion.h), but the scene comes from the reader, and the
-   rows become pictures. Saved files are byte for byte those of step. */
+/* Parameters. page_begin uses the number of the method; page_make uses the
+   values of a scene's keys. The player runs scenes as the program step does
+   (forces/motion.h). But its scene comes from the reader, and its rows
+   become pictures. Saved files are byte for byte those of step. */
 double page_number[PAGE_NUMBERS];
 
-static struct scene start, scene; /* at the start of the run; at present */
+static struct scene start, scene; /* at the start of the run; now */
 static struct motion motion;
 static bool moving;
 static enum stepping_end stopped;
 static struct observables observed;
-static char *given, *written; /* texts from the script; for the script */
+static char *given, *written; /* texts from and for the script */
 static char message[320];
 static size_t line; /* line of an error in the text; 0: none */
 
-/* Returns memory for a text of `size` bytes, which the script fills before
-   it calls the function that reads it. Frees the previous text. */
+/* Returns memory for a text of `size` bytes and frees the previous text.
+   The script fills it before it calls the function that reads it. */
 char *page_text(double size)
 {
     free(given);
@@ -71,7 +71,7 @@ static const struct gallery_scene *chosen; /* the scene last named by
                                               page_word */
 
 /* Returns key k of the chosen scene as five words: name, usual value, lower
-   and upper limit, 1 if it is a whole number. */
+   limit, upper limit, and 1 if it is a whole number. */
 static const char *describe_key(size_t k)
 {
     const struct gallery_key *key = chosen ? &chosen->key[k] : NULL;
@@ -82,7 +82,8 @@ static const char *describe_key(size_t k)
     return message;
 }
 
-/* Returns the name of observable k, followed by the bodies it needs. */
+/* Returns the name of observable k, with numbers for the bodies it needs,
+   such as :0:1. */
 static const char *name_of(size_t k)
 {
     size_t bodies;
@@ -143,7 +144,7 @@ static void stop(void)
     moving = false;
 }
 
-/* Begins a motion as step does. */
+/* Begins a motion as the program step does. */
 static bool begin_motion(struct motion *m, struct scene *s)
 {
     const char *method = stepping_methods[(size_t)page_number[0]].name;
@@ -167,9 +168,9 @@ static bool begin_anew(void)
     return moving;
 }
 
-/* Reads the scene and begins a run. If the text is wrong, keeps the line of
-   the error; if the scene cannot be stepped, the reason is printed on
-   standard error, which the script reads. */
+/* Reads the scene from the given text and begins a run. If the text is
+   wrong, stores the line of the error. If the scene cannot be stepped, the
+   reason is printed on standard error, which the script reads. */
 bool page_begin(void)
 {
     struct scene_error e;
@@ -213,8 +214,8 @@ static void set(struct scene *s, double *method, enum change what,
     }
 }
 
-/* Begins a new run at the present state with one value changed; a table
-   saved later begins here. */
+/* Changes one value and begins a new run at the present state. A table
+   saved later begins at this state. */
 bool page_change(double what, double value)
 {
     struct scene now;
@@ -235,9 +236,8 @@ static double *listed; /* for each spring its ends and its colour */
    step ended (enum stepping_end, -1 without a scene); the number of
    collisions; the line with an error; dt, gravity, damping, restitution,
    k2, contact; walls and box, axis by axis; the number of observed values;
-   whether contacts are instantaneous; how many pairs a step moved through
-   each other, and the first such pair. page_array returns the values of
-   each body, axis by axis. */
+   whether contacts are instantaneous. The values of each body come from
+   page_array. */
 const double *page_look(void)
 {
     const struct scene *s = &scene;
@@ -272,7 +272,7 @@ const double *page_look(void)
 }
 
 /* Chooses the observables by their names in the program step; an empty text
-   means none. The values are computed only when page_array is called for
+   means none. Their values are computed only when page_array is called for
    them, since the energy of many bodies costs as much as a step. */
 bool page_observe(void)
 {
@@ -332,10 +332,10 @@ const double *page_array(double which)
     return NULL;
 }
 
-/* Runs the motion again up to the present step and writes a row every
-   `every` steps: the observables, or all states if none are chosen. The
-   head contains the command of step that makes this table, given by the
-   script. */
+/* Runs the motion m again up to the present step. Writes a row every
+   `every` steps: the observables or, if none are chosen, all states. The
+   head contains the command of step that makes this table, which the script
+   provides. */
 static void write_rows(struct table *t, struct motion *m, uint64_t every,
                        size_t body[], double row[])
 {

@@ -7,10 +7,10 @@
 
 enum { METHODS = 2, OWN = 8 }; /* OWN: values shown for each method */
 
-/* Parameters: the step, s, and the damping; the two methods, by their
-   numbers in page_word. The scene is oscillator of the gallery, run as the
-   program step runs it: `scene oscillator --damping 0 | step -` with the
-   same method and step gives the same positions. */
+/* Parameters: the step, s; the damping; the two methods, by their numbers
+   in page_word. The scene is oscillator of the gallery, run as the program
+   step runs it: `scene oscillator --damping 0 | step -` with the same
+   method and step gives the same positions. */
 double page_number[PAGE_NUMBERS];
 
 static struct swing {
@@ -21,8 +21,8 @@ static struct swing {
 } swing[METHODS];
 static double seen[1 + METHODS * OWN];
 
-/* Returns method `number`, not counting those that choose their steps and
-   those for planets. */
+/* Returns method `number`. Methods that choose their steps and methods for
+   planets are not counted. */
 static const struct stepping_method *method_of(double number)
 {
     const struct stepping_method *m = stepping_next(NULL);
@@ -69,11 +69,12 @@ static double place(const struct swing *s)
     return s->scene.position[1] - REST;
 }
 
-/* Measures the matrix (a b; c d) of one step by a step from (1, 0) and one
-   from (0, 1). If its determinant is 1, each step leaves the form c x^2 -
-   (a - d) x v - b v^2 unchanged. The script draws the ellipse that this
-   form defines, on which the motion by this method stays; for leapfrog the
-   form is a multiple of the modified energy (8.6, eq:modified-energy). */
+/* Measures the matrix (a b; c d) of one step by a step from (1, 0) and a
+   step from (0, 1). If its determinant is 1, each step leaves the form c
+   x^2 - (a - d) x v - b v^2 unchanged. The motion by this method then stays
+   on the ellipse that this form defines, which the script draws. For
+   leapfrog the form is a multiple of the modified energy (8.6,
+   eq:modified-energy). */
 static bool measure(struct swing *s, const char *method)
 {
     for (int k = 0; k < 2; ++k) {

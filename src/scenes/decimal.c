@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* The number (-1)^negative digits 10^exponent. */
+/* The number (-1)^negative * digits * 10^exponent. */
 struct decimal {
     uint64_t digits; /* the first 19 digits, or 20 if these fit */
     int exponent;
@@ -44,8 +44,9 @@ static const char *read_digits(const char *c, const char *end,
     return any ? c : NULL;
 }
 
-/* Adds the exponent after an e to that of d. Returns where it ends, or NULL
-   if it has no digit. The valid exponent e99999999999 must not overflow. */
+/* Adds the exponent that follows an e to d->exponent. Returns where it
+   ends, or NULL if it has no digit. The exponent e99999999999 is valid and
+   must not overflow. */
 static const char *read_exponent(const char *c, const char *end,
                                  struct decimal *d)
 {
@@ -62,8 +63,8 @@ static const char *read_exponent(const char *c, const char *end,
     return c;
 }
 
-/* Splits a text into sign, digits and exponent. Returns whether it has
-   nothing else. */
+/* Splits a text into sign, digits and exponent. Returns false if it
+   contains anything else. */
 static bool find_decimal(const char *c, size_t length, struct decimal *d)
 {
     const char *end = c + length;
@@ -84,15 +85,16 @@ static const double power[POWERS] = {
     1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
 /* Returns whether all digits were kept and the power of ten is an exact
-   double. FLT_EVAL_METHOD excludes the wider arithmetic of x87. */
+   double. The test of FLT_EVAL_METHOD excludes the wider arithmetic of
+   x87. */
 static bool is_easy(const struct decimal *d)
 {
     return FLT_EVAL_METHOD == 0 && d->whole && abs(d->exponent) < POWERS;
 }
 
-/* Returns the double nearest to digits 10^exponent if digits <= 2^53. Both
-   operands are exact, and the only rounding, of their product or quotient,
-   is to the nearest double by IEEE 754. */
+/* Returns the double nearest to digits * 10^exponent, for digits <= 2^53.
+   Both operands are exact. Only their product or quotient is rounded, and
+   IEEE 754 rounds it to the nearest double. */
 static double round_short(const struct decimal *d)
 {
     const double w = (double)d->digits, p = power[abs(d->exponent)];
@@ -116,13 +118,14 @@ static double lost_product(double a, double b, double product)
 
    The digits are high + low, with the lowest eleven bits in low, so both
    are doubles. The product high * p is known exactly as a sum of two
-   doubles, to which low * p is added. In a division `back` is so near to
-   `high` that their difference is exact, and so is the remainder high -
-   head * p, since it is a double. In both cases the number is head +
-   tail + rest, with |tail| <= 2^-41 |head|, and as the tail is rounded two
-   or three times to its own 53 bits, |rest| < 2^-90 |head|. If head + (tail
-   -+ 2^-90 head) round to the same double, so does every number between;
-   for random digits they differ once in 2^36 times. */
+   doubles; low * p is added to it. In a division, `back` is so near to
+   `high` that their difference is exact. The remainder high - head * p is
+   exact as well, since it is a double. In both cases the number is head +
+   tail + rest, with |tail| <= 2^-41 |head|. The tail is rounded two or
+   three times to its own 53 bits, so |rest| < 2^-90 |head|. If head + (tail
+   - 2^-90 head) and head + (tail + 2^-90 head) round to the same double, so
+   does every number between them. For random digits they differ once in
+   2^36 times. */
 static bool round_pair(const struct decimal *d, double *value)
 {
     const double high = (double)(d->digits & ~(uint64_t)2047);
@@ -141,8 +144,9 @@ static bool round_pair(const struct decimal *d, double *value)
     return head + (tail - doubt) == head + (tail + doubt);
 }
 
-/* Returns the number as strtod converts it. Its decimal point is removed
-   first, so that 12.5e-40 becomes 125e-41, which no locale can misread. */
+/* Returns the number as strtod converts it. Removes its decimal point
+   first: 12.5e-40 becomes 125e-41, which strtod reads correctly in every
+   locale. */
 static double round_by_library(const char *c, size_t length)
 {
     char text[DECIMAL_LONGEST + 16];

@@ -1,4 +1,4 @@
-/* Looks for scenes and keys in lists, and makes a scene from its keys. */
+/* Finds scenes and keys by name, and makes a scene from its keys. */
 #include "scenes/gallery.h"
 
 #include <string.h>

@@ -1,10 +1,11 @@
-/* Scenes that a program makes by name, and their parameters. */
+/* Lists scenes that a program can make by name, and their parameters. */
 #ifndef GALLERY_H
 #define GALLERY_H
 
 #include "scenes/scene.h"
 
-/* A key: the name of a parameter of a scene, as in --particles 3072. */
+/* A key is a parameter of a scene, set on a command line as in --particles
+   3072. */
 struct gallery_key {
     const char *name; /* without the dashes; NULL ends the list */
     double usual, low, high;
@@ -14,14 +15,14 @@ struct gallery_key {
 
 enum { GALLERY_KEYS = 15 }; /* most keys of a scene */
 
-/* A scene that can be made. For all values in the ranges of the keys, build
-   must make a scene that can be written and read, or return a message;
-   tests set each key to both ends of its range. */
+/* A scene that a program can make. For all values in the ranges of the
+   keys, `build` must make a scene that can be written and read, or return a
+   message. Tests set each key to both ends of its range. */
 struct gallery_scene {
     const char *name, *about; /* a name of NULL ends a list */
     struct gallery_key key[GALLERY_KEYS + 1];
-    /* Makes the scene with value[k] for key[k]. Returns NULL, or an error
-       message, and then there is nothing to free. */
+    /* Makes the scene, with value[k] for key[k]. Returns NULL or, on
+       failure, an error message; then there is nothing to free. */
     const char *(*build)(struct scene *s, const double value[]);
 };
 
@@ -42,24 +43,25 @@ extern const struct gallery_scene hard_scenes[];
 const struct gallery_scene *gallery_find(const struct gallery_scene list[],
                                          const char *name);
 
-/* Fills value with the usual values of the keys; returns their number. */
+/* Fills value[] with the usual values of the keys. Returns the number of
+   keys. */
 size_t gallery_usual(const struct gallery_scene *g,
                      double value[GALLERY_KEYS]);
 
-/* Returns the index of the scene's key of this name, or, if there is none,
-   the number of keys. */
+/* Returns the index of the key of this name in the scene. If there is none,
+   returns the number of keys. */
 size_t gallery_key(const struct gallery_scene *g, const char *name);
 
-/* Makes the scene of this name with its usual values, except for the chosen
-   ones (NULL: none). Returns the result of build, or a message if there is
-   no such scene or key. */
+/* Makes the scene `name` of the list with its usual values, except for the
+   values in `chosen`, which may be NULL. Returns the result of build, or a
+   message if there is no such scene or key. */
 const char *gallery_choose(struct scene *s,
                            const struct gallery_scene list[],
                            const char *name,
                            const struct gallery_choice chosen[]);
 
-/* Makes the scene g with its usual values, except that the key of this name
-   (NULL: none) has the given value. Returns as gallery_choose does. */
+/* Makes the scene g with its usual values, except that the key `name` has
+   the given value; name may be NULL. Returns as gallery_choose does. */
 const char *gallery_make(struct scene *s, const struct gallery_scene *g,
                          const char *name, double value);
 

@@ -110,7 +110,7 @@ void scene_take_state(struct scene *s, const struct scene *from)
 /* Returns the list with room for one more item, or NULL if memory runs out.
    The capacity is always a power of two and need not be stored: a list is
    full if count is 0 or a power of two, that is, if count & (count - 1) is
-   0. Thus an item is moved less than twice on average. */
+   0. Doubling the capacity moves an item less than twice on average. */
 static void *make_room(void *list, size_t count, size_t size)
 {
     if ((count & (count - 1)) != 0)
@@ -171,8 +171,8 @@ struct reader {
     struct scene *scene;
     struct scene_error *error;
     const char *next, *end; /* the rest of the line */
-    size_t line;            /* number of that line */
-    struct piece first,     /* first word of that line */
+    size_t line;            /* number of the line */
+    struct piece first,     /* first word of the line */
         word[MOST_FIELDS];  /* its other words */
     size_t lines[LINES],    /* number of lines of each sort in the text */
         read[LINES];        /* number of lines of each sort read so far */
@@ -180,7 +180,7 @@ struct reader {
                                sort s was read for the body or kind */
 };
 
-/* Returns whether c separates words; files from Windows contain \r. */
+/* Returns whether c separates words. Files from Windows contain \r. */
 static bool is_blank(char c)
 {
     return c == ' ' || c == '\t' || c == '\r';
@@ -232,16 +232,17 @@ static bool fail(struct reader *r, struct piece found, const char *format,
     return false;
 }
 
-/* Describes one kind of line in a scene file. `fields` names the values,
-   each after a mark for its type: @ a body, & a kind of spring, # a whole
-   number, + not negative, > more than 0, % from 0 to 1, ! 0 or 1, | the
-   type of a wall, = the word axial. The values after a ; are optional. */
+/* Describes one sort of line in a scene file. `fields` names the values.
+   A mark before a name gives its type: @ a body, & a kind of spring, # a
+   whole number, + not negative, > more than 0, % from 0 to 1, ! 0 or 1, |
+   the type of a wall, = the word axial. The values after a ; are
+   optional. */
 struct line {
     const char *word, *fields;
     int pass; /* number of the pass over the text that reads such lines */
-    /* Stores the values; NULL if they are copied into the member of the
-       scene `offset` bytes from its beginning or, as coordinates of a body,
-       into the list to which this member points. */
+    /* Stores the values. If it is NULL, they are copied to the member of
+       the scene at `offset` or, if `list` is true, as coordinates of a body
+       to the list to which that member points. */
     bool (*store)(struct reader *r, const double value[], size_t count);
     size_t offset;
     bool list;
@@ -254,7 +255,7 @@ struct field {
     bool optional;
 };
 
-/* Returns the next field of *fields, and removes it from *fields. */
+/* Removes the next field from *fields and returns it. */
 static struct field next_field(const char **fields)
 {
     const char *c = *fields;
@@ -301,8 +302,8 @@ static bool read_choice(struct piece p, const char *const names[],
 static const char *const wall_names[] = {"open", "hard", "periodic", NULL};
 static const char *const axial_names[] = {"axial", NULL};
 
-/* Reads a word as a value of the type that the mark stands for. Returns
-   false if the word is not of this type. */
+/* Reads a word as a value of the type that `mark` stands for. Returns false
+   if the word is not of this type. */
 static bool read_value(const struct reader *r, char mark, struct piece p,
                        double *value)
 {
@@ -336,8 +337,8 @@ static const char *describe(char mark)
     return "a number";
 }
 
-/* Fills the error with the values that the field allows; if these are
-   bodies or kinds, with the range of their numbers. Returns false. */
+/* Fills the error with the values that the field allows, or with the range
+   of numbers if these are bodies or kinds. Returns false. */
 static bool refuse_value(struct reader *r, const struct field *f,
                          struct piece p)
 {
@@ -380,8 +381,9 @@ static bool fail_text(struct reader *r, const char *what)
     return false;
 }
 
-/* Stores value[1], value[2], ... as coordinates of body value[0]. A list
-   that most scenes lack is allocated, with zeros, for its first line. */
+/* Stores value[1], value[2], ... as coordinates of body value[0]. Most
+   scenes have no carry or kept; such a list is allocated, with zeros, when
+   its first line is read. */
 static bool store_axes(double **to, struct reader *r, const double value[],
                        size_t count)
 {
@@ -416,7 +418,7 @@ static bool store_vfix(struct reader *r, const double value[], size_t count)
     return true;
 }
 
-/* Stores the species of a body, which each program may interpret. */
+/* Stores the species of a body. Its meaning depends on the program. */
 static bool store_species(struct reader *r, const double value[],
                           size_t count)
 {
@@ -440,8 +442,8 @@ static bool store_dis(struct reader *r, const double value[], size_t count)
 }
 
 /* Stores the acceleration with which a body continues. If there is one line
-   "kept", each body must have one: a body without it would feel no force
-   for half a step. check_once refuses a second line for a body. */
+   "kept", there must be one for each body: a body without it would feel no
+   force for half a step. check_once refuses a second line for a body. */
 static bool store_kept(struct reader *r, const double value[], size_t count)
 {
     const size_t bodies = r->scene->bodies, lines = r->lines[KEPT];
@@ -584,9 +586,10 @@ static bool refuse_word(struct reader *r)
 
 _Static_assert(S < 8, "a byte of `seen` has a bit for each sort");
 
-/* Refuses a second line of a sort that may occur only once, in the scene or
-   for each body or kind. Since there are n lines pos and their n numbers
-   are below n and differ, no body is missing; likewise for kinds. */
+/* Refuses a second line of a sort that may occur only once in the scene, or
+   only once for each body or kind. This also ensures that no body is
+   missing: the n lines pos have n different numbers below n. The same holds
+   for kinds. */
 static bool check_once(struct reader *r, size_t sort, const double value[])
 {
     if (sort > S)
@@ -637,10 +640,11 @@ static bool read_line(struct reader *r, const char *start, const char *stop,
     return forms[sort].pass != pass || read_values(r, sort);
 }
 
-/* Reads the lines of one pass. Lines may come in any order, but a velocity
-   needs its body, a spring its kind and the positions of two bodies, walls
-   the box, and a displacement all springs. So pass 0 counts the lines, pass
-   2 reads sl and walls, pass 3 reads dis, and pass 1 reads all others. */
+/* Reads the lines of one pass. Lines may come in any order, but some need
+   others to be read first: a velocity needs its body, a spring its kind and
+   the positions of its two bodies, walls the box, and a displacement all
+   springs. So pass 0 counts the lines, pass 2 reads sl and walls, pass 3
+   reads dis, and pass 1 reads all others. */
 static bool read_pass(struct reader *r, const char *text, size_t length,
                       int pass)
 {
@@ -686,8 +690,8 @@ bool scene_parse(struct scene *s, const char *text, size_t length,
     return good;
 }
 
-/* Returns the whole content of a stream, to be freed, or NULL with errno
-   set. The buffer grows as needed, since a pipe has no size. */
+/* Returns the whole content of a stream, which the caller frees, or NULL
+   with errno set. The buffer grows as needed, since a pipe has no size. */
 static char *read_all(FILE *stream, size_t *length)
 {
     size_t room = 1 << 16;
@@ -777,10 +781,10 @@ static void write_places(const struct scene *s, struct table *out)
                     c[2 * n + i]);
 }
 
-/* Writes the remainders of compensated sums and the accelerations with
-   which a damped leapfrog continues. The line carry of the first body is
-   written even if all its numbers are 0, so that the reader knows that
-   there are remainders. No line kept may be omitted. */
+/* Writes the remainders of compensated sums, and the accelerations with
+   which a damped leapfrog continues. The first line carry is written even
+   if all its numbers are 0, so that the reader knows that the scene has
+   remainders. No line kept may be omitted. */
 static void write_carried(const struct scene *s, struct table *out)
 {
     const size_t n = s->bodies;

@@ -1,4 +1,4 @@
-/* A scene: bodies, springs, walls, and what acts on them. */
+/* Defines scenes: bodies, springs, walls, and what acts on them. */
 #ifndef SCENE_H
 #define SCENE_H
 
@@ -10,7 +10,7 @@
 
 enum { SCENE_AXES = 3 };
 enum scene_wall { SCENE_OPEN, SCENE_HARD, SCENE_PERIODIC };
-/* The laws of contacts: hard bodies change their velocities at once, soft
+/* The laws of contacts. Hard bodies change their velocities at once. Soft
    bodies act on each other as linear springs or by Hertz's law. */
 enum scene_law { SCENE_SUDDEN, SCENE_LINEAR, SCENE_HERTZ };
 
@@ -27,10 +27,10 @@ struct scene_spring {
     double rest;         /* rest length, m */
 };
 
-/* Bodies with their state, and what acts on them. Arrays with three numbers
+/* The bodies, their state, and what acts on them. Arrays with three numbers
    per body are ordered by axis: coordinate k of body i is at [k * bodies +
-   i]. Thus a method sees one long array of coordinates, and loops over
-   bodies read memory in sequence. */
+   i]. A method can then treat all coordinates as one long array, and loops
+   over bodies read memory in sequence. */
 struct scene {
     size_t bodies, kinds, springs;
     double *mass, *charge, *radius; /* [bodies] kg, no unit, m */
@@ -65,9 +65,9 @@ struct scene_error {
     char text[240]; /* "found this, expected that" */
 };
 
-/* Prepares a scene of `bodies` free bodies of mass 1, at rest at the origin
-   between open walls, with restitution 1. All else is 0. Returns false,
-   with nothing to free, if memory runs out. */
+/* Creates a scene of `bodies` free bodies of mass 1, at rest at the origin
+   between open walls, with restitution 1. Everything else is 0. Returns
+   false, with nothing to free, if memory runs out. */
 bool scene_create(struct scene *s, size_t bodies);
 
 /* Frees the scene and makes *s empty. */
@@ -77,11 +77,12 @@ void scene_free(struct scene *s);
    memory runs out. */
 bool scene_copy(struct scene *to, const struct scene *from);
 
-/* Copies positions and velocities from a scene with as many bodies. */
+/* Copies positions and velocities from a scene with the same number of
+   bodies. */
 void scene_take_state(struct scene *s, const struct scene *from);
 
-/* Adds a kind of spring; its number is then s->kinds - 1. Returns false if
-   memory runs out. */
+/* Adds a kind of spring, which gets the number s->kinds - 1. Returns false
+   if memory runs out. */
 bool scene_add_kind(struct scene *s, double stiffness, double damping);
 
 /* Adds a spring between two bodies. If rest < 0, its rest length is their

@@ -11,9 +11,9 @@
 #include <unistd.h>
 
 /* Returns the text of build/check/flags, a file that make writes: the
-   compiler's command on the first line, the libraries on the second. The
-   flags never come from the environment, because objects from two compilers
-   with different sanitizers cannot be linked. */
+   compiler's command on line 1, the libraries on line 2. The flags are not
+   read from the environment, because objects from two compilers with
+   different sanitizers cannot be linked. */
 static char *flags_read(void)
 {
     char *flags = text_read("build/check/flags");
@@ -30,8 +30,8 @@ bool build_sanitized(void)
     return found;
 }
 
-/* make check has already compiled the tests of exercises that are named or
-   begun. During make watch, however, a student may begin another one. */
+/* Usually make check has compiled the tests already. This function is for a
+   student who begins another exercise while make watch is running. */
 void build_suite(const char *exercise)
 {
     static char script[] = "exec ${MAKE:-make} -s \"$@\" >&2";
@@ -69,7 +69,7 @@ static char runner[] = "exec $1 -o \"$3/runner\" build/check/$5.suite.o $6";
    another version of the function that the project's header declares.
    Version 0 is right and the others are wrong. Only the first program is
    built with sanitizers and warnings: the others would give the same
-   warnings, and without sanitizers they compile in half the time. */
+   warnings, and compile in half the time without sanitizers. */
 static char program[] =
     "given=build/check/$5.given.o law=1\n"
     "name=$(sed -n 's/^void \\([a-z]*\\)_0(.*/\\1/p' \\\n"
@@ -164,9 +164,9 @@ static const char *find_error(const char *text, const char *source)
     return line ? line : first;
 }
 
-/* Explains an error that the compiler reports in a header by showing the
-   #include in the student's file. System headers have no errors, so the
-   cause is the end of the line above the #include. */
+/* Explains an error that the compiler found in a header. System headers
+   have no errors, so the cause is the end of the line above the student's
+   #include. */
 static void tell_header(const char *text, const char *source, FILE *story)
 {
     char place[4200];
@@ -215,9 +215,8 @@ static bool name_function(const char *text, const char *line, char name[64])
     return *name;
 }
 
-/* Returns the declaration of the function `name' that the exercise gives,
-   or NULL. tests/types.awk writes the declarations as comments in the
-   header. */
+/* Returns the exercise's declaration of the function `name', or NULL. The
+   header contains these declarations as comments (tests/types.awk). */
 static char *given_function(char *header, const char *name)
 {
     char call[66];

@@ -76,7 +76,6 @@ void exercise_not_done(const char *file, int line)
     _exit(EXIT_SUCCESS);
 }
 
-/* Reports a label and a text on one line, unless the text is empty. */
 static void say(const char *label, const char *text)
 {
     if (text && *text)
@@ -88,8 +87,8 @@ void check_tell(const char *label, const char *text)
     say(label, text);
 }
 
-/* Writes x with this many significant digits. A NaN is written without its
-   sign, which means nothing and differs between compilers. */
+/* A NaN is written without its sign, which means nothing and differs
+   between compilers. */
 static void number_text(char *text, size_t room, int digits, double x)
 {
     if (isnan(x))
@@ -113,9 +112,9 @@ static void number_pair(char *one, char *other, size_t room, double x,
 }
 
 /* Returns whether two numbers agree. A NaN agrees with nothing, because
-   every comparison with a NaN is false; !(fabs(got - expected) > tolerance)
-   would accept a NaN. The first comparison is for equal infinities, whose
-   difference is a NaN. */
+   every comparison with a NaN is false. (The condition !(fabs(got -
+   expected) > tolerance) would be true for a NaN.) The first comparison is
+   for equal infinities, whose difference is a NaN. */
 static bool near(double got, double expected, double tolerance)
 {
     return got == expected || fabs(got - expected) <= tolerance;
@@ -243,7 +242,6 @@ static void say_overrun(const struct check_overrun *o)
                                name, o->before ? low : high));
 }
 
-/* Fails the test even if all its numbers are right. */
 void check_overrun(const struct check_overrun *overrun)
 {
     struct check_overrun o = *overrun;
@@ -273,9 +271,9 @@ void check_demand(const char *what, double asked, double most)
 
 static struct random inputs;
 
-/* Makes the inputs of a test depend on the seed and the test's number, but
-   not on which tests ran before. The odd factor with many bits keeps
-   neighbouring seeds and tests from sharing a sequence. */
+/* Makes the inputs of a test independent of the tests that ran before. The
+   odd factor with many bits keeps neighbouring seeds and tests from sharing
+   a sequence. */
 static void seed_inputs(uint64_t seed, int number)
 {
     random_seed(&inputs, seed + (uint64_t)number * 0x9e3779b97f4a7c15u);
@@ -325,8 +323,8 @@ static bool is_idle(const struct check_test *t)
 
 /* Prints the suite's file, title and minutes. Then prints a line for each
    test: its points, its points with another seed, whether it is idle (0 or
-   1), and its name. Only programs without a student's code are run for this
-   list, because that code could change it. */
+   1), and its name. Make must run this only in programs without a student's
+   code, which could change the list. */
 static int list_suite(void)
 {
     printf("file %s\ntitle %s\nminutes %d\n", check_suite.file,
@@ -345,8 +343,8 @@ int __lsan_do_recoverable_leak_check(void) __attribute__((weak));
 static bool leaks_wanted = true;
 
 /* Lets the sanitizer print which memory was leaked. A child process does
-   this, because a sanitizer that may not trace ends its process. A leak
-   costs no points, so this happens after the verdict. */
+   this, because the sanitizer ends its process if tracing is not allowed. A
+   leak costs no points, so this happens after the verdict. */
 static void look_for_leaks(void)
 {
 #ifdef __linux__

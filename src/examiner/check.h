@@ -56,7 +56,7 @@ struct check_test {
     int hidden; /* points with another seed; 0: no random inputs */
 };
 
-enum { CHECK_TESTS = 32 }; /* length of tests[], with the empty entry */
+enum { CHECK_TESTS = 32 }; /* largest number of tests, plus 1 */
 
 /* The tests of one exercise. Every suite defines one of these structs,
    named check_suite. A function that does nothing passes the idle tests: if

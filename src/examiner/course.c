@@ -51,8 +51,7 @@ static void learn_test(struct exercise *e, const char *text)
     e->tests[e->count++] = name + strspn(name, " ");
 }
 
-/* Finds the files of an exercise. The stub must exist, because comparing
-   the student's file with the stub shows whether the exercise is begun. */
+/* The stub must exist: it shows whether the exercise is begun. */
 static void find_files(struct exercise *e)
 {
     find_one("tests/exercises/%s/stub.c", e->name, e->stub);
@@ -97,8 +96,6 @@ static bool read_about(struct exercise *e, const char *name)
     return true;
 }
 
-/* Exercises are the folders of tests/exercises for which there is a list in
-   build/check. */
 struct course course_learn(void)
 {
     struct course course = {NULL, 0};

@@ -38,7 +38,6 @@ static const char purpose[] =
     "Check the exercises named (01a, or 01 for a chapter), or all.\n"
     "Exit status: 0 all that is begun passes, 1 it does not, 2 trouble.";
 
-/* Adds the names in an argument, separated by commas or spaces. */
 static void add_names(struct settings *s, const char *argument)
 {
     size_t count = 0;

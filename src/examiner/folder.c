@@ -28,9 +28,9 @@ static bool is_own_name(const char *name)
 }
 
 /* Removes an entry of a folder. If the entry is a folder that is not empty,
-   moves it to the folder `top' under a number, to be removed later. A tree
-   of any depth therefore needs only two open folders, and no path becomes
-   too long. */
+   moves it into the folder `top' with a number as its name, to be removed
+   later. A tree of any depth therefore needs only two open folders, and no
+   path becomes too long. */
 static bool remove_entry(int folder, const char *name, int top,
                          unsigned long *number)
 {

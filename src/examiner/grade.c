@@ -117,8 +117,7 @@ static bool next_word(const char **list, char word[64])
     return length > 0;
 }
 
-/* Refuses unknown report formats at the start instead of after hours of
-   grading. */
+/* Refuses unknown report formats now instead of after hours of grading. */
 static void check_reports(const char *list)
 {
     char word[64];
@@ -204,10 +203,10 @@ static void make_folder(const char *path)
         text_fail("cannot make '%s': %s", path, strerror(errno));
 }
 
-/* Returns the prefix that all processes on this system give to the names of
+/* Returns the prefix that all graders on this system give to the names of
    their work folders. The prefix identifies the boot of the kernel and the
-   process namespace. If several machines share the folder, a process number
-   alone would be ambiguous. */
+   process namespace: if machines share the folder, a process number is
+   ambiguous. */
 static const char *name_machine(void)
 {
     static char name[32];
@@ -238,9 +237,8 @@ static void remove_abandoned(void)
     globfree(&found);
 }
 
-/* Returns whether the folder `inner' is, or would be, inside `outer'.
-   `inner' need not exist: the part of its path that exists is resolved,
-   including links. */
+/* Returns whether `inner' is, or would be, inside `outer'. `inner' need not
+   exist: the part of its path that exists is resolved, including links. */
 static bool is_within(const char *inner, const char *outer)
 {
     char path[4200], *real, *around = realpath(outer, NULL);
@@ -260,9 +258,8 @@ static bool is_within(const char *inner, const char *outer)
     return within;
 }
 
-/* Refuses an output folder inside the folder of submissions. The next run
-   would mistake the results for a student's files, and files of a student
-   could be mistaken for results. */
+/* Refuses an output folder inside the folder of submissions, because the
+   next run would mistake the results for submissions. */
 static void refuse_results_within(const struct batch *b)
 {
     if (is_within(b->settings.output, b->settings.folder))
@@ -301,10 +298,9 @@ static uint64_t draw_seed(void)
     return seed;
 }
 
-/* Writes the seed to path. The file is readable only by the lecturer and
-   appears as a whole, because another grader may read it at any time. If
-   anew is false and the file exists, keeps the old seed. Returns whether
-   the new seed was written. */
+/* Writes the seed to path in one step, because other graders may read the
+   file. If anew is false and the file exists, keeps the old seed. Returns
+   whether the new seed was written. */
 static bool write_seed(const char *path, uint64_t seed, bool anew)
 {
     char text[32];
@@ -412,7 +408,6 @@ static void result_path(const struct batch *b, size_t s, size_t e,
     snprintf(path + strlen(path), 32, "/%s.json", b->kits[e].exercise);
 }
 
-/* Keeps only the student whom --job names. */
 static void choose_student(struct batch *b)
 {
     const char *job = b->settings.job;
@@ -448,8 +443,8 @@ static uint64_t sum_kit(const struct batch *b, const char *exercise)
    file, the compiler and its flags, the seed, the time limit, the kind of
    sandbox and the script of the student's figure. The compiler is included
    because jobs may run on machines with different compilers, whose code
-   rounds differently. If a new file had the same checksum as the old file,
-   the student would keep the old marks. */
+   rounds differently. If a new file happened to have the checksum of the
+   old file, the student would keep the old marks. */
 static void result_key(uint64_t kit, const char *bytes, size_t length,
                        const char *remark, const char *note, char key[24])
 {
@@ -534,8 +529,8 @@ static void take_pages(const struct batch *b, struct job *job)
 
 /* Grades a job in this child process. Ends with _exit, which skips the
    parent's clean-up. If the parent is killed, PR_SET_PDEATHSIG ends this
-   process and with it the sandbox. After an interruption it writes nothing,
-   because half a grading is no result. */
+   process and with it the sandbox. If interrupted, writes nothing, because
+   half a grading is no result. */
 static _Noreturn void work(const struct batch *b, const struct job *job)
 {
     struct marks marks = blank_marks(b, job);
@@ -613,8 +608,8 @@ static void wait_for_one(struct batch *b)
     show_progress(b);
 }
 
-/* Prints a word in quotes for a shell. Refuses a line break, which would
-   split the command. Students' names are encoded and have none. */
+/* Refuses a line break, which would split the command. Students' names are
+   encoded and have none. */
 static void put_word(const char *word)
 {
     if (strchr(word, '\n'))
@@ -658,8 +653,8 @@ static void check_job(const struct batch *b, const struct job *job)
 
 /* Starts a job as soon as fewer than --jobs jobs are running. With --list,
    only prints the command of the job. The default of --jobs is one more
-   than the number of processors. With one job for each processor, a quarter
-   of the time was idle: a job waits for disks, for programs that sleep, and
+   than the number of processors: with one job for each processor, a quarter
+   of the time was idle. A job waits for disks, for programs that sleep, and
    while judge and sandbox take turns. */
 static void start_job(struct batch *b, const struct job *job)
 {
@@ -684,8 +679,8 @@ static void start_job(struct batch *b, const struct job *job)
     ends[running++] = (struct pollfd){process_watch(pid), POLLIN, 0};
 }
 
-/* Returns the index of the first student who handed in the same bytes.
-   Compares the bytes of files with equal checksums. */
+/* Returns the index of the first student who handed in the same bytes as
+   this job. Compares the bytes of files with equal checksums. */
 static size_t first_alike(struct batch *b, uint64_t sum,
                           const struct job *job)
 {
@@ -796,8 +791,8 @@ static void grade_all(struct batch *b)
     free(b->alike);
 }
 
-/* Reads all results. If an exercise could not be graded, it has no result
-   and is reported as "not graded", never as zero points. */
+/* If an exercise could not be graded, it has no result and is reported as
+   "not graded", never as zero points. */
 static struct marks *read_results(const struct batch *b)
 {
     char path[4400];
@@ -861,10 +856,10 @@ static void publish_all(struct batch *b)
                 b->failed);
 }
 
-/* Finds all submissions. This happens before exercises are chosen, because
-   an answer to any exercise of the course is not a stray file. With --job,
-   reads only names that begin like the student's, because there may be ten
-   thousand students. */
+/* Finds all submissions. Exercises are chosen later, because an answer to
+   any exercise of the course is not a stray file. With --job, reads only
+   names that begin like the student's, because there may be ten thousand
+   students. */
 static void find_submissions(struct batch *b)
 {
     const char **usual = text_must(calloc(b->kit_count + 1, sizeof *usual));

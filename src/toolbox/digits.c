@@ -74,12 +74,12 @@ static uint64_t take_apart(double size, int *e)
     return (bits & UINT64_C(0xfffffffffffff)) | UINT64_C(1) << 52;
 }
 
-/* Multiplies by a power of ten in integers. If 10^p <= x < 10^(p+1), the
-   digits of x are those of 10^(16-p) x. For x = b 2^(e-53), that product is
-   b 5^(16-p) / 2^(37+p-e). From 1e-4 to 1e15 the power of five has at most
-   49 bits and the product at most 102. The power of two is 2^1 to 2^45, so
-   the division is a shift, and the bits shifted out determine the rounding
-   exactly.
+/* Multiplies x, the absolute value, by a power of ten in integer
+   arithmetic. If 10^p <= x < 10^(p+1), the digits of x are those of
+   10^(16-p) x. For x = b 2^(e-53), that product is b 5^(16-p) / 2^(37+p-e).
+   From 1e-4 to 1e15 the power of five has at most 49 bits and the product
+   at most 102. The power of two is 2^1 to 2^45, so the division is a shift,
+   and the bits shifted out determine the rounding exactly.
 
    p is floor((e-1) log10 2) or one more. If the first p is too small, the
    result has 18 digits. The result also has 18 digits if it rounds up to

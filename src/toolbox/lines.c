@@ -33,8 +33,7 @@ void lines_release_head(struct table *t)
     t->head = NULL;
 }
 
-/* Largest size of a head that is kept in memory, bytes. */
-enum { MOST_HEAD = 65536 };
+enum { MOST_HEAD = 65536 }; /* bytes of a head kept in memory */
 
 /* Returns whether text with this format belongs to the head: a line that
    begins with #, an empty line, or the rest of an unfinished line. */
@@ -97,9 +96,9 @@ static void put(struct table *t, char c)
     lines_note_error(t, putc(c, t->stream) != EOF);
 }
 
-/* Asserts the number of values, because a row with too few values would
-   shift every later plot. This is a bug of the program and not a mistake of
-   its user. */
+/* Asserts the number of values: a row with too few values would shift every
+   later plot. This would be a bug of the program, not a mistake of its
+   user. */
 bool table_row(struct table *t, size_t n, const double values[])
 {
     assert(t->columns == 0 || n == t->columns);

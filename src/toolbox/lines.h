@@ -17,13 +17,13 @@ struct table {
     char *path;       /* final name, links resolved, or NULL */
     char *temporary;  /* temporary name, or NULL if none */
     bool exists;      /* whether the file existed when opened */
-    struct stat file; /* its status, if it existed */
+    struct stat file; /* status of the file, if it existed */
     size_t columns;
     const struct table_key *keys; /* keys of a summary, or NULL */
     uint64_t written;             /* bit k is set if keys[k] was written */
     int error;                    /* errno of the first failure, or 0 */
     /* While the head is kept in memory, `stream` writes to `head`, and
-       `held` is the stream of the file; afterwards `held` is NULL. */
+       `held` is the stream of the file. Afterwards `held` is NULL. */
     FILE *held;
     char *head;
     size_t head_size;

@@ -53,8 +53,6 @@ static void print_from(int width, const char *text)
     }
 }
 
-/* Returns the letter of an option without its flags, or 0 if it has no
-   letter. */
 static int letter_of(const struct options_entry *e)
 {
     return e->letter & 0xff;
@@ -70,8 +68,9 @@ static void print_entry(const struct options_entry *e)
     print_from(width, e->help);
 }
 
-/* Prints a heading. If heading is NULL and `before' is not, prints
-   "always:". Returns heading, which becomes `before' of the next call. */
+/* Prints a heading or, if heading is NULL and `before' is not, "always:".
+   Returns heading. The caller passes the result as `before' to the next
+   call. */
 static const char *print_heading(const char *heading, const char *before)
 {
     if (heading)
@@ -114,8 +113,7 @@ void options_keys(struct options *o, const struct table_key *keys)
     o->keys = keys;
 }
 
-/* Prints help or version to standard output and exits. The exit status is
-   EXIT_FAILURE if standard output cannot be written. */
+/* Exits with EXIT_FAILURE if standard output cannot be written. */
 static _Noreturn void print_and_exit(const struct options *o, bool help)
 {
     if (help)
@@ -129,8 +127,8 @@ static _Noreturn void print_and_exit(const struct options *o, bool help)
     exit(EXIT_FAILURE);
 }
 
-/* The command for the head of a table, written to memory. Static variables
-   suffice, because a process has only one command line. */
+/* The command for the head of a table. Static variables suffice, because a
+   process has only one command line. */
 static FILE *command_stream;
 static char *command_text;
 static size_t command_size;
@@ -169,8 +167,6 @@ static void write_quoted(FILE *stream, const char *text)
     fputc('\'', stream);
 }
 
-/* Adds the current option to the command with its full name, unless the
-   option has the flag OPTIONS_SILENT. */
 static void add_to_command(struct options *o)
 {
     if (o->current->letter & OPTIONS_SILENT)
@@ -196,9 +192,9 @@ static const struct options_entry *named(const struct options *o,
     return e;
 }
 
-/* Copies the value of option e to value or, if e was not given, its
-   default. The default is in parentheses at the end of e->help. Returns
-   false if e has neither a value nor a default. */
+/* Copies the value of option e or, if e was not given, its default, which
+   is in parentheses at the end of e->help. Returns false if e has
+   neither. */
 static bool get_value(const struct options *o,
                       const struct options_entry *e, char value[],
                       size_t size)
@@ -214,8 +210,6 @@ static bool get_value(const struct options *o,
     return given || standard;
 }
 
-/* Returns whether value is an item of list, where ", " separates the
-   items. */
 static bool is_among(const char *value, const char *list)
 {
     const size_t length = strlen(value);
@@ -230,7 +224,7 @@ static bool is_among(const char *value, const char *list)
 }
 
 /* Calls options_fail if a condition in the heading of option e does not
-   hold. The message names the option in that condition. */
+   hold. */
 static void check_heading(struct options *o, const struct options_entry *e,
                           const char *heading)
 {
@@ -255,7 +249,7 @@ static void check_heading(struct options *o, const struct options_entry *e,
                          given ? "" : ", the default");
         /* If the other option was not given, do not quote its default as if
            the user had given it. A third option may have replaced the
-           default, as lists replace the preset of bonkers. */
+           default: in bonkers, for example, lists replace the preset. */
         if (*values && !no && !among && !given)
             options_fail(o, "means nothing without --%s %s", name, values);
         if (*values && !no && !among)
@@ -264,8 +258,8 @@ static void check_heading(struct options *o, const struct options_entry *e,
     }
 }
 
-/* Checks the headings of all options that were given. Must be called after
-   the last option, because a heading may depend on a later option. */
+/* Must be called after the last option, because a heading may depend on a
+   later option. */
 static void check_headings(struct options *o)
 {
     const char *heading = NULL;
@@ -288,8 +282,8 @@ void options_refuse(struct options *o, const char *name, const char *why)
     options_fail(o, "means nothing %s", why);
 }
 
-/* Refuses an output that would replace an input file, even if their names
-   differ because of links. */
+/* Refuses an output that would replace an input file, even through
+   links. */
 static void protect_inputs(struct options *o)
 {
     for (int i = 0; o->entries[i].name; ++i)
@@ -318,12 +312,11 @@ void options_begin(struct options *o, const char *program,
 
 enum { HELP = OPTIONS_LONG + OPTIONS_MAXIMUM, VERSION };
 
-/* Calls getopt_long for the next option and returns the result, which is
-   OPTIONS_LONG + index for a long option. In `letters`, "-" makes
-   getopt_long return other arguments in their order. The first ":" makes it
-   return ':' for a missing value. A ":" after a letter means that the
-   option has a value. opterr = 0 suppresses the messages of getopt_long,
-   because this file writes its own. */
+/* Calls getopt_long for the next option. The result is OPTIONS_LONG + index
+   for a long option. In `letters`, "-" makes getopt_long return other
+   arguments in their order, and the first ":" makes it return ':' for a
+   missing value. A ":" after a letter means that the option has a value.
+   opterr = 0 suppresses the messages of getopt_long. */
 static int ask_getopt(struct options *o)
 {
     struct option list[OPTIONS_MAXIMUM + 3] = {0}, *l = list;
@@ -346,8 +339,7 @@ static int ask_getopt(struct options *o)
 }
 
 /* Returns the entry with this code (its letter, or OPTIONS_LONG + its
-   index), or NULL. OPTIONS_ARGUMENT is the code of the entry without a
-   name. */
+   index). OPTIONS_ARGUMENT is the code of the entry without a name. */
 static const struct options_entry *find_entry(const struct options *o,
                                               int code)
 {
@@ -360,8 +352,8 @@ static const struct options_entry *find_entry(const struct options *o,
     return NULL;
 }
 
-/* The message includes the option's help on one line, because the help
-   lists the possible values. */
+/* The message includes the help, because the help lists the possible
+   values. */
 static _Noreturn void fail_without_value(struct options *o)
 {
     char help[2048];
@@ -371,7 +363,6 @@ static _Noreturn void fail_without_value(struct options *o)
     options_fail(o, "needs a value, %s: %s", o->current->argument, help);
 }
 
-/* Fails if a shortened long name is the beginning of several names. */
 static void fail_if_ambiguous(struct options *o, const char *given)
 {
     const char *first = NULL;

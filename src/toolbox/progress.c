@@ -11,8 +11,6 @@
 #include <time.h>
 #include <unistd.h>
 
-/* Returns the time [s] on a clock that does not jump when the time is
-   set. */
 static double seconds(void)
 {
     struct timespec now;
@@ -29,7 +27,6 @@ void progress_begin(struct progress *p, const char *program, uint64_t total,
     p->visible = isatty(STDERR_FILENO) == 1;
 }
 
-/* Returns the fraction of the work done, or 0 if the total is unknown. */
 static double fraction_done(const struct progress *p)
 {
     return p->total > 0 ? (double)p->done / (double)p->total : 0;

@@ -33,9 +33,8 @@ void replace_abandon(void)
             unlink(temporaries[i]);
 }
 
-/* Replaces the entry `old' of the list by `new': adds new if old is NULL,
-   and removes old if new is NULL. If the list is full, sets errno and
-   returns false. */
+/* Adds new if old is NULL, and removes old if new is NULL. If the list is
+   full, sets errno and returns false. */
 static bool swap_temporary(const char *old, char *new)
 {
     for (int i = 0; i < MOST_FILES; ++i)
@@ -83,10 +82,8 @@ bool replace_prepare(void)
     return true;
 }
 
-/* Removes the entry of a temporary file from the list, and the file itself
-   unless it was renamed. Clears the entry before it frees the name, because
-   a signal may come in between. Saves errno, because unlink may overwrite
-   it. */
+/* Clears the entry of the list before the name is freed, because a signal
+   may come in between. Saves errno, because unlink may overwrite it. */
 static void forget(char *temporary, bool renamed)
 {
     const int error = errno;

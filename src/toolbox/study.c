@@ -14,9 +14,9 @@ struct command {
 
 enum { LINE = 64 }; /* largest length of a study's line in the help */
 
-/* Fills names and help, the help of --study, from the list of studies.
-   Returns the number of studies. The usual study is in parentheses at the
-   end of help, like the default of every option. */
+/* Fills names and the help of --study. Returns the number of studies. The
+   usual study is in parentheses at the end of the help, like all
+   defaults. */
 static size_t list_studies(const struct study_program *p,
                            const char *names[STUDY_MOST + 1],
                            char help[STUDY_MOST * LINE])
@@ -108,8 +108,8 @@ static void read_command(const struct study_program *p, struct command *c,
         p->check(&o, names[c->study]);
 }
 
-/* Checks the command before it opens the files, and opens the files before
-   it runs the study, because a study may take minutes. */
+/* Checks the command before the study runs, because a study may take
+   minutes. */
 int study_main(const struct study_program *p, int argc, char *argv[])
 {
     struct command c = {.seed = p->seeds > 0, .summary = "/dev/null"};

@@ -70,11 +70,11 @@ static bool is_same(const struct stat *a, const struct stat *b)
     return a->st_dev == b->st_dev && a->st_ino == b->st_ino;
 }
 
-/* Returns whether another open table writes to the same file. In that case
-   errno is 0, because no error number has this meaning. Two tables on one
-   file would replace each other silently. Their names may differ (x, ./x, a
-   link), so resolved names are compared, and also device and inode if the
-   files exist. A device may be opened twice. */
+/* Returns whether another open table writes to the same file, and sets
+   errno to 0. Two tables on one file would replace each other silently.
+   Their names may differ (x, ./x, a link), so resolved names are compared,
+   and also device and inode if the files exist. A device may be opened
+   twice. */
 static bool is_taken(const struct table *t)
 {
     errno = 0;

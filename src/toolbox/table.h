@@ -45,30 +45,28 @@ uint64_t table_sum(uint64_t sum, const char *bytes, size_t n);
    a file that can be read, sets errno and returns false. */
 bool table_sum_so_far(struct table *t, uint64_t *sum);
 
-/* Opens path for writing. NULL or "-" is standard output. A file is written
-   under a temporary name in the same folder. table_close then gives it the
-   name and the permissions of the file that it replaces. A link is
-   followed.
+/* Opens path for writing. NULL or "-" is standard output. Links are
+   followed. A file is written under a temporary name in the same folder.
+   table_close then gives it the name and the permissions of the file that
+   it replaces.
 
-   Three kinds of files are opened directly and appended to. The first are
-   existing files that are not regular, such as /dev/null or a pipe; opening
-   a pipe waits for its reader. The second are all files under /dev or
-   /proc. The third are files that this process already has open for
-   writing, for example as standard output.
+   Three kinds of files are opened directly and appended to: existing files
+   that are not regular (/dev/null, or a pipe, which waits for its reader),
+   all files under /dev or /proc, and files that this process already has
+   open for writing, for example as standard output.
 
    On failure prints `program' and the reason on standard error and returns
    NULL. program is not copied. At most 8 files are open at once. A second
-   table on the same file is refused, whatever its name, unless the file is
-   a device. The first call turns writing to a closed pipe into an error
-   that table_close reports instead of a signal. It also makes fatal signals
-   remove the temporary files. */
+   table on the same file is refused, unless the file is a device. The first
+   call turns writing to a closed pipe into an error that table_close
+   reports instead of a signal. It also makes fatal signals remove the
+   temporary files. */
 struct table *table_open(const char *program, const char *path);
 
-/* Writes text like printf. Returns false if this or an earlier call has
-   failed to write. Lines that begin with # form the head. The head is kept
-   in memory until another line is written or the table is closed. If the
-   process ends or calls table_discard before that, the head is not
-   written. */
+/* Writes text like printf. Returns false if writing has ever failed. Lines
+   that begin with # form the head, which is kept in memory until another
+   line is written or the table is closed. If the process ends or calls
+   table_discard before that, the head is not written. */
 bool table_print(struct table *t, const char *format, ...);
 
 /* Writes the first lines of the head: program and version, command (from
@@ -85,15 +83,13 @@ struct table_label {
     const char *symbol, *unit, *meaning;
 };
 
-/* Adds the columns in a list. The macro makes the list from the arguments
-   after t. */
+/* Adds the columns in a list. The macro makes the list. */
 void table_columns(struct table *t, const struct table_label list[]);
 #define TABLE_COLUMNS(t, ...)                                              \
     table_columns(t, (const struct table_label[]){__VA_ARGS__, {0}})
 
 /* Writes a row of n values with all their digits. If columns were added, n
-   must be their number. Returns false if this or an earlier call has failed
-   to write. */
+   must be their number. Returns false if writing has ever failed. */
 bool table_row(struct table *t, size_t n, const double values[]);
 
 /* Writes the values after t as a row, like table_row. */
@@ -115,8 +111,7 @@ struct table_result {
     double value;
 };
 
-/* Writes the results in a list. The macro makes the list from the arguments
-   after t. */
+/* Writes the results in a list. The macro makes the list. */
 void table_results(struct table *t, const struct table_result list[]);
 #define TABLE_RESULTS(t, ...)                                              \
     table_results(t, (const struct table_result[]){__VA_ARGS__, {0}})

@@ -194,7 +194,7 @@ static void explain(const struct run *r, const char *format, ...)
 }
 
 /* Explains the interactions, the first part of the explanation. A scene
-   without interactions is valid; its bodies move uniformly. */
+   without interactions is valid. Its bodies move uniformly. */
 static void explain_interactions(const struct run *r)
 {
     const struct models_acts *a = &r->choice.acts;
@@ -624,7 +624,7 @@ static bool write_means(struct run *r)
                  given.tolerance, f->scale);
         table_column(r->out, error, unit, text);
         row[2 * j] = f->value;
-        /* f->error is relative; the column has the average's unit. */
+        /* f->error is relative. The column has the average's unit. */
         row[2 * j + 1] = f->error * f->scale;
     }
     const bool good = table_row(r->out, 2 * r->means, row);

@@ -354,7 +354,7 @@ static enum bonkers_stop run_portions(struct run *r, double until,
    row is a product, not a sum (2.4, eq:clock). If rounding separates the
    last row from the end of the run, the row is moved to the end. A run that
    is limited only by a number of collisions also ends when no more
-   collisions will come; otherwise it would write rows forever. */
+   collisions will come. Without this rule it would write rows forever. */
 static void run_to_row(struct run *r, uint64_t collisions)
 {
     const double clock =
@@ -669,9 +669,9 @@ static bool average_ensemble(struct table *out, const struct run *first,
     return done;
 }
 
-/* Reports a run that could not reach its end. Returns whether it reported
-   one. The exit status is then that of a failure, but the table so far is
-   correct and is kept. */
+/* Reports a run that could not reach its end. Returns true after a report.
+   The program then exits with a failure, but the table is correct up to
+   that time and is kept. */
 static bool say_collapse(const struct run *r)
 {
     const bool cold = r->stop == BONKERS_COLLAPSE && bonkers_is_cold(&r->b);

@@ -87,8 +87,8 @@ struct mixture {
     } kind[KINDS];
 };
 
-/* Adds a kind. Returns false if its numbers are invalid; they may come from
-   a file. */
+/* Adds a kind. Returns false if the numbers, which may come from a file,
+   are invalid. */
 static bool add_kind(struct mixture *m, double count, double mass,
                      double radius)
 {

@@ -158,7 +158,8 @@ static void add_column(struct columns *c, const struct head *h,
 
 /* Chooses the columns when the first row is read, because that row
    determines their number. The column of --against comes last. A single law
-   or range applies to all columns; otherwise each column needs its own. */
+   or range applies to all columns. Several laws or ranges apply to one
+   column each. */
 static void choose_columns(struct columns *c, const struct head *h,
                            const char *row)
 {
@@ -216,7 +217,7 @@ static double read_number(struct columns *c, const struct column *column,
     return value;
 }
 
-/* Stores a row. Only the requested columns must be numbers; other columns
+/* Stores a row. Only the requested columns must be numbers. Other columns
    may contain text. */
 static void take_row(struct columns *c, const char *text)
 {

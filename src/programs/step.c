@@ -172,7 +172,7 @@ static void open_device(struct run *r)
    are used. Small numbers of bodies are not divided among threads: waking a
    thread takes as long as the attraction of some hundred bodies or some
    thousand springs, and much longer on a busy machine. The number of
-   threads does not affect the results; it is written to the summary. */
+   threads is written to the summary and does not affect the results. */
 static void set_in_motion(struct run *r)
 {
     struct motion *m = &r->motion;
@@ -452,7 +452,7 @@ static uint64_t passed(const struct run *r)
    stability limit of the method, pairs passed through each other, bodies
    overlapped at the start, or the energy error of a row exceeded a tenth of
    the scale (11.15, eq:energy-scale). Euler's and adaptive methods have the
-   limit 0; their faults show in the energy. */
+   limit 0. Their faults show in the energy. */
 static enum complaint find_complaint(const struct run *r)
 {
     const double limit = r->motion.stepping.method->limit;

@@ -876,8 +876,8 @@ static int cheaper(const void *one, const void *other)
                : (a->error > b->error) - (a->error < b->error);
 }
 
-/* Writes the points whose error is less than OFF scales. Larger errors are
-   of no use. */
+/* Writes the points with errors below OFF scales. Larger errors are
+   useless. */
 static void write_points(const struct map *m, struct table *out)
 {
     enum { OFF = 30 };

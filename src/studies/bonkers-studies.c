@@ -247,8 +247,8 @@ static void study_speed(struct study *s)
 /* Writes how often g - q is exactly halfway between two doubles, and how
    often such a tie is rounded up, for random velocities of two masses
    (section "A coin that is not fair"). The widest type stores the exact
-   difference. The rounding error of `rest` in a tie is half the distance to
-   the next double. */
+   difference. In a tie, the rounding error of `rest` is half the distance
+   to the next double. */
 static void throw_coins(struct table *summary, const char *name,
                         double mass1, double mass2)
 {

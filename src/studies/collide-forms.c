@@ -121,9 +121,9 @@ static const double row_im[BODIES] = {0,         1 / 11.23, 1 / 21.23,
                                       1 / 31.23, 1 / 41.23, 0};
 
 /* Returns the index of a random gap whose two bodies approach each other.
-   Some gap always closes, so the loop ends: the walls are at rest, so the
-   velocities could increase from left to right only if all were zero, and
-   the four bodies never stop at the same time. */
+   The loop ends, because some gap always closes. Otherwise the velocities
+   would increase from left to right between two walls at rest. Then all
+   would be zero, but the four bodies never stop at the same time. */
 static uint64_t row_draw(struct random *r, const double v[BODIES])
 {
     for (;;) {
@@ -142,8 +142,8 @@ static quad row_energy(const double v[BODIES])
 }
 
 /* Returns the energy that the difference form gains in a collision of gap
-   i: 2 delta d^2 / (a + b), where its two fractions add up to 1 + delta
-   (1.11, eq:bias). The sum over a run predicts the drift. */
+   i: 2 delta d^2 / (a + b), where the form's two fractions add up to 1 +
+   delta (1.11, eq:bias). The sum over a run predicts the drift. */
 static double row_bias(uint64_t i, const double v[BODIES])
 {
     const double a = row_im[i], b = row_im[i + 1], sum = a + b;

@@ -157,8 +157,8 @@ static void study_timeline(struct study *s)
 /* Runs for the time t, reverses all velocities and runs for t again.
    Returns the largest distance from the start, m, which would be zero
    without rounding. Adds the number of collisions before the reversal to
-   *collisions. The disks are moved to the present before the reversal;
-   otherwise the way back would begin at other positions. */
+   *collisions. The disks are moved to the present before the reversal.
+   Without this move the way back would begin at other positions. */
 static double miss(struct disks *d, double t, double *collisions)
 {
     struct disk start[4];

@@ -240,8 +240,9 @@ static void study_eccentric(struct study *s)
 
 /* Moves a massless planet from 1 AU past the Sun and back to 1 AU, on an
    ellipse of semi-major axis 1 AU and perihelion distance q, AU. Sets
-   *energy to the relative energy error, including the softening, and *place
-   to the position error, AU, compared with the orbit without softening. */
+   *energy to the relative error of the energy, which includes the
+   softening. Sets *place to the position error, AU, compared with the orbit
+   without softening. */
 static void fly_by(double q, const char *method, double dt,
                    double softening, double *energy, double *place)
 {

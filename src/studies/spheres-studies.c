@@ -512,8 +512,8 @@ static double centre(const struct scene *s, const double x[])
     return sum / mass;
 }
 
-/* Returns how far along x the centre of mass has left its uniform motion
-   after 2 s in a periodic box, in radii of a light disk. */
+/* Returns the distance along x of the centre of mass from its uniform
+   motion, after 2 s in a periodic box, in radii of a light disk. */
 static double moved_centre(uint64_t seed, int way, double dt)
 {
     struct run r;
@@ -1111,7 +1111,7 @@ static void study_moment(struct study *s)
 
 enum { TOUCHING = 3 };
 
-/* Contact laws. The stiffness is in N/m, or in N/m^1.5 for Hertz's law; the
+/* Contact laws. The stiffness is in N/m, or in N/m^1.5 for Hertz's law. The
    gap between balls is in m. */
 static const struct {
     const char *name;

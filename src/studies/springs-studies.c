@@ -284,8 +284,8 @@ static bool swing_of(const struct stepping_method *method, uint64_t n,
 
 /* Writes the errors of all methods. Halves the step, starting at 0.2 s,
    until the error is near the rounding error or the work becomes too much.
-   If `timed`, adds a column of processor time; otherwise the table is the
-   same on all machines. */
+   If `timed`, adds a column of processor time. Without this column the
+   table is the same on all machines. */
 static void write_errors(struct study *s, bool timed)
 {
     if (timed)

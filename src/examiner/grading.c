@@ -187,6 +187,9 @@ static void prepare(struct job *job, const char *bytes, size_t length)
     snprintf(path, sizeof path, "%s/build/grade/%s.inside.o", g->root,
              job->kit->exercise);
     job->order.inside = open_or_fail(path, O_RDONLY);
+    snprintf(path, sizeof path, "%s/src/examiner/sandbox.sh", g->root);
+    if (!(job->order.script = text_read(path)))
+        text_fail("cannot read '%s': %s", path, strerror(errno));
     snprintf(job->judge, sizeof job->judge, "%s/build/grade/%s.judge",
              g->root, job->kit->exercise);
     job->prints = open_or_fail("prints", O_RDWR | O_CREAT | O_APPEND);

@@ -390,105 +390,13 @@ const char *sandbox_name(enum sandbox_kind kind)
     return names[kind];
 }
 
-/* The script that the shell in the sandbox runs. It compiles the student's
-   file, hides its symbols, links, and becomes the program.
-
-   objcopy makes all of the student's symbols local, except the functions of
-   the exercise. A student's malloc, write or main then cannot replace the
-   driver's. objcopy also removes a section .interp: programs linked by gold
-   would contain it, and Linux would start the interpreter that it names. A
-   project keeps its main. There the driver is a program without any code of
-   the student's, and the student's program is linked once for each version
-   of the function that it calls. With sanitizers it is linked only for the
-   first version.
-
-   The limits are hard limits, different for the compiler and the program.
-   If memory runs out, the kernel kills this process first. The pipes are
-   closed while the compiler runs, so that a file that includes
-   /proc/self/fd/3 gets nothing. gcc took 28 s to print twenty thousand
-   warnings with their source lines. So the compiler first runs without
-   source lines. Only if it fails does it run again with them, or without
-   warnings if there were many.
-
-   Symbols and line numbers are left out, except with sanitizers. If the
-   linker fails the file is compiled again with them, for its message. gold
-   takes a third of the usual linker's time with sanitizers, and three
-   quarters without. */
-static const char script[] =
-    "root=$1 name=$2 compiler=$3 keep=$4 seconds=$5 memory=$6 terse=$7\n"
-    "lean=$8 linker=$9 declared=${10} types= cpu=20\n"
-    "echo 1000 >/proc/self/oom_score_adj\n"
-    "export PATH=/usr/bin:/bin LC_ALL=C HOME=$root/work TMPDIR=$root/work\n"
-    "common=exitcode=86:color=never\n"
-    "export UBSAN_OPTIONS=$common ASAN_OPTIONS=$common:handle_abort=1:"
-    "hard_rss_limit_mb=512:leak_check_at_exit=0\n"
-    "processes() { ulimit -p $1 2>/dev/null || ulimit -u $1; }\n"
-    "ulimit -c 0 && ulimit -f 65536 && processes 64 || exit\n"
-    "build() ( ulimit -t $cpu && ulimit -v 2097152 &&\n"
-    "    exec \"$@\" 3<&- 4>&- )\n"
-    "compile() { build $compiler -I$root/kit -DEXAMINER_GIVES \\\n"
-    "    $types \"$@\" -c -o work/answer.o $name; }\n"
-    "cd $root/ || exit\n"
-    "[ ! \"$declared\" ] || { types='-include work/types.h'\n"
-    "    printf '%s\\n' \"$declared\" >work/types.h; }\n"
-    "compile $lean $terse >work/said 2>&1 || { cpu=5\n"
-    "    if [ $(wc -c <work/said) -lt 9999 ]; then compile; else\n"
-    "    compile -w && grep error: work/said | head -n 20; fi; exit; }\n"
-    "cd work || exit\n"
-    "kit=../kit/sandbox.suite.o program=./program of=\n"
-    "bound() {\n"
-    "    ulimit -S -t $seconds && ulimit -H -t $((seconds + 1)) &&\n"
-    "    ulimit -n 64 && ulimit -f $1 && processes 16 &&\n"
-    "    { [ $memory = unlimited ] || ulimit -v $memory; }; }\n"
-    "link() { build objcopy -R .interp $keep answer.o && build \"$@\"; }\n"
-    "by_compiler=\"$compiler -o program answer.o $kit -lm\"\n"
-    "case $keep in figure | program)\n"
-    "    of=$(nm $kit | sed -n 's/.* T \\([a-z]*\\)_0$/\\1/p') ;; esac\n"
-    "given() { [ ! \"$of\" ] ||\n"
-    "    echo -Wl,-u,${of}_$1,--defsym=$of=${of}_$1; }\n"
-    "if [ \"$keep\" = figure ]; then\n"
-    "    project=${name#*/} && project=${project%%-*} && mkdir desk &&\n"
-    "        build objcopy --keep-global-symbol=main answer.o &&\n"
-    "        build $compiler -o desk/$project answer.o $kit -lm \\\n"
-    "            $(given 0) || exit\n"
-    "    cd desk && cat <&3 >$project.gp || exit\n"
-    "    command -v gnuplot >/dev/null || { printf g >&4; exit; }\n"
-    "    printf b >&4\n"
-    "    (bound 31250 && exec gnuplot $project.gp </dev/null 3<&- 4>&-)\n"
-    "    [ ! -L $project.png ] && [ -f $project.png ] &&\n"
-    "        head -c 4194305 $project.png >&4\n"
-    "    exit\n"
-    "fi\n"
-    "if [ \"$keep\" = program ]; then\n"
-    "    build objcopy --keep-global-symbol=main answer.o || exit\n"
-    "    laws=0 && [ ! \"$of\" ] ||\n"
-    "        laws=$(nm $kit | sed -n \"s/.* T ${of}_//p\")\n"
-    "    for law in $laws; do\n"
-    "        [ $memory = unlimited ] && ln program0 program$law \\\n"
-    "            2>/dev/null && continue\n"
-    "        build $compiler -o program$law answer.o $kit -lm \\\n"
-    "            $(given $law) || exit\n"
-    "    done\n"
-    "    build $compiler -o sandbox $kit -lm "
-    "-Wl,-u,sandbox_main,--defsym=main=sandbox_main \\\n"
-    "        || exit\n"
-    "    mkdir desk && cd desk && program=../sandbox || exit\n"
-    "else\n"
-    "    set -- $linker\n"
-    "    [ $# -gt 0 ] || set -- $by_compiler\n"
-    "    link \"$@\" >said 2>&1 ||\n"
-    "        { cd .. && compile $terse >work/said 2>&1 && cd work &&\n"
-    "            link $by_compiler; } ||\n"
-    "        exit\n"
-    "fi\n"
-    "printf b >&4\n"
-    "bound 2048 && exec $program\n";
+/* Adds the shell that becomes the student's program: sandbox.sh. */
 static void add_script(struct words *w, const struct sandbox_order *order,
                        const char *root)
 {
     const char *memory =
         order->sanitized ? "unlimited" : number(w, MEMORY_KIB);
-    ADD(w, "/bin/sh", "-c", script, "sh", root, order->name,
+    ADD(w, "/bin/sh", "-c", order->script, "sh", root, order->name,
         order->compiler, order->keep, number(w, order->seconds), memory,
         order->terse, order->lean, order->linker, order->types);
 }

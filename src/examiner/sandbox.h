@@ -27,6 +27,7 @@ struct sandbox_order {
     const char *included; /* the header's name, "kit/exercise.h" */
     int header;           /* the header that the stub includes */
     int inside;           /* object with the driver and the remote calls */
+    const char *script;   /* text of sandbox.sh, to compile and start it */
     const char *compiler; /* compiler with flags, split at blanks */
     const char *terse;    /* flag that omits source lines in messages */
     const char *lean;     /* flags for less debugging information */

@@ -164,7 +164,6 @@ static int along_z(const void *a, const void *b)
     return along_axis(a, b, 2);
 }
 
-/* Returns the axis along which the bodies extend farthest. */
 static size_t longest_axis(const struct spheres *p)
 {
     size_t longest = 0;

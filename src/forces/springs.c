@@ -132,10 +132,10 @@ static size_t alike(const struct scene_spring s[], size_t from,
     return end;
 }
 
-/* Returns whether n springs of one stride and kind should form a band. They
-   must be many, at least half of the possible springs, and no two of them
-   may join the same bodies. Springs with equal lower bodies are
-   adjacent. */
+/* Returns whether n springs of one stride and kind should form a band.
+   Their number must be at least SPRINGS_BAND and at least half of the
+   possible number, and no two of them may join the same bodies. Springs
+   with equal lower bodies are adjacent. */
 static bool regular(const struct scene_spring s[], size_t n)
 {
     if (n < SPRINGS_BAND || 2 * n < s[n - 1].a - s[0].a + (size_t)1)
@@ -253,8 +253,8 @@ void springs_free(struct springs *p)
 }
 
 /* A section of a band: its springs, and the distance in memory between two
-   axes. This is `bodies` for positions and velocities, and `row` for
-   forces. */
+   axes. The distance is `bodies` for positions and velocities, and `row`
+   for forces. */
 struct stretch {
     const double *rest;
     size_t count, stride, bodies, row;

@@ -8,8 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Returns a pointer to the n doubles at *next, and moves *next past
-   them. */
 static double *take(double **next, size_t n)
 {
     double *const part = *next;
@@ -18,8 +16,8 @@ static double *take(double **next, size_t n)
 }
 
 /* Divides one block of memory into arrays: first those used by every
-   method, then those of a family of methods. The latter have length 0 for
-   other families. */
+   method, then those of single families of methods. Arrays of other
+   families have length 0. */
 static void divide_memory(struct stepping *s, double *next)
 {
     struct stepping_work *const w = s->part;

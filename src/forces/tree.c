@@ -1,5 +1,5 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 2005520762 of the lines below */
+/* checksum 2672509585 of the lines below */
 /* Sums gravity by a tree: a distant cell of bodies acts as one mass. */
 #include "forces/tree.h"
 
@@ -45,7 +45,6 @@ static size_t sort(struct tree *t, const double x[], size_t first,
     return first;
 }
 
-/* A cube of space. */
 struct cube {
     double corner[3], side;
 };

@@ -1,5 +1,4 @@
-/* Checkpoints, from which a killed run continues as if never
-   interrupted. */
+/* Checkpoints let a killed run continue as if it was not interrupted. */
 #ifndef CHECKPOINT_H
 #define CHECKPOINT_H
 

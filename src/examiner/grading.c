@@ -102,7 +102,7 @@ size_t grading_kits(struct kit **kits)
 enum {
     MOST_LATE = 3,
     LATER_SECONDS = 1, /* time limit once a test has timed out */
-    SLOW_MS = 200,     /* after a longer test the limit stays */
+    SLOW_MS = 200,     /* after a longer test the full limit stays */
     MOST_BUILDING = 60,
     PRINTS_KEPT = 4096,
     STORY_KEPT = 8192
@@ -119,9 +119,9 @@ struct job {
     struct sandbox sandbox;
     bool open;
     int prints;
-    int late, waited;   /* tests that timed out; by wall-clock time */
+    int late, waited;   /* time-outs: all, those by wall clock */
     bool slow;          /* a test took SLOW_MS or longer */
-    int crashed, named; /* tests that crashed; with a known mistake */
+    int crashed, named; /* crashes, failures with known mistakes */
     int left;           /* tests that wrote outside an output */
     char mistake[64];   /* first known mistake, in brackets */
     char types[8192], judge[4096], name[256], header[64];
@@ -212,19 +212,19 @@ static char *read_kit(const struct job *job, const char *name, int line)
 
 /* Returns the time limit, in seconds, for the tests after a time-out; 0
    means the usual limit. Usually these tests run into the same endless
-   loop, so one second is enough. The limit is not lowered for a project, or
-   if an earlier test took 200 ms, as few right answers do: such a program
-   may just be slow, and then only its late tests should fail. */
+   loop, so one second is enough. A project keeps the usual limit. So does a
+   program that needed 200 ms for an earlier test, as few right answers do:
+   it may just be slow, and then only its late tests should fail. */
 static int later_seconds(const struct job *job)
 {
     return *job->kit->exercise == 'P' || job->slow ? 0 : LATER_SECONDS;
 }
 
-/* Counts a test that timed out; after MOST_LATE of them the remaining tests
-   are not run. marks->late asks the grader for a second try. That helps
-   only if the limit on wall-clock time was reached, since only that time
-   passes while other programs run. A project is always tried again: run.c
-   reports both kinds of time-out as SIGXCPU. */
+/* Counts a test that timed out. After MOST_LATE time-outs the remaining
+   tests are not run. marks->late asks the grader for a second try. That
+   helps only after the limit on wall-clock time, since only that time
+   passes while other programs run. In a project both limits count, because
+   run.c reports both as SIGXCPU. */
 static void note_late(struct job *job, bool by_the_wall)
 {
     const int later = later_seconds(job);
@@ -238,9 +238,9 @@ static void note_late(struct job *job, bool by_the_wall)
 
 /* Opens a sandbox. Returns PASSED, or the state of the exercise if the
    sandbox is not ready. In the sandbox the driver is called
-   sandbox.suite.o. If a function is missing, build.c looks for ".suite.o"
-   in the linker's message: if the name is there, the student has renamed a
-   function that the driver calls. */
+   sandbox.suite.o: build.c searches the linker's errors for ".suite.o" to
+   find out whether the tests or the student's file call a missing
+   function. */
 static enum state open_box(struct job *job, FILE *story)
 {
     if (ftruncate(job->prints, 0) != 0)
@@ -319,8 +319,9 @@ static enum state run_test(struct job *job, const struct kit_test *test,
 /* Runs test i, unless its result is known or too many tests have timed out.
    In a second try (`before` is not NULL), a test that ended in the first
    try keeps its mark. Tests that timed out run again until one of them
-   times out again: then the load of the machine was not the cause. Idle
-   tests run again, because their points depend on the other tests. */
+   times out again: then the load of the machine was not the cause. A test
+   that an empty function passes (`idle`) always runs again, because its
+   points depend on the other tests. */
 static enum state try_test(struct job *job, int i, FILE *story)
 {
     const struct marks *before = job->grading->before;
@@ -338,11 +339,11 @@ static enum state try_test(struct job *job, int i, FILE *story)
                            : state;
 }
 
-/* Replaces a hint if it names another mistake than an earlier test did.
-   Because of the first mistake, a later test may give the value of a
-   mistake that the student has not made. So the student is asked to correct
-   the first mistake first. For the same reason the examiner at home
-   explains only the first failure in full. */
+/* Replaces a hint that names a different mistake from the first hint. The
+   first mistake may make a later test return a value that looks like
+   another mistake. So the student is asked to correct the first mistake
+   first. For the same reason `make check` explains only the first failure
+   in full. */
 static void name_once(char *mistake, size_t room, char **text, size_t *size)
 {
     char *hint = strstr(*text, "\n  hint "), *end, *name;
@@ -416,9 +417,10 @@ static void keep_prints(struct marks *marks)
     fclose(file);
 }
 
-/* Marks the passed idle tests as failed, with the reason, unless another
-   test has passed. They are not just left without points, because reports
-   that count tests would then disagree with reports that count points. */
+/* If only tests that an empty function passes (`idle`) have passed, marks
+   them as failed and adds the reason. They are not just left without
+   points, because reports that count tests would then disagree with reports
+   that count points. */
 static void settle_idle(const struct kit *kit, struct marks *marks)
 {
     static const char why[] = "  A function that does nothing passes this "
@@ -501,8 +503,8 @@ static void sum_up(struct marks *marks)
 }
 
 /* Runs the public tests once more, with sanitizers. A test in which they
-   find a mistake does not pass: the examiner at home uses sanitizers, and
-   both verdicts must agree. This run is half the cost of grading.
+   find a mistake does not pass: `make check` uses sanitizers as well, and
+   both must give the same verdict. This run is half the cost of grading.
    grading_run skips it if a known mistake explains a failure, unless a test
    crashed or wrote outside of an output. */
 static void ask_sanitizers(struct job *job)

@@ -9,8 +9,8 @@
 
 /* Each output lies between two guards of 512 doubles, since an index meant
    for another array may be off by that much. Without guards, a function
-   that also wrote beyond the end of an array got full points, because that
-   memory belonged to the kit. */
+   could write beyond the end of an array and still get full points, because
+   that memory belonged to the kit. */
 enum { GUARD = 4096, MOST = 8 };
 
 /* Returns byte i of a guard. Eight of these bytes are a NaN as a double,

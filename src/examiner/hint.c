@@ -8,8 +8,8 @@
 #include <string.h>
 
 /* The file that stores the numbers of hints given. It is not in build/,
-   because make clean deletes that, and not in exercises/, because that has
-   only the student's own files. */
+   which make clean deletes, and not in exercises/, which holds only the
+   student's own files. */
 static const char path[] = ".progress";
 
 static int given(const char *name)

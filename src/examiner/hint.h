@@ -8,7 +8,7 @@
    exercise has no hints. */
 void hint_show(const struct exercise *e);
 
-/* Forgets which hints of this exercise were given. */
+/* Resets the number of hints given for this exercise to 0. */
 void hint_forget(const struct exercise *e);
 
 #endif

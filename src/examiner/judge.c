@@ -80,8 +80,8 @@ void judge_confine(long user);
 
 /* Gives up the rights that a judge does not need. A judge knows the
    expected values, reads data from a sandbox, and may have been started by
-   root. It keeps rights if the kernel has no filters or if a container does
-   not allow this user. */
+   root. It keeps its rights where the kernel has no filters, or where a
+   container refuses this user id. */
 void judge_confine(long user)
 {
     if (user > 0 && syscall(SYS_setgroups, 0, NULL) == 0 &&
@@ -97,7 +97,7 @@ void transport_lost(void)
 }
 
 /* Ends the judge by the same signal or status as the test's process, so
-   that trial.c reports that end as it does at home. */
+   that trial.c reports the end as it does without a sandbox. */
 static _Noreturn void end_like(int status)
 {
     if (WIFSIGNALED(status)) {

@@ -1,4 +1,4 @@
-/* Calls the student's function in the same process, for checks at home. */
+/* Calls the student's function in the same process, without a sandbox. */
 #include "examiner/remote.h"
 #include "examiner/check.h"
 #include "examiner/guards.h"

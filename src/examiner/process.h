@@ -22,7 +22,7 @@ struct process_limits {
    starts. */
 struct process_files {
     int output;          /* standard output and standard error */
-    int kept[6];         /* become 3, 4, ...; 0: unused */
+    int kept[6];         /* descriptors to become 3, 4, ...; 0: unused */
     void (*enter)(void); /* called in the new process; NULL: none */
 };
 
@@ -51,11 +51,11 @@ bool process_start(char *const command[], const char *folder,
                    const struct process_files *files,
                    const struct process_limits *limits);
 
-/* Sends an order through the socket `orders` to a process that was started
-   by process_start, which copies itself and answers with the number of the
-   copy. The copy is a child of this process and has a process group of its
-   own. Waits for the copy at most 2 * seconds, and kills it if it uses more
-   than memory_bytes. Returns false if there was no copy. */
+/* Sends an order through the socket `orders` to a process started by
+   process_start. That process copies itself and answers with the process
+   number of the copy. The copy is a child of this process and has a process
+   group of its own. Waits for the copy at most 2 * seconds, and kills it if
+   it uses more than memory_bytes. Returns false if there was no copy. */
 bool process_copy(int orders, const void *order, size_t length, int seconds,
                   rlim_t memory_bytes, struct process_end *end);
 

@@ -1,13 +1,13 @@
-/* Functions for the suites of projects: inputs, tables, exact paths. */
+/* Helps to test projects: inputs, tables, exact paths. */
 #ifndef PROJECT_H
 #define PROJECT_H
 
 #include "examiner/check.h"
 #include "examiner/run.h"
 
-/* Returns a number between low and high, drawn as by check_draw but
-   different for each year of a course. Under the grader's seed it is
-   different again. */
+/* Returns a number between low and high, drawn as by check_draw. It depends
+   on the year of the course and, when marks are given, on the grader's
+   seed. */
 double project_draw(int year, double low, double high);
 
 /* Checks that the program ended with status 0 and printed `rows` rows of

@@ -291,8 +291,8 @@ static void put_cell(FILE *out, const char *text)
 }
 
 /* A function that receives one line about a student's exercise. The
-   exercise is "-" if the line is about all files of the student. `to` is an
-   argument of the caller. */
+   exercise is "-" if the line is about all files of the student. `to` is
+   passed through from the caller. */
 typedef void take_line(void *to, const char *student, const char *exercise,
                        const char *text);
 
@@ -396,7 +396,6 @@ static void join_note(void *to, const char *student, const char *exercise,
         fprintf(to, "%s%s: %s", between, exercise, text);
 }
 
-/* Writes all notes on a student into one cell. */
 static void put_notes(FILE *out, const struct course *c, size_t s)
 {
     char *text = NULL;
@@ -637,8 +636,8 @@ static json_t *classroom_test(const struct marks *m, int test)
 
 /* Returns the value of an environment variable, or `otherwise` if it is not
    set. Classroom 50 sets these variables, which identify the student and
-   the task. Elsewhere its collector refuses the file until somebody fills
-   them in. */
+   the task. Without them its collector refuses the file until somebody
+   fills in the values. */
 static json_t *known(const struct course *c, const char *variable,
                      const char *otherwise)
 {

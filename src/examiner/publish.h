@@ -13,13 +13,13 @@
    report shows it as zero points. */
 struct course {
     size_t students, exercises;
-    const struct marks *marks; /* those of student s in exercise e
-                                  are at [s * exercises + e] */
-    const char *const *notes;  /* [s]: lines on the files of student s;
-                                  [students]: on files of no student */
-    const char *name;          /* name of the submissions' folder */
-    const char *isolation;     /* the kind of isolation of programs */
-    const char *when;          /* time of grading, 2026-10-05T09:30:00Z */
+    const struct marks
+        *marks; /* [s * exercises + e]: marks of student s in exercise e */
+    const char *const *notes; /* [s]: lines on the files of student s;
+                                 [students]: on files of no student */
+    const char *name;         /* name of the submissions' folder */
+    const char *isolation;    /* the kind of isolation of programs */
+    const char *when;         /* time of grading, 2026-10-05T09:30:00Z */
 };
 
 /* publish_names is a list of the reports that may be asked for,
@@ -34,8 +34,7 @@ bool publish_known(const char *report);
    FOLDER/gradescope/STUDENT.json, ... In STUDENT, characters that a file
    name should not have become %XX. A file is written whole or not at all.
    Exits with status 2 if it cannot be written. JSON is written by jansson
-   and XML by libxml2. printf would be right only for the names that its
-   author has thought of. */
+   and XML by libxml2, since printf would not escape unusual names. */
 void publish(const char *report, const struct course *course,
              const char *folder);
 

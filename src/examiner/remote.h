@@ -7,8 +7,8 @@
 
 /* Send count numbers from x or, on the side that receives, receive them
    into x. Both sides must call the same functions in the same order. So an
-   exercise has one function for the arguments, which both sides call. A
-   program whose partner has ended ends, too. An array that the student
+   exercise has one function for the arguments, which both sides call. If
+   the other side has ended, the program ends. An array that the student
    should only write to is also sent: the suite has filled it to see which
    values stay unchanged, so the sandbox needs the same values. */
 void remote_doubles(double x[], size_t count);
@@ -50,17 +50,17 @@ void remote_wait(void);
 
 /* Serves callback number `which` on the judge's side: receives the
    arguments, calls remote_callback_reply and sends the values of the
-   answer. An exercise whose functions take a function defines it.
+   answer. Defined by an exercise whose function takes a function.
 
-   It may also send the answers to likely next calls. In 12b a function that
-   makes a step continues from where it ended; in 08d it tries the next
-   length; in 03a it halves an interval again. A wrong guess costs no more
-   than the call. Of a hundred round trips, four to thirty remain. The calls
-   of 05c cannot be guessed. There the sandbox has a copy of the disks. It
-   sends a list of all calls and results whenever the list is full; the
-   judge repeats them with its own disks and checks the results. A course of
-   25 students took 10 s of processor time when each call went through two
-   pipes, and takes 2.5 s this way. */
+   It may also send the answers to likely next calls. In exercise 12b the
+   next step begins where the last one ended; in 08d the function tries one
+   length after another; in 03a it halves an interval repeatedly. A wrong
+   guess costs no more than the call. This leaves four to thirty of every
+   hundred round trips. The calls of 05c cannot be guessed. There the
+   sandbox has a copy of the disks. It sends a list of all calls and results
+   whenever the list is full; the judge repeats them with its own disks and
+   checks the results. A course of 25 students took 10 s of processor time
+   when each call went through two pipes, and takes 2.5 s this way. */
 void remote_serve_callback(int which);
 
 /* Ends the arguments of a callback. Next, the caller must send the
@@ -69,7 +69,7 @@ void remote_callback_reply(void);
 
 /* Serves a call on the side of the student's function: receives the
    arguments, calls the function, calls remote_reply and sends the values of
-   the answer. Each exercise defines it. */
+   the answer. Defined by each exercise. */
 void remote_serve(void);
 
 /* Returns memory for an output of the student's function, between two

@@ -18,8 +18,8 @@ static struct {
 } block;
 
 /* Receives a block. The judge has only looked ahead at these numbers. With
-   its answer the sandbox sends how many of the last block are left; the
-   judge then draws those that were used. */
+   its answer the sandbox sends how many numbers of the last block are left;
+   the judge then draws the numbers that were used. */
 static void take_block(void)
 {
     remote_doubles(block.u, BLOCK);
@@ -36,8 +36,8 @@ double uniform(void)
     return block.u[BLOCK - block.left--];
 }
 #else
-/* Copies the next count numbers of uniform() to u without drawing them. The
-   suite defines it. */
+/* Copies the next count numbers of uniform() to u without drawing them.
+   Defined by the suite. */
 void uniform_ahead(double u[], size_t count);
 
 static void give_block(void)

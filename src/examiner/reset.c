@@ -26,8 +26,8 @@ static bool copy(const char *from, int out)
     return out >= 0 && close(out) == 0 && fine;
 }
 
-/* Copies a file to a new name, for file systems without links, as on memory
-   sticks. */
+/* Copies a file to a new name, for file systems without links, such as
+   those of memory sticks. */
 static bool copy_to(const char *from, const char *to)
 {
     const int out = open(to, O_WRONLY | O_CREAT | O_EXCL, 0666);

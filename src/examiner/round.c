@@ -50,9 +50,9 @@ void round_solution(const struct exercise *e)
                e->name, e->name);
 }
 
-/* Returns the urgency of an exercise, 0 if it passes. Exercises that were
-   asked for come first; among them, and among the others, a failure comes
-   before a gap, and a gap before an exercise not begun. */
+/* Returns the urgency of an exercise, 0 if it passes. Exercises named by
+   the user come first. In both groups, a failure comes before an unfinished
+   exercise (`gap`), and that before an exercise not begun. */
 static int urgency(const struct exercise *e)
 {
     if (e->judged && e->state == PASSED)

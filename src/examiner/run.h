@@ -69,8 +69,8 @@ int run_remark(const struct run *run, const char *words, double x[],
                int count);
 
 /* Sets f to the forces on n bodies with masses m and positions x, by law
-   number `which` with this constant. A project whose calls are counted
-   outside defines it, with REMOTE_SERVER. */
+   number `which` with this constant. Defined, with REMOTE_SERVER, by a
+   project whose calls are counted outside. */
 void run_law(int which, double constant, int n, const double m[],
              const double x[], double f[]);
 

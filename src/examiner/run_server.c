@@ -133,8 +133,8 @@ struct stream {
 };
 
 /* Reads new output of the program. Returns whether there was any. Output
-   goes through pipes, which are read while the program runs: so no file of
-   16 MB is needed, and a child that keeps printing delays nobody. */
+   goes through pipes, which are read while the program runs. So no file of
+   16 MB is needed, and a child that keeps printing is not waited for. */
 static bool take_down(struct stream *s)
 {
     static char spill[1 << 16];

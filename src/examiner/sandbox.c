@@ -34,7 +34,7 @@ long syscall(long number, ...);
 
 enum {
     BUILD_MS = 45000, /* wall-clock time to compile and link */
-    START_MS = 5000,  /* wall-clock time from there to main */
+    START_MS = 5000,  /* wall-clock time from the build to main */
     SETTLE_MS = 2000, /* wall-clock time to end a test's process */
     DRAW_MS = 30000   /* wall-clock time to draw a figure */
 };

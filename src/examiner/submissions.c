@@ -584,7 +584,7 @@ static int prefer(const struct answer *one, const struct answer *other)
 }
 
 /* Returns whether both paths begin with the same folder. Notes then leave
-   it out. */
+   that folder out. */
 static bool together(const char *one, const char *other)
 {
     const size_t length = strcspn(one, "/");

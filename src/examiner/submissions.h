@@ -11,7 +11,7 @@ enum { SUBMISSIONS_BYTES = 1 << 20 }; /* most bytes of a student's file */
 struct answer {
     char *path;        /* path below the folder of submissions */
     char exercise[4];  /* "01a" */
-    int rank;          /* lowest is best; from the path */
+    int rank;          /* the lowest is best */
     long long attempt; /* larger: handed in later */
 };
 
@@ -22,7 +22,7 @@ struct submission {
     char *notes;                 /* lines: files not graded, and why */
     size_t noted, count, others; /* numbers of notes, answers, files seen */
     long long attempt;           /* attempt of the file being read */
-    bool canvas;                 /* Canvas has named that file */
+    bool canvas;                 /* Canvas has named the file being read */
     struct answer *answers;
 };
 

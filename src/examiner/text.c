@@ -61,8 +61,8 @@ static size_t character(const unsigned char *s, size_t left,
     return valid ? length : 0;
 }
 
-/* Returns whether a character is safe to show. These are not: control
-   characters (below 32, and 127 to 159); characters that change the
+/* Returns whether a character is safe to show. Unsafe characters are
+   control characters (below 32, and 127 to 159); characters that change the
    direction of writing, which can make one line of code look like another;
    Unicode's line ends; two characters without width; and two that XML
    forbids. */

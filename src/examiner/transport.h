@@ -41,7 +41,7 @@ void transport_send(int word);
    EOF. */
 int transport_receive(void);
 
-/* true when this side is to send, false when it is to receive */
+/* true if this side sends, false if it receives */
 extern bool transport_sending;
 
 /* Sends or receives `bytes` bytes at x, as transport_sending says. Messages

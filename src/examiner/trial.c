@@ -211,11 +211,10 @@ void trial_close(void)
     served.orders = 0;
 }
 
-/* Runs one test. The waiting runner may have died, for example if its own
-   copy killed it before it could send the copy's number. Then kills
-   everything that it left, and gives the test a runner of its own with a
-   new report. Reads the report and the output only when no process is left
-   that could write to them.
+/* Runs one test. If the waiting runner has died, for example because its
+   own copy killed it, kills everything that it left and runs the test with
+   a new runner and a new report. Reads the report and the output only when
+   no process is left that could write to them.
 
    In the grader the program in the sandbox has written its output to the
    file `prints`. If it ran as our user it may have removed our permission
@@ -356,8 +355,8 @@ static const char *meaning(const char *word, int signal)
 }
 
 /* Explains a sanitizer's report in a sentence. Quotes the report if it is
-   about undefined behaviour, or if the table lacks its word, which is from
-   a newer compiler. */
+   about undefined behaviour, or if the table lacks the error, for example
+   from a newer compiler. */
 static void error_text(const char *report, char *text, size_t room)
 {
     const char *undefined = strstr(report, "runtime error: ");
@@ -458,7 +457,7 @@ bool trial_leak(const char *prints, const char *source, FILE *story)
 /* Returns "equation (NUMBER)", with the number of the equation in the book.
    A suite knows only its label, since numbers change when an equation is
    added. If the table lacks the label, because the chapter is still being
-   written, returns the label itself. */
+   written, returns "the equation LABEL". */
 static const char *equation_in_book(const char *label,
                                     char text[REPORT_LINE])
 {
@@ -515,8 +514,8 @@ static bool is_mistake(const char *report)
    stopped has timed out, whatever it reported. A program that ended by a
    signal or with a status other than 0 has crashed; sanitizers use such a
    status. A program without a signed verdict has crashed, too: it called
-   exit or closed the report. A reached gap comes before the verdict, since
-   a program that forked may report both. "Passed" comes last; otherwise a
+   exit or closed the report. NOT_DONE_YET comes before the verdict, since a
+   program that forked may report both. "Passed" comes last; otherwise a
    program that overruns its stack after the verdict would pass. */
 enum state trial_run(const struct trial *trial, int number, FILE *story)
 {

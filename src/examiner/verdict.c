@@ -65,9 +65,9 @@ static bool tell_leak(const struct exercise *e, const struct trial *trial,
 
 /* Runs the tests of an exercise and sets its state. Returns whether the
    verdict can be stored. One test decides the state and is reported in
-   full: the first that failed or, if none failed, the first that reached a
-   gap. After a time-out no more tests are run, since nobody wants to wait
-   five seconds for each. */
+   full: the first that failed or, if none failed, the first that reached
+   NOT_DONE_YET. After a time-out no more tests are run, since nobody wants
+   to wait five seconds for each. */
 static bool run_tests(struct exercise *e, const struct trial *trial,
                       FILE *story)
 {

@@ -7,7 +7,7 @@
 /* The rules by which an exercise is judged. */
 struct verdict_rules {
     bool strict;    /* warnings are errors */
-    bool use_cache; /* read verdicts from the cache, store them */
+    bool use_cache; /* read and store verdicts in the cache */
     int seconds;    /* processor time of a test */
 };
 

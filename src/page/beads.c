@@ -45,7 +45,6 @@ static bool choose_start(struct start *s)
     return s->movers <= MOST;
 }
 
-/* Frees the previous run, if there is one, and begins a new run. */
 bool page_begin(void)
 {
     size_t wrong;

@@ -46,7 +46,8 @@ static double gap(size_t i, size_t j, double apart[])
            b->radius;
 }
 
-/* Moves small disks that overlap a large one at random until they fit. */
+/* Moves each small disk that overlaps a large disk to random places until
+   it fits. */
 static void scatter(void)
 {
     double apart[DISKS_AXES];
@@ -118,9 +119,10 @@ double page_run(double until, double events)
     return tries - before;
 }
 
-/* Returns the exact force at the distance r, in kT per metre: the common
-   chord of the two excluded zones, times the density of small disks in the
-   area left to them. It is the derivative of (6.14, eq:lens). */
+/* Returns the exact force at the distance r, in kT per metre. It is the
+   length of the common chord of the two excluded zones, times the density
+   of small disks in the area left to them. This is the derivative of (6.14,
+   eq:lens). */
 static double exact_force(double r)
 {
     const double pi = 3.14159265358979324, reach = 1 + page_number[1];

@@ -21,7 +21,8 @@ static double law_of_bin[BINS];
 static double seen[9 + 2 * BINS + 3 * MOST];
 
 /* Places the disks on a lattice. This needs no random numbers, so the first
-   ones of the seed are used for the directions, as in the program disks. */
+   numbers of the seed give the directions of the velocities, as in the
+   program disks. */
 static bool place_gas(struct disks *d, size_t count)
 {
     const double pi = 3.14159265358979324;

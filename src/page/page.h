@@ -8,9 +8,9 @@
    Numbers are passed as doubles, the only numbers of JavaScript, and
    through arrays in memory that both sides see. So the functions have the
    same parameters in every figure. No function reads a clock: the script
-   asks for as much time as it showed the last picture. The results depend
-   neither on the number of calls of page_run nor on the speed of the
-   browser. */
+   asks for as much simulated time as the last picture was shown. The
+   results depend neither on the number of calls of page_run nor on the
+   speed of the browser. */
 
 enum { PAGE_NUMBERS = 64 };
 

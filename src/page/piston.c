@@ -12,7 +12,7 @@ enum { MOST = 401 };
    the energies and masses of the gases and the position and velocity of the
    piston at the start; then it runs by itself. */
 
-/* Parameters: the kind of start, the number of movers, the mass ratio,
+/* Parameters: the kind of start; the number of movers; the mass ratio; the
    seed. */
 double page_number[PAGE_NUMBERS];
 
@@ -22,8 +22,8 @@ static struct piston model;
 static struct piston_state model_state;
 static double model_time, seen[9 + 2 * (MOST + 2)];
 
-/* Returns the kinetic energy of movers from, ..., to - 1, and adds their
-   mass to *mass. */
+/* Returns the kinetic energy of the movers from index `from` to `to` - 1,
+   and adds their mass to *mass. */
 static double kinetic(size_t from, size_t to, double *mass)
 {
     double sum = 0;

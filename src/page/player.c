@@ -29,7 +29,7 @@ bool page_save(bool table, double every);
    become pictures. Saved files are byte for byte those of step. */
 double page_number[PAGE_NUMBERS];
 
-static struct scene start, scene; /* at the start of the run; now */
+static struct scene start, scene; /* initial and present scene */
 static struct motion motion;
 static bool moving;
 static enum stepping_end stopped;

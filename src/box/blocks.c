@@ -1,4 +1,4 @@
-/* Means over time from blocks that double in length when they are full. */
+/* Computes means over time from blocks of samples that grow in length. */
 #include "box/blocks.h"
 
 #include "line/statistics.h"
@@ -19,8 +19,8 @@ void blocks_free(struct blocks *b)
     free(b->sum);
     *b = (struct blocks){0};
 }
-/* Ends the present block. When all blocks are full, it joins neighbours in
-   pairs, which empties the second half of them. */
+/* Ends the present block. When all blocks are full, joins neighbours in
+   pairs, and the second half of the blocks becomes empty. */
 static void end_block(struct blocks *b)
 {
     const size_t width = b->width, half = BLOCKS_MOST / 2;
@@ -58,10 +58,10 @@ struct third {
 };
 
 /* Returns the mean of a third of the values and the square of its standard
-   error, from the scatter of 16 parts. Both are in this unit, so that
-   squares of large and small numbers do not overflow. The square is NAN if
-   the scatter measures no error: a part has only zeros because events are
-   rare, or all parts are equal, as when a single disk bounces regularly. */
+   error, from the scatter of 16 parts. Both are in this unit, as squares
+   could overflow. The square is NAN if the scatter does not measure an
+   error: a part has only zeros because events are rare, or all parts are
+   equal, as when a single disk bounces regularly. */
 static struct third third_of(double unit, const double x[], size_t per)
 {
     double part[PARTS] = {0};
@@ -75,10 +75,10 @@ static struct third third_of(double unit, const double x[], size_t per)
     return (struct third){m.mean, idle ? NAN : m.variance / PARTS};
 }
 
-/* Returns by how many standard errors the last third exceeds the first, NAN
-   if that is unknown. It uses the smaller of the two errors: in a steady
-   run both estimate the same error, and where a crystal melts within a
-   third the larger one would be large enough to hide the drift. */
+/* Returns the number of standard errors by which the last third exceeds the
+   first, or NAN if this is unknown. Uses the smaller of the two errors. In
+   a steady run both estimate the same error. If a crystal melts within a
+   third, the larger error would hide the drift. */
 static double drift_of(size_t n, const double x[])
 {
     const size_t per = n / 3 / PARTS;
@@ -93,7 +93,7 @@ static double drift_of(size_t n, const double x[])
            sqrt(2 * fmin(a.square, b.square)); /* (7.18, eq:drift) */
 }
 
-/* The error is found by blocking these values, as in chapter 3. */
+/* The error is found by blocking the values, as in chapter 3. */
 struct blocks_average blocks_average_of(size_t n, const double x[])
 {
     struct statistics_blocking b;

@@ -1,4 +1,4 @@
-/* Means over time with their errors, from samples summed in blocks. */
+/* Computes means over time and their errors, from samples in blocks. */
 #ifndef BLOCKS_H
 #define BLOCKS_H
 
@@ -8,10 +8,10 @@
 
 enum { BLOCKS_MOST = 512 }; /* capacity; at most 511 blocks are full */
 
-/* Sums of samples of `width` numbers each, `per` samples in a block. The
-   members may be read: the sums of block i begin at sum[i * width]. The row
-   after the full blocks belongs to the unfinished one, which is used
-   neither for a mean nor for its error. */
+/* Sums of samples of `width` numbers each, with `per` samples in a block.
+   The members may be read. The sums of block i begin at sum[i * width]. The
+   row after the full blocks belongs to the unfinished block, which is not
+   used for means and errors. */
 struct blocks {
     size_t width, count;  /* count: number of full blocks */
     uint64_t per, filled; /* filled: samples in the unfinished block */
@@ -26,23 +26,23 @@ void blocks_free(struct blocks *b);
 /* Adds a sample to the unfinished block. */
 void blocks_add(struct blocks *b, const double sample[]);
 
-/* Adds a whole block, the sum of `per` samples. A caller uses either this
-   function or blocks_add, not both. */
+/* Adds a whole block, the sum of `per` samples. A caller must use either
+   this function or blocks_add. */
 void blocks_append(struct blocks *b, const double sum[]);
 
-/* A mean and its standard error, NAN for fewer than 2 values. drift is the
-   mean of the last third of the values minus that of the first, divided by
-   its standard error (7.18, eq:drift). It is NAN for fewer than 48 values,
-   if one of the 16 parts of a third has only zeros, or if all parts of a
-   third are equal up to rounding. */
+/* A mean and its standard error, which is NAN for fewer than 2 values.
+   drift is the mean of the last third of the values minus that of the
+   first, divided by its standard error (7.18, eq:drift). It is NAN for
+   fewer than 48 values, if one of the 16 parts of a third has only zeros,
+   or if all parts of a third are equal up to rounding. */
 struct blocks_average {
     double mean, error, drift;
 };
 
-enum { BLOCKS_STEADY = 6 }; /* the largest |drift| that chance explains */
+enum { BLOCKS_STEADY = 6 }; /* largest |drift| explained by chance */
 
-/* Return the average of a column of the samples, and that of n values in
-   the order of measurement. */
+/* Return the average of a column of the samples, and the average of n
+   values in the order of measurement. */
 struct blocks_average blocks_average(const struct blocks *b, size_t column);
 struct blocks_average blocks_average_of(size_t n, const double x[]);
 

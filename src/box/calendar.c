@@ -1,6 +1,6 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 2634728169 of the lines below */
-/* A calendar queue: days that are linked lists, each a few events long. */
+/* checksum 421564922 of the lines below */
+/* A calendar queue: days that are linked lists of a few events. */
 #include "box/calendar.h"
 
 #include <math.h>
@@ -8,11 +8,11 @@
 
 enum {
     BUSY = 2,   /* wanted number of events in a day */
-    CROWDED = 8 /* with more examined per call, days are too wide */
+    CROWDED = 8 /* more events examined per call: days are too wide */
 };
 
-/* The bit of `previous` that marks the first event of a list; the other
-   bits are then the number of the day. */
+/* The bit of `previous` that marks the first event of a list. The other
+   bits then contain the number of the day. */
 #define DAY ((uint32_t)1 << 31)
 
 void calendar_free(struct calendar *c)
@@ -127,7 +127,7 @@ static void shorten(struct calendar *c)
     const double today = c->begin + c->width * (double)c->today;
     c->asked = c->looked = 0;
     if (!(today + c->width / 4 > today))
-        return; /* shorter days would be below the clock's last bit */
+        return; /* shorter days would not change the clock */
     c->begin = today;
     c->width /= 4;
     c->today = 0;

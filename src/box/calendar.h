@@ -1,4 +1,4 @@
-/* A calendar queue: future events in lists by day; finds the earliest. */
+/* A calendar queue: stores future events by day and finds the earliest. */
 #ifndef CALENDAR_H
 #define CALENDAR_H
 
@@ -16,36 +16,36 @@ struct calendar_event {
     uint32_t version;        /* for the caller: to find stale events */
 };
 
-/* Events 0 to size - 1, each with a time or with none. Those of one day are
-   in one linked list, whose last `next` is size. All events after the last
-   day are in one more list. */
+/* Events 0 to size - 1, with or without a time. The events of a day are in
+   a linked list, whose last `next` is size. All events after the last day
+   are in another list. */
 struct calendar {
     struct calendar_event *event;
-    uint32_t *day; /* first event of each day; day[days]: of later ones */
+    uint32_t *day; /* first event of each day; day[days]: later events */
     size_t size, days, today;
     size_t count;    /* events that have a time */
-    double begin;    /* when day 0 begins, s */
+    double begin;    /* time when day 0 begins, s */
     double width;    /* length of a day, s */
     uint64_t asked;  /* calls of calendar_first since the last reset */
     uint64_t looked; /* events that these calls examined */
 };
 
-/* Prepares a calendar for events 0 to size-1 that starts at the time begin,
-   s; no event has a time yet. width, s, is a first guess of the length of a
-   day, which the calendar adapts. Returns false, with nothing to free, if
-   memory runs out. Requires 0 < size < 2^31 - 64, width > 0. */
+/* Prepares a calendar for the events 0 to size - 1, none of which has a
+   time yet. `begin` is the time when the calendar starts, s. `width`, s, is
+   a first guess of the length of a day, which the calendar adapts. Returns
+   false, with nothing to free, if memory runs out. Requires 0 < size < 2^31
+   - 64, width > 0. */
 bool calendar_create(struct calendar *c, size_t size, double begin,
                      double width);
 void calendar_free(struct calendar *c);
 
-/* Gives an event a new time, s; INFINITY removes it from the calendar. The
+/* Gives an event a new time, s. INFINITY removes it from the calendar. The
    cost does not depend on the number of events (7.17, eq:day). */
 void calendar_put(struct calendar *c, uint32_t event, double time);
 
-/* Returns the earliest event, or CALENDAR_NONE if none has a time. Of
-   several events at the same time it returns the one whose pair, event and
-   partner, contains the smallest number; if these are equal, the one with
-   the smaller other number. */
+/* Returns the earliest event, or CALENDAR_NONE if no event has a time.
+   Events at the same time are ordered by the smaller number of the pair of
+   event and partner, then by the larger number. */
 uint32_t calendar_first(struct calendar *c);
 
 #endif

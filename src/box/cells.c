@@ -1,4 +1,4 @@
-/* Event-driven disks with neighbour lists, cells and vector code. */
+/* Runs disks from event to event with neighbour lists and vector code. */
 #include "box/cells.h"
 
 #include "box/image.h"
@@ -13,9 +13,9 @@
 
 enum { BATCH = 4 }; /* anchors whose distances are computed together */
 
-/* Returns the address of the x of disk i's anchor; its y and z lie c->room
-   and 2 c->room floats behind it, since a cell stores the x of all its
-   anchors, then their y, then their z. */
+/* Returns the address of the x of the anchor of disk i. Its y and z are
+   stored c->room and 2 c->room floats later, since a cell stores the x of
+   all its anchors, then all y, then all z. */
 static const float *place_of(const struct cells *c, uint32_t i)
 {
     const struct cells_anchor *a = &c->anchor[i];
@@ -26,10 +26,10 @@ static const float *place_of(const struct cells *c, uint32_t i)
 #define SHIFT 6755399441055744.0
 
 /* Fills way with the displacement of disk i from its anchor, m, and v with
-   its velocity, m/s. Since every plan calls it, it repeats the code of
-   disks_position and disks_separation without their divisions: runs of 10
-   000 spheres are 6 % faster. Only disks under gravity call
-   disks_position. */
+   its velocity, m/s. Repeats the code of disks_position and
+   disks_separation without their divisions, since every plan needs it: runs
+   of 10 000 spheres are 6 % faster. disks_position is called only under
+   gravity. */
 static void from_anchor(const struct cells *c, uint32_t i, double way[],
                         double v[])
 {
@@ -50,11 +50,11 @@ static void from_anchor(const struct cells *c, uint32_t i, double way[],
 }
 
 /* Returns the time, s, at which disk i will be a skin away from its anchor
-   (7.15, eq:skin-end): INFINITY, without taking a root, if that is not
-   before `until`, and the present time if rounding has put it there
-   already. Under gravity the exact time would be the root of a quartic.
-   Instead, a quarter of the skin is reserved for falling, which suffices
-   for the time `most`, and a straight flight may use the other three
+   (7.15, eq:skin-end). Returns INFINITY, without computing a root, if this
+   is not before `until`. Returns the present time if rounding has already
+   put the disk there. Under gravity the exact time would be the root of a
+   quartic. Instead, a quarter of the skin is reserved for falling, which
+   suffices for the time `most`. A straight flight may use the other three
    quarters. */
 static double skin_end(const struct cells *c, uint32_t i, double until)
 {
@@ -78,7 +78,7 @@ static double skin_end(const struct cells *c, uint32_t i, double until)
 }
 
 /* Replaces *first by the earliest meeting of disk i with a neighbour, if
-   that comes before *first. */
+   this comes before *first. */
 static void meet_each(const struct cells *c, uint32_t i,
                       struct disks_event *first)
 {
@@ -91,9 +91,9 @@ static void meet_each(const struct cells *c, uint32_t i,
     }
 }
 
-/* Code for four neighbours at once. It does the operations of disks_meeting
-   in the same order, and vector lanes round as scalars do, so the results
-   are equal to the last bit. */
+/* Code for four neighbours at once. It performs the operations of
+   disks_meeting in the same order, and vector lanes round as scalars do, so
+   the results are equal to the last bit. */
 #ifdef VECTOR_AVX2
 typedef __m256d v4;
 typedef long long l4 __attribute__((vector_size(32)));
@@ -103,7 +103,6 @@ VECTOR_AVX2 static inline v4 all(double x)
     return _mm256_set1_pd(x);
 }
 
-/* Transposes a matrix of four rows, a to d. */
 VECTOR_AVX2 static inline void transpose(v4 a, v4 b, v4 c, v4 d,
                                          v4 column[4])
 {
@@ -115,8 +114,8 @@ VECTOR_AVX2 static inline void transpose(v4 a, v4 b, v4 c, v4 d,
     column[3] = _mm256_permute2f128_pd(ba, dc, 0x31);
 }
 
-/* Reads four disks, a cache line each, into vectors: place becomes x, y, z
-   and since, speed the three velocities and the radius. */
+/* Reads four disks, each of a cache line, into vectors. place becomes x, y,
+   z and since. speed becomes the three velocities and the radius. */
 VECTOR_AVX2 static inline void gather(const struct disk *disk,
                                       const uint32_t *list, v4 place[4],
                                       v4 speed[4])
@@ -131,9 +130,9 @@ VECTOR_AVX2 static inline void gather(const struct disk *disk,
               _mm256_load_pd(c + 4), _mm256_load_pd(d + 4), speed);
 }
 
-/* Fills in the separations and relative velocities of four disks as seen
-   from disk a, and their distances at contact. Returns the times for which
-   the separations are computed. */
+/* Fills in the separations and relative velocities of four disks, seen from
+   disk a, and their distances at contact. Returns the times of these
+   separations. */
 VECTOR_AVX2 static inline v4 approach(const struct cells *c,
                                       const struct disk *a,
                                       const uint32_t *list, v4 apart[3],
@@ -160,8 +159,7 @@ VECTOR_AVX2 static inline v4 dot4(const v4 a[], const v4 b[])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* Returns a vector with x in the lanes that are chosen, `otherwise` in the
-   others. */
+/* Returns x in the chosen lanes and `otherwise` in the other lanes. */
 VECTOR_AVX2 static inline v4 choose(v4 otherwise, v4 x, l4 chosen)
 {
     return _mm256_blendv_pd(otherwise, x, (v4)chosen);
@@ -176,7 +174,7 @@ struct lanes {
 /* Updates *first by the meetings of disk a with four disks. Lanes cannot
    branch separately, so both answers are computed and one is selected.
    Skipping the root when no lane has a meeting, which is common, was
-   slower: the processor mispredicts this branch too often. */
+   slower, since the processor mispredicts this branch too often. */
 VECTOR_AVX2 static inline void meet_four(const struct cells *c,
                                          const struct disk *a,
                                          const uint32_t *list,
@@ -198,8 +196,8 @@ VECTOR_AVX2 static inline void meet_four(const struct cells *c,
     first->who = (l4)choose((v4)first->who, (v4)who, sooner);
 }
 
-/* Does what meet_each does. A list whose length is not a multiple of four
-   is padded with disk i itself, which it never meets. */
+/* Does what meet_each does. If the length of a list is not a multiple of
+   four, it is padded with disk i itself, which disk i never meets. */
 VECTOR_AVX2 static void meet_by_fours(const struct cells *c, uint32_t i,
                                       struct disks_event *first)
 {
@@ -220,7 +218,8 @@ VECTOR_AVX2 static void meet_by_fours(const struct cells *c, uint32_t i,
 #endif
 
 /* Code for eight neighbours at once. A 512-bit register takes halves of two
-   disks; pairs are chosen so that transposed columns follow the list. */
+   disks. The pairs are chosen to keep transposed columns in the order of
+   the list. */
 #ifdef VECTOR_AVX512
 #define EIGHT VECTOR_LONG VECTOR_AVX512 static inline
 typedef __m512d v8;
@@ -248,9 +247,9 @@ EIGHT void gather_eight(const struct disk *disk, const uint32_t *list,
 }
 
 /* The earliest meeting in each lane: its time, s, and the partner. ties
-   marks lanes in which two meetings had equal times. These are so rare that
-   ordering them in each lane, which costs 2 % of the time in a dense gas,
-   is left to scalar code. */
+   marks lanes in which two meetings had equal times. Ordering such meetings
+   in each lane would cost 2 % of the time in a dense gas. As they are very
+   rare, they are left to scalar code. */
 struct lanes_eight {
     v8 time;
     __m512i who;
@@ -260,8 +259,8 @@ struct lanes_eight {
 #define IS(a, how, b) _mm512_cmp_pd_mask(a, b, _CMP_##how##_OQ)
 #define DOT(a, b) (a[0] * b[0] + a[1] * b[1] + a[2] * b[2])
 
-/* Updates *first by the meetings of disk a with the eight disks of the list
-   whose bit in `asked` is set. */
+/* Updates *first by the meetings of disk a with those of eight disks in the
+   list whose bit in `asked` is set. */
 EIGHT void meet_eight(const struct cells *c, const struct disk *a,
                       const uint32_t *list, __mmask8 asked,
                       struct lanes_eight *first)
@@ -295,12 +294,11 @@ EIGHT void meet_eight(const struct cells *c, const struct disk *a,
     first->who = _mm512_mask_mov_epi64(first->who, sooner, who);
 }
 
-/* Does what meet_each does. Most disks have 9 to 16 neighbours: the first
-   two batches follow each other without a loop, so that the processor
-   starts the second before the roots of the first are done. The last batch
-   ends with the end of the list; lanes that repeat earlier neighbours are
-   masked out, as each would tie with itself. After a tie it calls
-   meet_each. */
+/* Does what meet_each does. Most disks have 9 to 16 neighbours. The first
+   two batches follow each other without a loop, so the processor starts the
+   second batch before the roots of the first are done. The last batch ends
+   with the end of the list. Lanes that repeat earlier neighbours are masked
+   out, as each would tie with itself. After a tie meet_each is called. */
 EIGHT void meet_by_eights(const struct cells *c, uint32_t i,
                           struct disks_event *first)
 {
@@ -341,9 +339,9 @@ size_t cells_lanes(void)
 #endif
 }
 
-/* Updates *first by the meetings of disk i with its neighbours, by the
-   widest vector code available. That assumes straight flights, so under
-   gravity the neighbours are examined one by one. */
+/* Updates *first by the meetings of disk i with its neighbours. Uses the
+   widest vector code available. Vector code assumes straight flights, so
+   under gravity the neighbours are examined one by one. */
 static void meet_neighbours(const struct cells *c, uint32_t i,
                             struct disks_event *first)
 {
@@ -360,9 +358,9 @@ static void meet_neighbours(const struct cells *c, uint32_t i,
 }
 
 /* FETCH loads a cache line in advance. A large system mostly waits for
-   memory: the disks that collide next may lie anywhere, but they are known
-   early. gcc regards a function that only prefetches as without effect and
-   drops its calls, so all of them are inlined. */
+   memory. The disks that collide next may be anywhere in memory, but they
+   are known early. gcc treats a function that only prefetches as having no
+   effect and drops its calls, so all such functions are inlined. */
 #ifdef __GNUC__
 #define FETCH(place) __builtin_prefetch(place)
 #define FETCHING static inline __attribute__((always_inline))
@@ -371,16 +369,16 @@ static void meet_neighbours(const struct cells *c, uint32_t i,
 #define FETCHING static inline
 #endif
 
-/* Numbers of disks: fewer than FETCH_EARLY fit into the cache and need no
-   prefetching. From FETCH_LATE on it pays to fetch neighbours again right
-   before they are needed; below that look_ahead alone is enough. */
+/* Numbers of disks. Fewer than FETCH_EARLY disks fit into the cache and
+   need no prefetching. From FETCH_LATE on, neighbours are fetched again
+   right before they are needed. With fewer disks look_ahead is enough. */
 enum { FETCH_EARLY = 4000, FETCH_LATE = 50000 };
-enum { FETCHED = 12 }; /* entries fetched; no list has fewer */
+enum { FETCHED = 12 }; /* every list has at least this number of entries */
 
 /* Prefetches the neighbours of disk i. Below FETCH_LATE disks it fetches
    twelve entries of the list, used or not, since the processor mispredicts
-   the end of a loop of varying length: 4 % faster with 10 000 spheres. With
-   100 000 memory is too busy for the unused ones. */
+   the end of a loop of varying length. This is 4 % faster with 10 000
+   spheres. With 100 000 spheres memory is too busy for unused entries. */
 FETCHING void fetch_list(const struct cells *c, uint32_t i)
 {
     const uint32_t *list = c->neighbour + i * c->seats;
@@ -398,7 +396,7 @@ FETCHING void fetch_neighbours(const struct cells *c, uint32_t i)
 }
 
 /* Prefetches the data of disk i and both ends of its neighbour list, which
-   may lie in two cache lines. */
+   may be in two cache lines. */
 FETCHING void fetch_disk(const struct cells *c, uint32_t i)
 {
     FETCH(&c->d->disk[i]);
@@ -410,8 +408,8 @@ FETCHING void fetch_disk(const struct cells *c, uint32_t i)
         FETCH(c->neighbour + i * c->seats + FETCHED);
 }
 
-/* Prefetches all disks that have an event on a day and their partners, or,
-   if `neighbours`, the neighbours of both. */
+/* Prefetches all disks that have an event on a day and their partners. If
+   `neighbours`, prefetches the neighbours of both instead. */
 FETCHING void fetch_day(const struct cells *c, size_t day, bool neighbours)
 {
     const struct calendar_event *event = c->calendar.event;
@@ -429,11 +427,11 @@ FETCHING void fetch_day(const struct cells *c, size_t day, bool neighbours)
     }
 }
 
-/* Prefetches for the next days, whenever the calendar starts a new one: the
-   first event of the day in five days, the second event in four, the disks
-   in three, and the neighbours for tomorrow, so that each step finds what
-   the one before has loaded. It saves a third of the time with 100 000
-   disks. */
+/* Prefetches for the next days, whenever the calendar starts a new day: the
+   first event of the day in five days, the second event of the day in four,
+   the disks of the day in three, and the neighbours for tomorrow. Each step
+   thus finds the data that the step before has loaded. This saves a third
+   of the time with 100 000 disks. */
 FETCHING void look_ahead(const struct cells *c, size_t today)
 {
     const struct calendar_event *event = c->calendar.event;
@@ -448,7 +446,7 @@ FETCHING void look_ahead(const struct cells *c, size_t today)
 }
 
 /* Plans the next event of disk i: a meeting with a wall or a neighbour, or
-   the moment when i leaves its skin, which is an event with i itself as its
+   the end of its skin. The end of a skin is an event with i itself as the
    partner. */
 static void plan(struct cells *c, uint32_t i)
 {
@@ -467,10 +465,10 @@ static void plan(struct cells *c, uint32_t i)
     calendar_put(&c->calendar, i, first.time);
 }
 
-/* Lengthens all lists by four entries, since there is no useful upper limit
-   for the neighbours of a disk (a giant among small ones has hundreds). It
-   happens a few times at the start of a run. Moving the lists in reverse
-   order overwrites none. Returns false if memory runs out. */
+/* Lengthens all lists by four entries. The number of neighbours has no
+   useful upper limit (a giant among small disks has hundreds). This happens
+   a few times at the start of a run. The lists are moved in reverse order,
+   to overwrite none. Returns false if memory runs out. */
 static bool lengthen_lists(struct cells *c)
 {
     const size_t n = c->d->count, seats = c->seats + 4, old = c->seats;
@@ -496,10 +494,10 @@ static bool add_neighbour(struct cells *c, uint32_t i, uint32_t other)
     return true;
 }
 
-/* Removes `other` from the list of disk i; the last neighbour takes its
+/* Removes `other` from the list of disk i. The last neighbour takes its
    entry, as the order of a list has no effect on events. The loop visits
-   all entries, four together: stopping at the right one costs a branch that
-   is usually mispredicted, which takes longer. */
+   all entries, four at a time. Stopping at the right entry would take
+   longer, since the branch is usually mispredicted. */
 static void remove_neighbour(struct cells *c, uint32_t i, uint32_t other)
 {
     uint32_t *entry = c->neighbour + i * c->seats;
@@ -522,9 +520,9 @@ static void clear_list(struct cells *c, uint32_t i)
     c->anchor[i].neighbours = 0;
 }
 
-/* Returns the cell that contains a position (7.16, eq:cell-index). Rounding
-   can give a position just below the edge of the box an index one too
-   large, which is replaced by that of the last cell. */
+/* Returns the cell that contains a position (7.16, eq:cell-index). For a
+   position just below the edge of the box, rounding can give an index one
+   too large, which is replaced by the index of the last cell. */
 static size_t cell_of(const struct cells *c, const double x[])
 {
     size_t cell = 0, k = DISKS_AXES;
@@ -537,8 +535,8 @@ static size_t cell_of(const struct cells *c, const double x[])
     return cell;
 }
 
-/* Gives all cells space for two more anchors, and moves the arrays of the
-   cells apart, in reverse order. Returns false if memory runs out. */
+/* Gives all cells space for two more anchors. Moves the arrays of the cells
+   apart, in reverse order. Returns false if memory runs out. */
 static bool enlarge_cells(struct cells *c)
 {
     const size_t old = c->room, room = old + 2;
@@ -573,7 +571,7 @@ static void write_place(struct cells *c, size_t cell, size_t at, uint32_t i,
     c->anchor[i].spot = (uint16_t)at;
 }
 
-/* Removes the anchor of disk i from its cell; the last anchor of the cell
+/* Removes the anchor of disk i from its cell. The last anchor of the cell
    takes its entry. */
 static void leave_cell(struct cells *c, uint32_t i)
 {
@@ -583,8 +581,8 @@ static void leave_cell(struct cells *c, uint32_t i)
     write_place(c, a.cell, a.spot, last, place_of(c, last), c->room);
 }
 
-/* Sets the anchor of disk i to its present position and stores it in the
-   cell there. Returns false if memory runs out. */
+/* Sets the anchor of disk i to its present position, and stores it in the
+   cell at this position. Returns false if memory runs out. */
 static bool enter_cell(struct cells *c, uint32_t i)
 {
     double x[DISKS_AXES];
@@ -599,15 +597,16 @@ static bool enter_cell(struct cells *c, uint32_t i)
     return true;
 }
 
-/* A cell and its neighbours along one axis, and the shifts of their
-   anchors: the neighbour of an edge cell of a periodic box is the cell at
-   the opposite edge. */
+/* A cell and its neighbours along an axis, and the shifts of their anchors.
+   In a periodic box the neighbour of an edge cell is the cell at the
+   opposite edge. */
 struct beside {
     size_t count, at[3];
     float shift[3]; /* m */
 };
 
-/* Returns cell g along axis k and its neighbours: two, or one at a wall. */
+/* Returns cell g along axis k and its neighbours: two, or one for a cell at
+   a wall. */
 static struct beside beside(const struct cells *c, size_t g, size_t k)
 {
     const bool periodic = c->inverse[k] > 0;
@@ -625,9 +624,9 @@ static struct beside beside(const struct cells *c, size_t g, size_t k)
     return b;
 }
 
-/* Makes disks i and `other` neighbours if the square of the distance of
-   their anchors, m^2, is small enough (7.14, eq:neighbours). Returns false
-   if memory runs out. */
+/* Makes disks i and `other` neighbours if their anchors are close enough
+   (7.14, eq:neighbours). square is the square of the distance of the
+   anchors, m^2. Returns false if memory runs out. */
 static bool join_if_near(struct cells *c, uint32_t i, uint32_t other,
                          float square)
 {
@@ -638,13 +637,11 @@ static bool join_if_near(struct cells *c, uint32_t i, uint32_t other,
     return add_neighbour(c, i, other) && add_neighbour(c, other, i);
 }
 
-enum {
-    NEAR = 64,
-    ROW = 16
-}; /* NEAR: most anchors collected; ROW: vector
-      lanes */
+/* NEAR: largest number of collected anchors; ROW: vector lanes. */
+enum { NEAR = 64, ROW = 16 };
 
-/* Anchors that would be neighbours if their disks were the widest one. */
+/* Anchors so close that their disks would be neighbours if they had the
+   largest radius. */
 struct near {
     size_t count;
     uint32_t who[NEAR + ROW];
@@ -662,8 +659,8 @@ static bool join_all(struct cells *c, uint32_t i, struct near *near)
     return true;
 }
 
-/* Computes the distances of all anchors of a cell, at most 16, at once and
-   appends the near anchors to *near; unused lanes are overwritten next
+/* Computes the distances of all anchors of a cell, at most 16, at once, and
+   appends the near anchors to *near. Unused lanes are overwritten the next
    time. A dense gas of 10 000 spheres, in which every eleventh collision
    renews a list, runs 3 % faster. */
 #ifdef VECTOR_AVX512
@@ -763,8 +760,8 @@ static bool find_neighbours(struct cells *c, uint32_t i)
     return join_all(c, i, &near);
 }
 
-/* Sets the anchor of disk i to its present position and makes its list
-   again. Returns false if memory runs out. */
+/* Sets the anchor of disk i to its present position and makes a new list.
+   Returns false if memory runs out. */
 static bool renew(struct cells *c, uint32_t i)
 {
     clear_list(c, i);
@@ -772,18 +769,18 @@ static bool renew(struct cells *c, uint32_t i)
     return enter_cell(c, i) && find_neighbours(c, i);
 }
 
-/* Wanted mean number of neighbours in the plane and in space. These were
-   measured to be fastest for spheres at packing fractions from 0.3 to 0.5;
-   50 % more cost little time, but memory. */
+/* Wanted mean number of neighbours in the plane and in space. These numbers
+   were fastest for spheres at packing fractions from 0.3 to 0.5. 50 % more
+   would cost little time, but memory. */
 enum { CROWD = 10, CROWD_3 = 11 };
 
-/* Returns the skin, m. It is so wide that a circle or sphere of radius 2 (r
-   + skin) contains CROWD disks besides the one in its centre, but at least
+/* Returns the skin, m. A circle or sphere of radius 2 (r + skin) should
+   contain CROWD disks besides the disk at its centre. The skin is at least
    0.3 diameters, since in dense packings no disk gets far (spheres at 0.49
-   then have 15 neighbours). A periodic box limits it twice: each axis needs
-   three cells; and when a plan is made two neighbours are at most sigma + 4
-   skins apart, which must be less than half the box, so that they meet as
-   nearest images. */
+   then have 15 neighbours). A periodic box limits the skin in two ways.
+   Each axis needs three cells. When a plan is made two neighbours are at
+   most sigma + 4 skins apart, and this must be less than half the box,
+   since they must meet as nearest images. */
 static double choose_skin(const struct disks *d, double radius, double pair)
 {
     double volume = 1, least = INFINITY;
@@ -820,13 +817,14 @@ static struct sizes sizes(const struct disks *d)
     return (struct sizes){first, first + second, sum / (double)d->count};
 }
 
-/* Chooses the skin and divides the box into cells as wide as the range of
-   the widest pair, so that a single giant counts once, but into no more
-   than about two cells for each disk, since more bring no gain. Returns
-   whether the box is wide enough: a periodic axis needs three cells, or one
-   cell would lie on both sides of another; between walls one is enough.
-   slack allows for the rounding of anchors to floats: it is a millionth of
-   the box, and their errors are at most a sixteen-millionth. */
+/* Chooses the skin, and divides the box into cells as wide as the range of
+   the widest pair, in which a single giant counts once. The number of cells
+   is at most about two for each disk, since more bring no gain. Returns
+   whether the box is wide enough. A periodic axis needs three cells, since
+   otherwise a cell would be on both sides of another. Between walls one
+   cell is enough. slack allows for the rounding of anchors to floats. It is
+   a millionth of the box, and the errors are at most a
+   sixteen-millionth. */
 static bool lay_grid(struct cells *c, const struct disks *d)
 {
     const struct sizes s = sizes(d);
@@ -873,8 +871,8 @@ void cells_free(struct cells *c)
 }
 
 /* Allocates the lists and the calendar for n disks. Returns false if memory
-   runs out. The first guess for a day, the time in which a disk crosses its
-   skin divided by n, need not be good. */
+   runs out. The first guess for a day need not be good: it is the time in
+   which a disk crosses its skin, divided by n. */
 static bool make_lists(struct cells *c, size_t n)
 {
     double vv = 0;
@@ -893,8 +891,8 @@ static bool make_lists(struct cells *c, size_t n)
            calendar_create(&c->calendar, n, c->d->now, day);
 }
 
-/* The disks are inserted one by one, and each finds its neighbours among
-   those inserted before it. */
+/* Inserts the disks one by one. Each finds its neighbours among the disks
+   inserted before it. */
 bool cells_create(struct cells *c, struct disks *d)
 {
     const uint32_t n = (uint32_t)d->count;
@@ -912,7 +910,7 @@ bool cells_create(struct cells *c, struct disks *d)
     return memory;
 }
 
-/* Before the first run two disks that overlap are neighbours. */
+/* Before the first run, two disks that overlap are always neighbours. */
 bool cells_fit(const struct cells *c, size_t *a, size_t *b)
 {
     const size_t n = c->d->count;
@@ -931,8 +929,8 @@ bool cells_fit(const struct cells *c, size_t *a, size_t *b)
 }
 
 /* Handles the events that are not collisions: the end of a skin, and a
-   stale plan, whose partner has collided since. Returns whether e is one of
-   these, after making a new plan; sets *memory to false if memory runs
+   stale plan, whose partner has collided since. Returns whether e is such
+   an event, after making a new plan. Sets *memory to false if memory runs
    out. */
 static bool replan(struct cells *c, struct disks_event e, bool *memory)
 {
@@ -952,8 +950,8 @@ static bool replan(struct cells *c, struct disks_event e, bool *memory)
     return true;
 }
 
-/* Runs as disks_run does, also through disks_collide, but takes the next
-   event from the calendar and plans events with neighbours only. */
+/* Runs as disks_run does and calls disks_collide, too. But it takes the
+   next event from the calendar and plans events only with neighbours. */
 enum disks_stop cells_run(struct cells *c, double until,
                           uint64_t collisions)
 {

@@ -1,4 +1,4 @@
-/* The fast engine for disks: neighbour lists, cells and a calendar. */
+/* Runs disks fast, with neighbour lists, cells and a calendar. */
 #ifndef CELLS_H
 #define CELLS_H
 
@@ -17,54 +17,55 @@ struct cells_anchor {
     uint16_t neighbours; /* number of neighbours */
 };
 
-/* An engine for the disks of *d. Around each anchor lies a skin; the list
-   of a disk has all disks that it can meet while both stay within their
-   skins (7.14, eq:neighbours). May be read: skin and the counts; lanes may
-   be reduced to 4 or 1 between runs. */
+/* An engine for the disks of *d. A skin surrounds each anchor. The list of
+   a disk has all disks that it can meet while both stay within their skins
+   (7.14, eq:neighbours). skin and the counts may be read. lanes may be
+   reduced to 4 or 1 between runs. */
 struct cells {
     struct disks *d;
     struct calendar calendar; /* one event for each disk */
-    double skin;              /* how far from its anchor a disk may go, m */
-    double inverse[DISKS_AXES]; /* 1/box in 1/m where periodic, or 0 */
+    double skin;              /* largest distance of a disk from its anchor,
+                                 m */
+    double inverse[DISKS_AXES]; /* 1/box, 1/m, or 0 if not periodic */
     size_t lanes;               /* neighbours examined at once: 8, 4 or 1 */
-    /* The neighbour lists: `seats` entries for each disk, so that no disk
-       needs a pointer. Unused entries are the disk itself, which is
+    /* The neighbour lists have `seats` entries for each disk, so no disk
+       needs a pointer. Unused entries contain the disk itself, which is
        harmless, since no disk meets itself. */
     uint32_t *neighbour;
     size_t seats;
     struct cells_anchor *anchor;
     size_t grid[DISKS_AXES], cells, room;
     double widest, slack; /* largest radius; allowance for floats, m */
-    float *place;     /* for each cell `room` x, `room` y and `room` z, m */
-    uint32_t *who;    /* for each cell the disks of its `room` anchors */
-    uint16_t *full;   /* for each cell the number of its anchors */
-    uint64_t stale;   /* events dropped as the partner had collided */
-    uint64_t renewed; /* lists made again at the end of a skin */
+    float *place;     /* `room` x, `room` y and `room` z of each cell, m */
+    uint32_t *who;    /* disks of the `room` anchors of each cell */
+    uint16_t *full;   /* number of anchors in each cell */
+    uint64_t stale;   /* events dropped because the partner had collided */
+    uint64_t renewed; /* lists renewed at the end of a skin */
 };
 
 /* Returns whether the box suits cells: a periodic axis must be wide enough
-   for three of them, and the longest side must be between 1e-12 and 1e15
+   for three cells, and the longest side must be between 1e-12 and 1e15
    m. */
 bool cells_suit(const struct disks *d);
 
-/* Plans the first event of every disk of *d. *d must outlive *c; between
-   runs it may be read but not changed. Returns false, with nothing to free,
+/* Plans the first event of every disk of *d. *d must outlive *c, and may be
+   read but not changed between runs. Returns false, with nothing to free,
    if memory runs out. Requires cells_suit. */
 bool cells_create(struct cells *c, struct disks *d);
 void cells_free(struct cells *c);
 
-/* Returns the same as disks_fit, but examines neighbours only. To be called
-   before the first run. */
+/* Returns the same as disks_fit, but examines only neighbours. Must be
+   called before the first run. */
 bool cells_fit(const struct cells *c, size_t *a, size_t *b);
 
-/* Runs as disks_run does, with results equal to the last bit, in a time per
-   collision that does not grow with the number of disks. If memory runs
-   out, returns DISKS_COLLISIONS before that number is reached. */
+/* Runs as disks_run does, with results equal to the last bit. The time per
+   collision does not grow with the number of disks. If memory runs out,
+   returns DISKS_COLLISIONS before that number is reached. */
 enum disks_stop cells_run(struct cells *c, double until,
                           uint64_t collisions);
 
-/* Returns how many neighbours vector code of this processor examines at
-   once: 8, 4 or 1. */
+/* Returns the number of neighbours that vector code of this processor
+   examines at once: 8, 4 or 1. */
 size_t cells_lanes(void);
 
 #endif

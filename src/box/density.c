@@ -1,4 +1,4 @@
-/* Boxes for sampling; densities at contact from free parts of lines. */
+/* Prepares boxes for sampling, and computes densities at contact. */
 #include "box/image.h"
 #include "box/sampling.h"
 
@@ -35,18 +35,18 @@ void sampling_free(struct sampling *s)
     s->blocked = NULL;
 }
 
-/* A straight line for the centre of disk i: the points from + t along, with
-   t, m, from low to high. */
+/* A straight line on which the centre of disk i may move: the points from +
+   t along, with t from low to high, m. */
 struct line {
     const struct sampling *s;
-    size_t i, except; /* disk on the line; disk that is ignored */
+    size_t i, except; /* the moving disk; a disk that is ignored */
     double from[DISKS_AXES], along[DISKS_AXES];
     double low, high;
     size_t count; /* number of blocked intervals, in s->blocked */
 };
 
-/* Marks as blocked the part of the line within `reach` of a centre, which
-   is given relative to l->from; keeps the blocked intervals sorted. */
+/* Marks the part of the line within `reach` of a centre as blocked. The
+   centre is relative to l->from. Keeps the blocked intervals sorted. */
 static void block(struct line *l, const double centre[], double reach)
 {
     double(*blocked)[2] = l->s->blocked;
@@ -64,8 +64,9 @@ static void block(struct line *l, const double centre[], double reach)
     blocked[k][1] = b + half;
 }
 
-/* Marks the part of the line blocked by disk j: in a periodic box by each
-   of its nearest images, 9 in the plane and 27 in space. */
+/* Marks the part of the line that is blocked by disk j. In a periodic box
+   each of its nearest images blocks the line: 9 in the plane and 27 in
+   space. */
 static void block_by(struct line *l, size_t j)
 {
     const struct disks *d = &l->s->disks;
@@ -85,13 +86,14 @@ static void block_by(struct line *l, size_t j)
 }
 
 /* Returns the integral of t^power from 0 to t. The power is 0 for a line
-   from wall to wall, 1 or 2 for circles or spheres around another disk. */
+   from wall to wall, and 1 or 2 for circles or spheres around another
+   disk. */
 static double moment(double t, int power)
 {
     return (power == 0 ? t : power == 1 ? t * t : t * t * t) / (power + 1);
 }
 
-/* Returns the integral of t^power over the unblocked part of the line; sets
+/* Returns the integral of t^power over the unblocked part of the line. Sets
  *low and *high to whether its ends are unblocked. */
 static double free_part(struct line *l, int power, bool *low, bool *high)
 {
@@ -126,8 +128,9 @@ double sampling_wall_density(const struct sampling *s, size_t i, size_t k)
     return length > 0 ? (low + high) / (2 * length) : 0;
 }
 
-/* Returns how far disk i can be moved along the line, m: to a wall, or in a
-   periodic box to where another image becomes the nearest. */
+/* Returns the largest distance, m, by which disk i can be moved along the
+   line. It ends at a wall or, in a periodic box, where another image
+   becomes the nearest. */
 static double end_of_ray(const struct line *l)
 {
     const struct disks *d = &l->s->disks;
@@ -143,8 +146,8 @@ static double end_of_ray(const struct line *l)
     return end;
 }
 
-/* The line starts at the centre of disk j and passes through that of disk
-   i; the part in use begins where the two disks touch. */
+/* The line starts at the centre of disk j and passes through the centre of
+   disk i. The part in use begins where the two disks touch. */
 double sampling_pair_density(const struct sampling *s, size_t i, size_t j)
 {
     const struct disks *d = &s->disks;
@@ -164,7 +167,7 @@ double sampling_pair_density(const struct sampling *s, size_t i, size_t j)
     return part > 0 && low ? at / part : 0;
 }
 
-/* The root is that of a product, since a difference of squares would lose
+/* The root is taken of a product, since a difference of squares would lose
    digits for a thin segment. */
 double sampling_segment(size_t dimensions, double radius, double distance)
 {

@@ -1,6 +1,6 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 3108923045 of the lines below */
-/* Event-driven disks: all pairs examined, or one stored plan per disk. */
+/* checksum 1804552199 of the lines below */
+/* Runs disks from event to event, with all pairs or one plan per disk. */
 #include "box/disks.h"
 
 #include "box/falling.h"

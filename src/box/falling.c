@@ -1,4 +1,4 @@
-/* Gravity for disks in a box: it acts along the second axis, downwards. */
+/* Adds gravity, downwards along the second axis, to disks in a box. */
 #include "box/falling.h"
 
 #include "line/fall.h"
@@ -18,8 +18,8 @@ double falling_wall(const struct disks *d, const struct disk *a)
                                              a->velocity[1], d->gravity));
 }
 
-/* The speed follows from the energy and not from the time, as for bodies on
-   the line, so that rounding loses no energy. */
+/* The speed is computed from the energy and not from the time, as for
+   bodies on the line, so rounding loses no energy. */
 void falling_land(const struct disks *d, struct disk *a)
 {
     const bool roof = to_roof(d, a) < INFINITY;
@@ -33,9 +33,8 @@ void falling_land(const struct disks *d, struct disk *a)
     a->since = d->now;
 }
 
-/* Uses the heights at the last collisions, as the velocities are those at
-   the last collisions, too: the energy of a disk is constant along its
-   flight. */
+/* Uses the heights at the last collisions, where the stored velocities
+   belong. The energy of a disk is constant along its flight. */
 double falling_energy(const struct disks *d)
 {
     double energy = 0;

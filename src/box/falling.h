@@ -7,8 +7,8 @@
 #include <math.h>
 
 /* Adds the change by gravity (5.12, eq:fall) to a position, m, and to a
-   velocity, m/s, or NULL, that have been moved straight on for the time
-   wait, s. */
+   velocity, m/s, after a straight flight for the time wait, s. velocity may
+   be NULL. */
 static inline void falling_move(const struct disks *d, double wait,
                                 double place[], double velocity[])
 {
@@ -19,7 +19,7 @@ static inline void falling_move(const struct disks *d, double wait,
 
 /* Adds the change by gravity to the separation x from disk a to disk b, m,
    and to its rate of change v, m/s, at the later of their `since`. Both
-   fall alike, so only the difference between these times matters. */
+   disks fall alike, so only the difference between these times matters. */
 static inline void falling_between(const struct disks *d,
                                    const struct disk *a,
                                    const struct disk *b, double x[],
@@ -32,13 +32,13 @@ static inline void falling_between(const struct disks *d,
 }
 
 /* Returns the time, s, from the last collision of disk a until it reaches
-   floor or roof. */
+   the floor or the roof. */
 double falling_wall(const struct disks *d, const struct disk *a);
 
-/* Moves disk a to the floor or the roof, which it meets now. */
+/* Moves disk a to the floor or the roof, which it reaches at d->now. */
 void falling_land(const struct disks *d, struct disk *a);
 
-/* Returns the potential energy, J: 0 with all disks on the floor. */
+/* Returns the potential energy, J. It is 0 with all disks on the floor. */
 double falling_energy(const struct disks *d);
 
 #endif

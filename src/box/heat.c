@@ -1,11 +1,12 @@
-/* Energy, temperature and drift of disks, and random velocities. */
+/* Computes energies, temperatures and drifts; sets random velocities. */
 #include "box/falling.h"
 #include "box/image.h"
 
 #include <float.h>
 #include <math.h>
 
-/* Returns the kinetic energy, J, right after the last collisions. */
+/* Returns the kinetic energy of the disks right after their last
+   collisions, J. */
 static double kinetic(const struct disks *d)
 {
     double energy = 0;
@@ -26,7 +27,7 @@ void disks_drift(const struct disks *d, double drift[])
     for (size_t i = 0; i < d->count; ++i)
         mass += d->mass[i];
     for (size_t k = 0; k < DISKS_AXES; ++k) {
-        /* Relative to the first disk: exact if all move alike. */
+        /* Relative to the first disk, to be exact if all move alike. */
         const double seen = d->disk[0].velocity[k];
         double sum = 0;
         for (size_t i = 0; i < d->count && disks_wraps(d, k); ++i)
@@ -80,7 +81,7 @@ static void scale_velocities(struct disks *d, double factor)
 }
 
 /* Removes the total momentum along periodic axes and restores the energy.
-   Otherwise the disks would drift forever, and the energy of this drift
+   Otherwise the disks would drift for ever, and the energy of this drift
    would count as heat. */
 static void take_out_momentum(struct disks *d)
 {

@@ -1,6 +1,6 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 1512181594 of the lines below */
-/* Scalar products and nearest images, for code that examines pairs. */
+/* checksum 540884078 of the lines below */
+/* Computes scalar products and nearest images of pairs. */
 #ifndef IMAGE_H
 #define IMAGE_H
 

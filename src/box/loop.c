@@ -1,4 +1,4 @@
-/* The two loops, with events and ticks, and how deep disks overlap. */
+/* Moves disks from tick to tick, and measures how deep they overlap. */
 #include "box/loop.h"
 
 #include <math.h>
@@ -9,8 +9,8 @@ void loop_event(struct loop *l)
     l->next = disks_next(&l->d);
 }
 
-/* Moves all disks by a step, s, which may be negative, and then resets
-   their `since` to l->t, whether or not that is the right time. */
+/* Moves all disks by a step, s, which may be negative. Then resets their
+   `since` to l->t, whether or not this is the right time. */
 static void shift(struct loop *l, double step)
 {
     for (size_t i = 0; i < l->d.count; ++i) {

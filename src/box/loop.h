@@ -1,13 +1,13 @@
-/* Disks moved from tick to tick, by a wrong loop and by a correct one. */
+/* Moves disks from tick to tick, by a wrong loop and by a correct loop. */
 #ifndef LOOP_H
 #define LOOP_H
 
 #include "box/disks.h"
 
 /* A loop over ticks, as in the article that chapter 5 reviews, or
-   corrected. All disks are at the time t. At an event the article moves
-   them by the time to the event plus `offset` ticks: by -1 instead of
-   +1. */
+   corrected. All disks are at the time t. At an event the article moves the
+   disks by the time to the event plus `offset` ticks, where offset is -1
+   instead of +1. */
 struct loop {
     struct disks d;
     struct disks_event next;
@@ -15,11 +15,11 @@ struct loop {
     double offset; /* -1 in the article, 1 is correct; ticks */
 };
 
-/* Carries out the next event and finds the one after it. */
+/* Carries out the next event, and finds the event after it. */
 void loop_event(struct loop *l);
 
-/* Runs one turn of the article's loop, which makes one record: moves the
-   disks to the next tick, `every` s later, or to the next event if that is
+/* Runs a turn of the article's loop, which makes a record. Moves the disks
+   to the next tick, `every` s later, or to the next event if this is
    earlier. */
 void loop_turn(struct loop *l, double every);
 
@@ -28,7 +28,8 @@ void loop_turn(struct loop *l, double every);
 void loop_go_to(struct loop *l, double tick);
 
 /* Returns the deepest overlap of disks with each other or with the walls,
-   m, in a box with walls on all sides. It shows the article's error. */
+   m, in a box with walls on all sides. The error of the article makes disks
+   overlap. */
 double loop_overlap(const struct loop *l);
 
 #endif

@@ -1,4 +1,4 @@
-/* Means over a run with errors from blocks that double in length. */
+/* Computes means over a run and their errors from blocks of samples. */
 #include "box/means.h"
 
 #include <math.h>
@@ -23,7 +23,7 @@ void means_add(struct means *m, size_t quantity, double value)
     m->sum[m->blocks * m->quantities + quantity] += value;
 }
 
-/* Joins the blocks in pairs, which empties the second half of them. */
+/* Joins the blocks in pairs, and empties the second half of the blocks. */
 static void join_blocks(struct means *m)
 {
     const size_t n = m->quantities;

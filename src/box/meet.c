@@ -1,6 +1,6 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 2345170769 of the lines below */
-/* Times at which two disks meet, also in a periodic box. */
+/* checksum 219488868 of the lines below */
+/* Computes when two disks meet, also in a periodic box. */
 #include "box/falling.h"
 #include "box/image.h"
 

@@ -1,4 +1,4 @@
-/* The times at which a disk meets each of the others, in vector code. */
+/* Computes the times at which a disk meets all others, in vector code. */
 #include "box/meetings.h"
 
 #include "box/image.h"
@@ -8,11 +8,11 @@
 
 /* Fills time[j] with the time, s, when disk i meets disk j. The results
    equal those of disks_meeting to the last bit, since the operations and
-   their order are the same. But there is no branch: root and quotient are
+   their order are the same. There is no branch: root and quotient are
    computed also for disks that are not met, and discarded. So a compiler
-   can take four or eight disks at once, and no branch is mispredicted. A
-   run takes a fifth less time with 4 disks, half with 16, a quarter with
-   256. */
+   can handle four or eight disks at once, and no branch is mispredicted. A
+   run takes a fifth less time with 4 disks, half the time with 16, and a
+   quarter with 256. */
 static inline void meet_all(const struct disks *d, size_t i, double *time,
                             bool images)
 {
@@ -42,8 +42,7 @@ static inline void meet_all(const struct disks *d, size_t i, double *time,
     }
 }
 
-/* Two versions, without and with images, to keep the test out of the
-   loop. */
+/* Two versions, without and with images, keep the test out of the loop. */
 VECTOR_LOOP static void meet_all_walls(const struct disks *d, size_t i,
                                        double *restrict time)
 {
@@ -56,8 +55,7 @@ VECTOR_LOOP static void meet_all_images(const struct disks *d, size_t i,
     meet_all(d, i, time, true);
 }
 
-/* Under gravity there is no vector code, and disks_meeting is called for
-   each other disk. */
+/* There is no vector code for gravity. */
 void meetings_of(const struct disks *d, size_t i, double time[])
 {
     if (d->boundary == DISKS_WALLS && !(d->gravity > 0))

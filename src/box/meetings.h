@@ -1,11 +1,12 @@
-/* The times at which a disk meets each of the others, for disks_run. */
+/* Computes the times at which a disk meets all others, for disks_run. */
 #ifndef MEETINGS_H
 #define MEETINGS_H
 
 #include "box/disks.h"
 
-/* Fills time[j] with the time, s, when disk i meets disk j, for all j but
-   i: equal to disks_meeting(d, i, j, d->now) to the last bit. */
+/* Fills time[j] with the time, s, when disk i meets disk j, for all j
+   except i. The times equal disks_meeting(d, i, j, d->now) to the last
+   bit. */
 void meetings_of(const struct disks *d, size_t i, double time[]);
 
 #endif

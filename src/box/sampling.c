@@ -1,6 +1,6 @@
 /* From chapters/06-room.nw: edit there, then run make tangle. */
-/* checksum 610927919 of the lines below */
-/* Monte Carlo: direct sampling, a Markov chain, event chains. */
+/* checksum 2040246598 of the lines below */
+/* Samples hard disks directly, by a Markov chain, or by event chains. */
 #include "box/sampling.h"
 
 #include "box/image.h"
@@ -15,8 +15,8 @@ enum {
     TRIES = 100000   /* attempts to place a small disk */
 };
 
-/* Returns the square of the distance of two positions, m^2; in a periodic
-   box that of the nearest images. */
+/* Returns the square of the distance of two positions, m^2. In a periodic
+   box this is the distance of the nearest images. */
 static double squared(const struct sampling *s, const double a[],
                       const double b[])
 {
@@ -29,8 +29,8 @@ static double squared(const struct sampling *s, const double a[],
     return sum;
 }
 
-/* Returns whether disk i could be at this position without overlapping one
-   of the first `among` disks that it interacts with. */
+/* Returns whether disk i fits at this position: it must not overlap any of
+   the first `among` disks that it interacts with. */
 static bool fits(const struct sampling *s, size_t i, const double place[],
                  size_t among)
 {
@@ -85,7 +85,7 @@ double sampling_log_acceptance(struct sampling *s, uint64_t throws,
     return sum;
 }
 
-/* Returns a random disk to move: a large or a small one with equal odds. */
+/* Returns a random disk to move, large or small with equal odds. */
 static size_t pick(const struct sampling *s, struct random *r)
 {
     const size_t small = s->disks.count - s->large;
@@ -158,9 +158,9 @@ bool sampling_start(struct sampling *s, struct random *r)
     return true;
 }
 
-/* Returns how far disk i can move up along the axis until it touches disk
-   j, m, and sets *behind to the distance between them along the axis at
-   contact, m. Rounding may make the first slightly negative. */
+/* Returns the distance, m, by which disk i can move up along the axis until
+   it touches disk j. Sets *behind to the distance between the disks along
+   the axis at contact, m. */
 static double way_to(const struct sampling *s, size_t i, size_t j,
                      size_t axis, double *behind)
 {
@@ -182,9 +182,10 @@ static double way_to(const struct sampling *s, size_t i, size_t j,
     return fmax(ahead - *behind, 0);
 }
 
-/* Returns the disk that disk i will touch first when it moves up along the
-   axis by at most *way, m; i if there is none. Sets *way to the distance to
-   the contact and *behind to the distance along the axis at contact, m. */
+/* Returns the disk that disk i touches first when it moves up along the
+   axis by at most *way, m, or i if it touches none. Sets *way to the
+   distance to the contact and *behind to the distance along the axis at
+   contact, m. */
 static size_t find_next(const struct sampling *s, size_t i, size_t axis,
                         double *way, double *behind)
 {

@@ -1,6 +1,6 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 1991841776 of the lines below */
-/* Both laws averaged over bins, with identical results on every machine. */
+/* checksum 720854544 of the lines below */
+/* Averages both laws over bins, with the same results on every machine. */
 #include "box/speeds.h"
 
 #include <math.h>

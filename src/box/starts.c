@@ -1,4 +1,4 @@
-/* Starts of disks: memory, lattices, random places, tests for overlaps. */
+/* Allocates disks, places them, and tests for overlaps. */
 #include "box/image.h"
 #include "box/plan.h"
 
@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The disks are aligned so that each one fills a cache line of its own. */
+/* The disks are aligned so that each fills a cache line of its own. */
 bool disks_create(struct disks *d, size_t dimensions, size_t count)
 {
     const size_t bytes = count * sizeof *d->disk;
@@ -39,8 +39,8 @@ void disks_free(struct disks *d)
     *d = (struct disks){0};
 }
 
-/* Returns whether a disk lies within the walls. It may overlap one by 1e-9
-   of the box, an allowance for rounding. */
+/* Returns whether a disk is within the walls. It may overlap a wall by 1e-9
+   of the box, to allow for rounding. */
 static bool within_walls(const struct disks *d, const double place[],
                          double r)
 {
@@ -51,7 +51,7 @@ static bool within_walls(const struct disks *d, const double place[],
     return true;
 }
 
-/* A NaN in a position makes every comparison false; the disk then counts as
+/* A NaN in a position makes every comparison false. The disk then counts as
    overlapping. */
 bool disks_clash(const struct disks *d, size_t a, size_t b)
 {
@@ -79,11 +79,11 @@ bool disks_fit(const struct disks *d, size_t *a, size_t *b)
     return true;
 }
 
-/* A close-packed lattice, stretched over the box: `cells` cells of width
-   `step`, m, along each axis, from the place `from`, m, with `basis` sites
-   in each. In the plane it is triangular, with every other row shifted by
-   half a step, so that a rectangular cell has two sites, a corner and the
-   centre; in space it is face-centred cubic. */
+/* A close-packed lattice, stretched over the box. It has `cells` cells of
+   width `step`, m, along each axis, beginning at `from`, m, with `basis`
+   sites in each cell. In the plane it is triangular, with every other row
+   shifted by half a step, so a rectangular cell has two sites: a corner and
+   the centre. In space it is face-centred cubic. */
 struct lattice {
     size_t cells[DISKS_AXES], basis;
     double from[DISKS_AXES], step[DISKS_AXES];
@@ -94,8 +94,8 @@ struct lattice {
 static const double sites[4][DISKS_AXES] = {
     {0, 0, 0}, {.5, .5, 0}, {.5, 0, .5}, {0, .5, .5}};
 
-/* Returns the smallest distance of two sites, m, which lie in one cell or
-   in adjacent ones. */
+/* Returns the smallest distance of two sites, m. They are in the same cell
+   or in adjacent cells. */
 static double nearest_site(const struct lattice *l, size_t dimensions)
 {
     double least = INFINITY;
@@ -128,8 +128,8 @@ static void stretch(const struct disks *d, double r, struct lattice *l)
     l->nearest = nearest_site(l, d->dimensions);
 }
 
-/* Tries all lattices of l.cells[2] layers with at least `need` cells, and
-   keeps in *best the one whose sites are farthest apart. */
+/* Tries all lattices of l.cells[2] layers with at least `need` cells. Keeps
+   in *best the lattice whose sites are farthest apart. */
 static void try_layers(const struct disks *d, double r, size_t need,
                        struct lattice l, struct lattice *best)
 {
@@ -146,7 +146,7 @@ static void try_layers(const struct disks *d, double r, size_t need,
 }
 
 /* Returns the lattice with at least this number of sites whose sites are
-   farthest apart. Disks in the plane have one layer; for spheres more than
+   farthest apart. Disks in the plane have one layer. For spheres, more than
    twice as many layers as in a cubic lattice are never best. */
 static struct lattice best_lattice(const struct disks *d, double r,
                                    size_t places)
@@ -179,10 +179,10 @@ static void place_of_site(const struct disks *d, const struct lattice *l,
     }
 }
 
-/* Returns the number of the widest disk if no other is as wide, otherwise
-   count; sets *r to the largest radius of the others, m. A single large
-   disk, a Brownian particle, is placed in the middle, as a lattice made for
-   it would waste nearly all the space. */
+/* Returns the number of the widest disk if no other is as wide, or else
+   count. Sets *r to the largest radius of the other disks, m. A single
+   large disk, such as a Brownian particle, is placed in the middle. A
+   lattice made for it would waste nearly all the space. */
 static size_t odd_one_out(const struct disks *d, double *r)
 {
     size_t big = 0;
@@ -212,7 +212,7 @@ static bool covered(const struct disks *d, size_t big, double r,
     return square < reach * reach;
 }
 
-/* Returns how many sites the large disk does not cover. */
+/* Returns the number of sites that the large disk does not cover. */
 static size_t count_free(const struct disks *d, const struct lattice *l,
                          size_t big, double r)
 {
@@ -287,7 +287,7 @@ static bool overlaps(const struct disks *d, size_t i)
 }
 
 /* Moves disk a to a random position in the box, at least a radius away from
-   walls. Returns false if the box is too narrow for it. */
+   walls. Returns false if the box is too narrow for the disk. */
 static bool throw_disk(const struct disks *d, struct disk *a,
                        struct random *r)
 {
@@ -300,11 +300,11 @@ static bool throw_disk(const struct disks *d, struct disk *a,
     return true;
 }
 
-/* Gives up after 10 000 tries for one disk, since those before it are not
-   moved aside. Not all allowed states are equally likely, as the first
-   disks have more choice: this is a start, which a run forgets, not a
-   sample (see chapter 6). It works up to a packing fraction of about a half
-   in the plane. */
+/* Gives up after 10 000 tries for a disk, since earlier disks are not moved
+   aside. This works up to a packing fraction of about a half in the plane.
+   Not all allowed states are equally likely, as the first disks have more
+   choice. The result is a start, which a run forgets, and not a sample (see
+   chapter 6). */
 bool disks_place_random(struct disks *d, struct random *r)
 {
     enum { TRIES = 10000 };
@@ -318,8 +318,8 @@ bool disks_place_random(struct disks *d, struct random *r)
     return true;
 }
 
-/* Folds all positions back into the box and resets all counters, since
-   these belong to the run that has ended. */
+/* Folds all positions back into the box. Resets all counters, since they
+   belong to the run that has ended. */
 void disks_settle(struct disks *d)
 {
     for (size_t i = 0; i < d->count; ++i) {

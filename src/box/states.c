@@ -38,10 +38,11 @@ void states_begin(struct table *out, const struct disks *d)
     table_column(out, "t0", "s", "time of its last collision");
 }
 
-/* Writes the present position folded back into a periodic box. The position
-   at the last collision is not folded, since a run that is continued must
-   know how often a disk has crossed the box: from a rounded position it
-   would differ after some two dozen collisions of each disk. */
+/* Writes the present position, folded back into a periodic box. The
+   position at the last collision is not folded, since a run that is
+   continued must know how often a disk has crossed the box. From a rounded
+   position a continued run would differ after some two dozen collisions of
+   each disk. */
 void states_write(struct table *out, const struct disks *d)
 {
     const size_t D = d->dimensions;
@@ -71,8 +72,8 @@ struct file {
     enum disks_boundary boundary;
 };
 
-/* Writes an error into the message, after the file's name and, if it is not
-   0, the line. Returns false. */
+/* Writes an error into the message, after the name of the file and the line
+   if it is not 0. Returns false. */
 static bool is_wrong(const struct file *f, const char *format, ...)
 {
     int at = snprintf(f->message, STATES_MESSAGE, "%s:", f->path);
@@ -109,7 +110,8 @@ static void read_box(struct file *f, const char *text)
 }
 
 /* Reads a row: 8 numbers for disks and 10 for spheres, or 11 and 14 with
-   position and time of the last collision. Returns false if it is wrong. */
+   position and time of the last collision. Returns false if the row is
+   wrong. */
 static bool read_row(struct file *f, const char *text)
 {
     double *row = f->row[f->rows];
@@ -144,8 +146,8 @@ static bool make_room(struct file *f)
     return true;
 }
 
-/* Reads all lines; returns false at the first that is wrong. A blank line
-   ends a block, and the next row starts to overwrite it with another. */
+/* Reads all lines. Returns false at the first wrong line. A blank line ends
+   a block, and the next row starts a new block in its place. */
 static bool read_lines(struct file *f, FILE *file)
 {
     char *line = NULL;
@@ -167,9 +169,10 @@ static bool read_lines(struct file *f, FILE *file)
     return good;
 }
 
-/* Places each disk where it last collided, if the file says so, otherwise
-   where it is now. Returns false for a row whose time differs from the
-   first row's, or lies before its last collision. */
+/* Places each disk at its last collision, if the file contains this, or
+   else at its present position. Returns false if the time of a row differs
+   from that of the first row, or is before the last collision of its
+   disk. */
 static bool take_rows(struct disks *d, const struct file *f)
 {
     const size_t D = d->dimensions;
@@ -197,7 +200,7 @@ static bool take_rows(struct disks *d, const struct file *f)
 }
 
 /* Creates the disks from the rows. Returns false if the file as a whole is
-   wrong; the message then names no line. */
+   wrong. The message then names no line. */
 static bool make_disks(struct disks *d, struct file *f)
 {
     const size_t D = f->columns == 8 || f->columns == 11 ? 2 : 3;

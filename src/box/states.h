@@ -1,4 +1,4 @@
-/* States of disks in a file, from which a run continues exactly. */
+/* Stores states of disks in a file, from which a run continues exactly. */
 #ifndef STATES_H
 #define STATES_H
 
@@ -11,14 +11,14 @@ enum { STATES_MESSAGE = 256 };
    NULL. */
 extern const char *const states_boundaries[DISKS_BOUNDARIES + 1];
 
-/* Write the head of a file of states, and one block of it. */
+/* Write the head of a file of states, and a block of states. */
 void states_begin(struct table *out, const struct disks *d);
 void states_write(struct table *out, const struct disks *d);
 
-/* Creates the disks of the last block of a file, at its time; the sides of
-   the box are 0 if the head names none. Returns false, with nothing to
-   free, and the file, line and reason in message, if the file cannot be
-   read. Does not check that the disks fit. */
+/* Creates the disks of the last block of a file, at its time. The sides of
+   the box are 0 if the head contains none. If the file cannot be read,
+   writes the file, line and reason to message and returns false, with
+   nothing to free. Does not check that the disks fit. */
 bool states_read(struct disks *d, const char *path,
                  char message[STATES_MESSAGE]);
 

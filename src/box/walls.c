@@ -1,4 +1,4 @@
-/* The boundaries of a box, periodic or walls, and times to the walls. */
+/* Handles the boundaries of a box, and times of meeting its walls. */
 #include "box/falling.h"
 #include "box/image.h"
 
@@ -27,11 +27,11 @@ void disks_fold(const struct disks *d, double place[])
 
 /* Returns the time, s, from the last collision of disk a to its next wall,
    between walls on all sides and without gravity. More than half of the
-   events of four disks are at a wall; the side to which a disk flies and
+   events of four disks are at a wall. The side to which a disk flies and
    the wall that comes first are random, so a processor would mispredict
    every other branch. So both sides are computed, with results equal to
-   those of disks_wall_time to the last bit: a tenth more events a
-   second. */
+   those of disks_wall_time to the last bit. This gives a tenth more events
+   a second. */
 static double wall_of_either(const struct disks *d, const struct disk *a,
                              size_t *axis)
 {

@@ -1,7 +1,6 @@
 /* From chapters/01-collide.nw: edit there, then run make tangle. */
-/* checksum 1735082191 of the lines below */
-/* Collides bodies on a line or along a normal, by five forms of a
-   formula. */
+/* checksum 375985063 of the lines below */
+/* Collides bodies on a line or along a normal, in five forms. */
 #include "line/collide.h"
 
 #include <float.h>

@@ -51,7 +51,8 @@ static void learn_test(struct exercise *e, const char *text)
     e->tests[e->count++] = name + strspn(name, " ");
 }
 
-/* The stub must exist: it shows whether the exercise is begun. */
+/* The stub must exist, because an exercise counts as begun if the student's
+   file differs from the stub. */
 static void find_files(struct exercise *e)
 {
     find_one("tests/exercises/%s/stub.c", e->name, e->stub);

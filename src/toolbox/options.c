@@ -248,8 +248,8 @@ static void check_heading(struct options *o, const struct options_entry *e,
             options_fail(o, "means nothing with --%s %s%s", name, value,
                          given ? "" : ", the default");
         /* If the other option was not given, do not quote its default as if
-           the user had given it. A third option may have replaced the
-           default: in bonkers, for example, lists replace the preset. */
+           the user had given it: a third option may have replaced the
+           default. */
         if (*values && !no && !among && !given)
             options_fail(o, "means nothing without --%s %s", name, values);
         if (*values && !no && !among)

@@ -34,7 +34,7 @@ struct options_entry {
 
 enum {
     OPTIONS_ARGUMENT = 1, /* code of an argument that is not an option */
-    OPTIONS_LONG = 256,   /* + index: code of an option without a letter */
+    OPTIONS_LONG = 256,   /* + i: code of option i, if it has no letter */
     OPTIONS_FAILURE = 2,  /* exit status after a wrong command */
     OPTIONS_MAXIMUM = 40  /* largest number of entries in a list */
 };

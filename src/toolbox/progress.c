@@ -82,7 +82,7 @@ static void note_signal(int number)
     alarm(SECONDS_TO_END);
 }
 
-/* Handles SIGALRM, which comes when the time to stop is over: ends the
+/* Handles SIGALRM, which is sent if the run has not ended in time: ends the
    process with the signal that asked it to stop. */
 static void end_process(int number)
 {

@@ -52,8 +52,8 @@ uint64_t random_bits(struct random *r)
     return result;
 }
 
-/* Uses the upper 53 bits, which a double represents exactly. All 64 bits
-   would be rounded, once in 2^54 calls up to 1, which [0,1) excludes. */
+/* Uses the upper 53 bits, which a double represents exactly. Rounding all
+   64 bits would give 1 once in 2^54 calls, which [0,1) excludes. */
 double random_uniform(struct random *r)
 {
     return (double)(random_bits(r) >> 11) * 0x1p-53;

@@ -56,7 +56,7 @@ struct study_program {
        call options_fail. */
     const struct options_entry *options;
     void (*take)(struct options *o, int letter);
-    /* Completes the values after the last option, and may call
+    /* Called after the last option to complete the values. May call
        options_fail. NULL: nothing to do. */
     void (*check)(struct options *o, const char *study);
 };

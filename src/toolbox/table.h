@@ -34,7 +34,8 @@ struct table_key {
     const char *meaning;     /* a phrase; \n breaks the line */
 };
 
-#define TABLE_NOTHING UINT64_C(14695981039346656037) /* sum of no bytes */
+/* The checksum of no bytes. */
+#define TABLE_NOTHING UINT64_C(14695981039346656037)
 
 /* Continues a checksum: returns the checksum of the bytes that have the
    checksum `sum`, followed by n more bytes. If a run continues from a file,
@@ -83,7 +84,8 @@ struct table_label {
     const char *symbol, *unit, *meaning;
 };
 
-/* Adds the columns in a list. The macro makes the list. */
+/* Adds the columns in a list. The macro makes the list from its
+   arguments. */
 void table_columns(struct table *t, const struct table_label list[]);
 #define TABLE_COLUMNS(t, ...)                                              \
     table_columns(t, (const struct table_label[]){__VA_ARGS__, {0}})
@@ -111,7 +113,8 @@ struct table_result {
     double value;
 };
 
-/* Writes the results in a list. The macro makes the list. */
+/* Writes the results in a list. The macro makes the list from its
+   arguments. */
 void table_results(struct table *t, const struct table_result list[]);
 #define TABLE_RESULTS(t, ...)                                              \
     table_results(t, (const struct table_result[]){__VA_ARGS__, {0}})

@@ -123,7 +123,7 @@ struct job {
     bool slow;          /* a test took SLOW_MS or longer */
     int crashed, named; /* crashes, failures with known mistakes */
     int left;           /* tests that wrote outside an output */
-    char mistake[64];   /* first known mistake, in brackets */
+    char mistake[64];   /* name of the first known mistake */
     char types[8192], judge[4096], name[256], header[64];
 };
 

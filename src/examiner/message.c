@@ -13,8 +13,7 @@
    students believe a wrong explanation, and that costs more than a missing
    one. */
 static const struct meaning {
-    const char *gcc,
-        *clang; /* words of the message; clang NULL: same as gcc */
+    const char *gcc, *clang; /* words in messages; NULL: as gcc */
     const char *text;
 } meanings[] = {
     {"expected ';'", "expected ',' or ';'",

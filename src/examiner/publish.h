@@ -13,13 +13,13 @@
    report shows it as zero points. */
 struct course {
     size_t students, exercises;
-    const struct marks
-        *marks; /* [s * exercises + e]: marks of student s in exercise e */
-    const char *const *notes; /* [s]: lines on the files of student s;
-                                 [students]: on files of no student */
-    const char *name;         /* name of the submissions' folder */
-    const char *isolation;    /* the kind of isolation of programs */
-    const char *when;         /* time of grading, 2026-10-05T09:30:00Z */
+    const struct marks *marks; /* [s * exercises + e]: marks of
+                                  student s in exercise e */
+    const char *const *notes;  /* [s]: notes on files of student s;
+                                  [students]: on files of nobody */
+    const char *name;          /* name of the submissions' folder */
+    const char *isolation;     /* the kind of isolation of programs */
+    const char *when;          /* time of grading, 2026-10-05T09:30:00Z */
 };
 
 /* publish_names is a list of the reports that may be asked for,

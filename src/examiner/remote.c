@@ -9,7 +9,7 @@ bool transport_sending;
 
 size_t remote_bytes(size_t count, size_t size)
 {
-    enum { ROOM = 8 }; /* callers may add to a count, or double it */
+    enum { ROOM = 8 }; /* reserve: callers may double a count */
     if (count > SIZE_MAX / ROOM / size)
         transport_lost();
     return count * size;

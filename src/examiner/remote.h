@@ -27,8 +27,8 @@ void *remote_memory(size_t bytes);
    the program ends. */
 void *remote_array(size_t count, size_t size);
 
-/* Returns count * size, or ends the program if the product is close to
-   SIZE_MAX or larger. */
+/* Returns count * size. Ends the program if the product exceeds an eighth
+   of SIZE_MAX. */
 size_t remote_bytes(size_t count, size_t size);
 
 /* The number of blocks that remote_memory and remote_array have
@@ -36,7 +36,7 @@ size_t remote_bytes(size_t count, size_t size);
 extern unsigned long remote_blocks;
 
 /* Makes the next call start in a new process, with fresh static variables.
-   Does nothing at home, where there is only one process. */
+   Does nothing if the student's function runs in this process. */
 void remote_restart(void);
 
 /* Begins a call of the student's function. Next, the caller must send the

@@ -387,7 +387,7 @@ static void take(struct submission *s, const char *const usual[],
              path);
 }
 
-enum { DEPTH = 3 }; /* levels of folders searched below a student's */
+enum { DEPTH = 3 }; /* levels searched below a student's folder */
 
 static mode_t mode_of(int folder, const char *name)
 {

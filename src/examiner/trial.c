@@ -121,8 +121,7 @@ static const char *find_line(const char *from, const struct result *result,
 }
 
 static struct {
-    int report, output,
-        orders; /* descriptors of the waiting runner, or 0 */
+    int report, output, orders; /* the runner's descriptors, or 0 */
 } served;
 
 /* Starts a runner for one test and waits for it. If `end` is NULL, starts a

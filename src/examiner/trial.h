@@ -21,12 +21,12 @@ struct trial {
     const char *source; /* path of the file, as given to the compiler */
     bool sanitized;     /* compiled with the address sanitizer */
     bool leaks;         /* search for leaks as well */
-    int seconds;        /* limit of processor time; wall-clock: twice */
+    int seconds;        /* limit of processor time, s; wall clock: twice */
     const char *runner; /* path of the runner, relative to folder/desk */
     const char *seed;   /* seed of the inputs; NULL: the usual seed */
-    long user;          /* user id that a judge takes, or 0 */
+    long user;          /* user id for the judge, or 0 */
     int sandbox[2];     /* pipes to a program in a sandbox, or zeros */
-    int later;          /* limit in seconds after a time-out, or 0 */
+    int later;          /* time limit after a time-out, s; 0: unchanged */
     const char *prints; /* output of a program in a sandbox, or NULL */
 };
 

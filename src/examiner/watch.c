@@ -35,8 +35,7 @@ static void take_terminal(void)
 }
 
 struct seen {
-    uint64_t judged,
-        last; /* checksums when last judged and when last seen */
+    uint64_t judged, last; /* checksums when judged, when seen */
 };
 
 /* Returns whether a file was saved and must be judged. Its checksum must

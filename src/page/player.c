@@ -34,7 +34,7 @@ static struct motion motion;
 static bool moving;
 static enum stepping_end stopped;
 static struct observables observed;
-static char *given, *written; /* texts from and for the script */
+static char *given, *written; /* text by the script; for the script */
 static char message[320];
 static size_t line; /* line of an error in the text; 0: none */
 

@@ -16,7 +16,7 @@ double page_number[PAGE_NUMBERS];
 static struct swing {
     struct scene scene;
     struct motion motion;
-    double matrix[4]; /* matrix of a step, which acts on (x, v) */
+    double matrix[4]; /* maps (x, v) to its value a step later */
     bool begun, stopped;
 } swing[METHODS];
 static double seen[1 + METHODS * OWN];

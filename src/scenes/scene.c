@@ -173,7 +173,7 @@ struct reader {
     const char *next, *end; /* the rest of the line */
     size_t line;            /* number of the line */
     struct piece first,     /* first word of the line */
-        word[MOST_FIELDS];  /* its other words */
+        word[MOST_FIELDS];  /* the other words of the line */
     size_t lines[LINES],    /* number of lines of each sort in the text */
         read[LINES];        /* number of lines of each sort read so far */
     unsigned char *seen;    /* [bodies + kinds] bit s is set if a line of
@@ -782,9 +782,10 @@ static void write_places(const struct scene *s, struct table *out)
 }
 
 /* Writes the remainders of compensated sums, and the accelerations with
-   which a damped leapfrog continues. The first line carry is written even
-   if all its numbers are 0, so that the reader knows that the scene has
-   remainders. No line kept may be omitted. */
+   which a damped leapfrog continues. The line "carry" of the first body is
+   written even if all its numbers are 0, so that the reader knows that the
+   scene has remainders. A line "kept" is written for every body, also if
+   its numbers are 0. */
 static void write_carried(const struct scene *s, struct table *out)
 {
     const size_t n = s->bodies;

@@ -53,7 +53,7 @@ struct scene {
     bool contact;    /* bodies collide; if not, radii are for drawing */
     double restitution;
     enum scene_law law; /* law of contacts */
-    double stiffness,   /* of contacts, N/m; by Hertz N/m^1.5 */
+    double stiffness,   /* of contacts, N/m (Hertz: N/m^1.5) */
         dashpot;        /* damping of contacts, kg/s */
     enum scene_wall wall[SCENE_AXES];
     double low[SCENE_AXES], high[SCENE_AXES]; /* ends of the box, m */

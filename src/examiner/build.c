@@ -59,11 +59,12 @@ void build_suite(const char *exercise)
    physics. Only the kit's own tests set `strict', which turns warnings into
    errors: an unfinished file may have an unused variable and still be worth
    running. */
-static char function[] =
+static char function[] = BUILD_MEMBERS
     "types=build/check/$5.types.h && [ -f $types ] || types=\n"
-    "exec $1 $2 ${types:+-include $types} -Isrc -Isrc/examiner "
+    "$1 $2 ${types:+-include $types} -Isrc -Isrc/examiner "
     "-Wall -Wextra -fmax-errors=20 "
-    "-o \"$3/runner\" \"$4\" build/check/$5.suite.o $6";
+    "-o \"$3/runner\" \"$4\" build/check/$5.suite.o $6 &&\n"
+    "members \"$types\" \"$4\" $1 -Isrc -Isrc/examiner";
 static char runner[] = "exec $1 -o \"$3/runner\" build/check/$5.suite.o $6";
 /* The shell script that builds a project several times, each time with
    another version of the function that the project's header declares.
@@ -101,12 +102,12 @@ static bool compile(const char *folder, const char *exercise, char *source,
     char messages[4096];
     char *libraries = flags_read(), *flags = libraries;
     char *compiler = text_line(&libraries);
-    char *errors = strict ? "-pedantic -Werror" : "";
     snprintf(messages, sizeof messages, "%s/messages", folder);
-    char *command[] = {"sh",           "-c",     script,
-                       "sh",           compiler, errors,
-                       (char *)folder, source,   (char *)exercise,
-                       libraries,      NULL};
+    char *command[] = {
+        "sh",           "-c",     script,
+        "sh",           compiler, strict ? "-pedantic -Werror" : "",
+        (char *)folder, source,   (char *)exercise,
+        libraries,      NULL};
     setenv("LC_ALL", "C", 1);
     setenv("GCC_COLORS", "", 1);
     setenv("TMPDIR", folder, 1);
@@ -151,16 +152,20 @@ static int count(const char *text, const char *word)
     return found;
 }
 
-/* Returns the line of the first error in the student's file, because later
-   errors often follow from the first. A missing return is reported only if
-   there is no other error, because the compiler may have stopped before it
-   read the function to its end. */
-static const char *find_error(const char *text, const char *source)
+/* Returns the line of the first error or warning in the student's file,
+   because later errors often follow from the first. A missing return is
+   reported only if there is no other error, because the compiler may have
+   stopped before it read the function to its end. A warning that has an
+   explanation is preferred: others, such as a warning about an unused
+   variable, seldom help a beginner. */
+static const char *find_first(const char *text, const char *source,
+                              const char *word)
 {
-    const char *first = find_line(text, source, "error:");
-    const char *line = first;
-    while (line && find_line(line, source, "return-type") == line)
-        line = find_line(line + strcspn(line, "\n"), source, "error:");
+    const char *first = find_line(text, source, word), *line = first;
+    while (line &&
+           (*word == 'e' ? find_line(line, source, "return-type") == line
+                         : !message_known(line)))
+        line = find_line(line + strcspn(line, "\n"), source, word);
     return line ? line : first;
 }
 
@@ -183,49 +188,43 @@ static void tell_header(const char *text, const char *source, FILE *story)
     text_field(story, "means", place);
 }
 
-/* Copies the first name in quotation marks after start, on the same line,
-   to name. Sets name to "" if there is none. */
-static void quoted_name(const char *start, char name[64])
-{
-    *name = '\0';
-    if (start && sscanf(start, "%*[^'\n]'%63[A-Za-z0-9_]", name) != 1)
-        *name = '\0';
-}
-
-/* Returns whether the error in this line is about the types of a function,
-   and copies the function's name to name. If the definition is in the old
-   style, with the types after the parenthesis, only the message above the
-   error contains the name. */
-static bool name_function(const char *text, const char *line, char name[64])
+/* Returns whether the error in this line is about the types of a function
+   or the members of a structure, and copies its name to name. If the
+   definition of a function is in the old style, with the types after the
+   parenthesis, only the message above the error contains the name. */
+static bool name_function(const char *text, const char *line,
+                          char name[MESSAGE_NAME])
 {
     static const char *const words[] = {
         "conflicting types for '", "static declaration of '",
-        "redeclared as different kind", "as different kind of symbol"};
+        "redeclared as different kind", "as different kind of symbol",
+        "members changed in '"};
     const char *above = NULL, *in = text;
     for (size_t i = 0; i < sizeof words / sizeof *words; ++i)
         if (find_line(line, "", words[i]) == line) {
-            quoted_name(line, name);
+            message_quoted(name, line);
             return *name;
         }
     if (find_line(line, "", " match prototype") != line)
         return false;
     while ((in = strstr(in, "In function '")) && in < line)
         above = in++;
-    quoted_name(above, name);
+    message_quoted(name, above);
     return *name;
 }
 
-/* Returns the exercise's declaration of the function `name', or NULL. The
-   header contains these declarations as comments (tests/types.awk). */
+/* Returns the exercise's declaration of the function or structure `name',
+   or NULL. The header contains these declarations as comments
+   (tests/types.awk). */
 static char *given_function(char *header, const char *name)
 {
-    char call[66];
-    snprintf(call, sizeof call, "%s(", name);
+    const size_t length = strlen(name);
     for (char *line; (line = text_line(&header));) {
         const char *given = text_after(line, "/* given: ");
-        const char *found = given ? strstr(given, call) : NULL;
+        const char *found = given ? strstr(given, name) : NULL;
         char *end = given ? strstr(given, " */") : NULL;
-        if (found && end && strchr(" *", found[-1])) {
+        if (found && end && strchr(" *", found[-1]) &&
+            (found[length] == '(' || text_after(found + length, " {"))) {
             *end = '\0';
             return line + strlen("/* given: ");
         }
@@ -239,7 +238,7 @@ static const char *name_types(const char *text, const char *line,
                               const char *types)
 {
     static char sentence[640];
-    char name[64];
+    char name[MESSAGE_NAME];
     if (!name_function(text, line, name))
         return NULL;
     char *header = text_read(types);
@@ -249,7 +248,9 @@ static const char *name_types(const char *text, const char *line,
     snprintf(sentence, sizeof sentence,
              is_static ? "%s is static here, and the tests cannot call it. "
                          "The exercise gave: %s"
-                       : "%s has other types than the exercise gave: %s",
+             : find_line(line, "", "members changed in '") == line
+                 ? "%s has other members than the exercise gave: %s"
+                 : "%s has other types than the exercise gave: %s",
              name, given ? given : "");
     free(header);
     return given ? sentence : NULL;
@@ -264,7 +265,7 @@ void build_tell(const char *text, const char *source, const char *types,
                    "for each letter, and a compiler reads one.");
         return;
     }
-    const char *own = find_error(text, source);
+    const char *own = find_first(text, source, "error:");
     const char *line = own ? own : find_line(text, "", "error:");
     if (!own && line)
         tell_header(text, source, story);
@@ -323,22 +324,12 @@ bool build_runner(const char *folder, const char *exercise,
     return built;
 }
 
-static const char *find_warning(const char *text, const char *source)
-{
-    const char *first = find_line(text, source, "warning:");
-    const char *line = first;
-    while (line && !message_known(line))
-        line = find_line(line + strcspn(line, "\n"), source, "warning:");
-    return line ? line : first;
-}
-
 /* Called only after a test has failed, because a warning often names the
-   cause. Prefers a warning that has an explanation: others, such as a
-   warning about an unused variable, seldom help a beginner. */
+   cause. */
 void build_warning(const char *folder, const char *source, FILE *story)
 {
     char *text = read_messages(folder);
-    const char *line = find_warning(text, source);
+    const char *line = find_first(text, source, "warning:");
     if (line) {
         fprintf(story, "  The compiler has a warning:\n");
         text_quote(story, line, 3);

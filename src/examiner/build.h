@@ -5,6 +5,22 @@
 #include <stdbool.h>
 #include <stdio.h>
 
+/* A shell function: `members TYPES FILE COMPILER...' compares the
+   structures of the student's file with those of the exercise. If they
+   differ, it prints an error for build_tell and returns 1. It compiles the
+   header TYPES after the file: the compiler then says which structure
+   differs, and where the file defines it (tests/types.awk). */
+#define BUILD_MEMBERS                                                      \
+    "members() (\n"                                                        \
+    "    types=$1 file=$2 && shift 2\n"                                    \
+    "    grep -qs EXAMINER_AFTER \"$types\" || exit 0\n"                   \
+    "    \"$@\" -w -fsyntax-only -DEXAMINER_AFTER -include \"$file\" \\\n" \
+    "        -x c $types 2>&1 | awk '/error: static.assert/ { bad = 1 }\n" \
+    "    /error: red/ { sub(/.* of/, \"error: members changed in\")\n"     \
+    "        of = $0 }\n"                                                  \
+    "    bad && sub(/note: .*/, of) { sub(/^\\.\\//, \"\"); left = 3 }\n"  \
+    "    left && left-- { print; if (!left) exit } END { exit bad }')\n"
+
 /* Runs make to compile the tests of `exercise', such as "01a", unless they
    are compiled already. Exits with status 2 on failure. */
 void build_suite(const char *exercise);

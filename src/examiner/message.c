@@ -149,45 +149,38 @@ static const struct {
     {"assert.h", " assert "},
 };
 
-enum { LINE_ROOM = 512, NAME_ROOM = 64 };
+enum { LINE_ROOM = 512 };
 
-static void cut_line(char copy[LINE_ROOM], const char *line)
+/* Copies a line without its end, and returns its row of the table. */
+static const struct meaning *meaning_of(char copy[LINE_ROOM],
+                                        const char *line)
 {
-    const size_t length = strcspn(line, "\n");
-    snprintf(copy, LINE_ROOM, "%.*s", (int)length, line);
-}
-
-static const struct meaning *meaning_of(const char *copy)
-{
-    for (size_t i = 0; i < sizeof meanings / sizeof *meanings; ++i) {
-        const struct meaning *m = &meanings[i];
+    const struct meaning *m = meanings;
+    snprintf(copy, LINE_ROOM, "%.*s", (int)strcspn(line, "\n"), line);
+    for (; m < meanings + sizeof meanings / sizeof *meanings; ++m)
         if (strstr(copy, m->gcc) || (m->clang && strstr(copy, m->clang)))
             return m;
-    }
     return NULL;
 }
 
 bool message_known(const char *line)
 {
     char copy[LINE_ROOM];
-    cut_line(copy, line);
-    return meaning_of(copy) != NULL;
+    return meaning_of(copy, line) != NULL;
 }
 
-/* Copies the first quoted name. The quotation marks are ASCII, because the
-   compiler runs in the locale C. */
-static void quoted(char name[NAME_ROOM], const char *from)
+void message_quoted(char name[MESSAGE_NAME], const char *from)
 {
     const char *mark = from ? strchr(from, '\'') : NULL;
     const size_t length = mark ? strcspn(mark + 1, "'") : 0;
-    snprintf(name, NAME_ROOM, "%.*s", (int)length, mark ? mark + 1 : "");
+    snprintf(name, MESSAGE_NAME, "%.*s", (int)length, mark ? mark + 1 : "");
 }
 
 /* Returns the header that declares a name. The blanks around names keep
    exp from being found in expm1. */
 static const char *header_of(const char *name)
 {
-    char word[NAME_ROOM + 2];
+    char word[MESSAGE_NAME + 2];
     snprintf(word, sizeof word, " %s ", name);
     for (size_t i = 0; *name && i < sizeof headers / sizeof *headers; ++i)
         if (strstr(headers[i].names, word))
@@ -200,9 +193,9 @@ static const char *header_of(const char *name)
    compiler may suggest any other name of three letters. */
 static void explain_stranger(FILE *story, const char *line)
 {
-    char name[NAME_ROOM], meant[NAME_ROOM], text[LINE_ROOM];
-    quoted(name, line);
-    quoted(meant, strstr(line, "did you mean '"));
+    char name[MESSAGE_NAME], meant[MESSAGE_NAME], text[LINE_ROOM];
+    message_quoted(name, line);
+    message_quoted(meant, strstr(line, "did you mean '"));
     const char *header = header_of(name);
     if (header)
         snprintf(text, sizeof text,
@@ -224,9 +217,9 @@ static void explain_stranger(FILE *story, const char *line)
    not use %s, because compilers cannot check formats from a table. */
 static void explain_known(FILE *story, const char *text, const char *line)
 {
-    char name[NAME_ROOM], sentence[LINE_ROOM];
+    char name[MESSAGE_NAME], sentence[LINE_ROOM];
     const char *place = strstr(text, "NAME");
-    quoted(name, line);
+    message_quoted(name, line);
     if (place)
         snprintf(sentence, sizeof sentence, "%.*s%s%s", (int)(place - text),
                  text, name, place + strlen("NAME"));
@@ -236,8 +229,7 @@ static void explain_known(FILE *story, const char *text, const char *line)
 void message_explain(FILE *story, const char *line)
 {
     char copy[LINE_ROOM];
-    cut_line(copy, line);
-    const struct meaning *meaning = meaning_of(copy);
+    const struct meaning *meaning = meaning_of(copy, line);
     if (meaning && meaning->text)
         explain_known(story, meaning->text, copy);
     else if (meaning)

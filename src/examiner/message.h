@@ -5,6 +5,12 @@
 #include <stdbool.h>
 #include <stdio.h>
 
+enum { MESSAGE_NAME = 64 };
+
+/* Copies the first quoted name, or "" if there is none. The quotation marks
+   are ASCII, because the compiler runs in the locale C. */
+void message_quoted(char name[MESSAGE_NAME], const char *from);
+
 /* Returns whether this line of a compiler's messages can be explained. */
 bool message_known(const char *line);
 

@@ -1,5 +1,6 @@
 /* Builds and runs programs in sandboxes, which bubblewrap makes. */
 #include "examiner/sandbox.h"
+#include "examiner/build.h"
 #include "examiner/folder.h"
 #include "examiner/process.h"
 #include "examiner/text.h"
@@ -361,8 +362,7 @@ static bool try_kind(enum sandbox_kind kind, const char *compiler)
 static bool try_disks(enum sandbox_kind kind)
 {
     bounded = true;
-    if (!try_kind(kind, ":"))
-        bounded = false;
+    bounded = try_kind(kind, ":");
     return bounded || try_kind(kind, ":");
 }
 
@@ -398,7 +398,8 @@ static void add_script(struct words *w, const struct sandbox_order *order,
         order->sanitized ? "unlimited" : number(w, MEMORY_KIB);
     ADD(w, "/bin/sh", "-c", order->script, "sh", root, order->name,
         order->compiler, order->keep, number(w, order->seconds), memory,
-        order->terse, order->lean, order->linker, order->types);
+        order->terse, order->lean, order->linker, order->types,
+        BUILD_MEMBERS);
 }
 
 enum { GONE = -1, LATE = -2, NAP_MS = 50 };

@@ -41,6 +41,8 @@ compile $lean $terse >work/said 2>&1 || {
     fi
     exit
 }
+# BUILD_MEMBERS of build.h defines the function members.
+eval "${11}" && members work/types.h $name build $compiler -I$root/kit || exit
 cd work || exit
 kit=../kit/sandbox.suite.o program=./program of=
 bound() {

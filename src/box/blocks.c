@@ -58,10 +58,10 @@ struct third {
 };
 
 /* Returns the mean of a third of the values and the square of its standard
-   error, from the scatter of 16 parts. Both are in this unit, as squares
-   could overflow. The square is NAN if the scatter does not measure an
-   error: a part has only zeros because events are rare, or all parts are
-   equal, as when a single disk bounces regularly. */
+   error, from the scatter of 16 parts. Both are in this unit, since squares
+   of large numbers could overflow. The square is NAN if the scatter does
+   not measure an error: a part has only zeros because events are rare, or
+   all parts are equal, as when a single disk bounces regularly. */
 static struct third third_of(double unit, const double x[], size_t per)
 {
     double part[PARTS] = {0};

@@ -114,8 +114,9 @@ VECTOR_AVX2 static inline void transpose(v4 a, v4 b, v4 c, v4 d,
     column[3] = _mm256_permute2f128_pd(ba, dc, 0x31);
 }
 
-/* Reads four disks, each of a cache line, into vectors. place becomes x, y,
-   z and since. speed becomes the three velocities and the radius. */
+/* Reads four disks, which fill a cache line each, into vectors. place
+   becomes x, y, z and since. speed becomes the three velocities and the
+   radius. */
 VECTOR_AVX2 static inline void gather(const struct disk *disk,
                                       const uint32_t *list, v4 place[4],
                                       v4 speed[4])
@@ -259,8 +260,8 @@ struct lanes_eight {
 #define IS(a, how, b) _mm512_cmp_pd_mask(a, b, _CMP_##how##_OQ)
 #define DOT(a, b) (a[0] * b[0] + a[1] * b[1] + a[2] * b[2])
 
-/* Updates *first by the meetings of disk a with those of eight disks in the
-   list whose bit in `asked` is set. */
+/* Updates *first by the meetings of disk a with eight disks of the list.
+   Ignores disks whose bit in `asked` is 0. */
 EIGHT void meet_eight(const struct cells *c, const struct disk *a,
                       const uint32_t *list, __mmask8 asked,
                       struct lanes_eight *first)
@@ -373,7 +374,7 @@ static void meet_neighbours(const struct cells *c, uint32_t i,
    need no prefetching. From FETCH_LATE on, neighbours are fetched again
    right before they are needed. With fewer disks look_ahead is enough. */
 enum { FETCH_EARLY = 4000, FETCH_LATE = 50000 };
-enum { FETCHED = 12 }; /* every list has at least this number of entries */
+enum { FETCHED = 12 }; /* entries fetched; every list has as many */
 
 /* Prefetches the neighbours of disk i. Below FETCH_LATE disks it fetches
    twelve entries of the list, used or not, since the processor mispredicts
@@ -689,11 +690,12 @@ VECTOR_AVX512 static void search_row(const struct cells *c, size_t cell,
 /* Appends to *near the anchors of a cell whose squared distance from the
    position `from` is at most `farthest`, m^2. Returns false if memory runs
    out. Four distances are computed together, in a loop of fixed length that
-   compilers vectorise; entries beyond the cell's last anchor never count.
-   All four are written, but the count grows for near ones only, so that the
-   next write replaces a distant one: one in seven is near, and a
-   mispredicted branch costs more than a write. With this, and with
-   remove_neighbour, spheres at packing fraction 0.3 run a fifth faster. */
+   compilers vectorise. Entries beyond the last anchor of the cell never
+   count. All four entries are written, but the count grows only for near
+   anchors, and the next write replaces a distant one. One anchor in seven
+   is near, and a mispredicted branch costs more than a write. With this,
+   and with remove_neighbour, spheres at packing fraction 0.3 run a fifth
+   faster. */
 static bool search_cell(struct cells *c, uint32_t i, size_t cell,
                         const float from[], float farthest,
                         struct near *near)
@@ -818,13 +820,13 @@ static struct sizes sizes(const struct disks *d)
 }
 
 /* Chooses the skin, and divides the box into cells as wide as the range of
-   the widest pair, in which a single giant counts once. The number of cells
-   is at most about two for each disk, since more bring no gain. Returns
-   whether the box is wide enough. A periodic axis needs three cells, since
-   otherwise a cell would be on both sides of another. Between walls one
-   cell is enough. slack allows for the rounding of anchors to floats. It is
-   a millionth of the box, and the errors are at most a
-   sixteen-millionth. */
+   the two widest disks. (With twice the largest radius, a single giant
+   would count twice.) The number of cells is at most about two for each
+   disk, since more bring no gain. Returns whether the box is wide enough. A
+   periodic axis needs three cells, since otherwise a cell would be on both
+   sides of another. Between walls one cell is enough. slack allows for the
+   rounding of anchors to floats. It is a millionth of the box, and the
+   errors are at most a sixteen-millionth. */
 static bool lay_grid(struct cells *c, const struct disks *d)
 {
     const struct sizes s = sizes(d);

@@ -12,7 +12,7 @@ struct loop {
     struct disks d;
     struct disks_event next;
     double t;      /* present time, s */
-    double offset; /* -1 in the article, 1 is correct; ticks */
+    double offset; /* ticks; 1 is correct, the article has -1 */
 };
 
 /* Carries out the next event, and finds the event after it. */

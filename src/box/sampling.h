@@ -36,18 +36,17 @@ void sampling_free(struct sampling *s);
    their positions are a sample of (6.1, eq:throw). */
 size_t sampling_throw(struct sampling *s, struct random *r);
 
-/* Estimates the natural logarithm of the fraction of throws in which all
-   disks fit, from this number of throws. A disk that fewer than ten throws
-   reached gets the fraction of the last disk before it, which overestimates
-   the result at low densities. */
+/* Estimates, from this number of throws, the natural logarithm of the
+   fraction of throws in which all disks fit. A disk that fewer than ten
+   throws reached gets the fraction of the last disk before it, which
+   overestimates the result at low densities. */
 double sampling_log_acceptance(struct sampling *s, uint64_t throws,
                                struct random *r);
 
-/* Return estimates from one configuration. sampling_wall_density is that of
-   the density of large disk i at the two walls across axis k, 1/m.
-   sampling_pair_density is that of the density of pair distances at
-   contact, 1/m, from sliding disk i away from j (6.6, eq:slide). The means
-   over a run are the densities. Require places without overlaps. */
+/* Return estimates from one configuration: the density of large disk i at
+   the two walls across axis k, 1/m, and the density of pair distances at
+   contact, 1/m, from sliding disk i away from disk j (6.6, eq:slide). Their
+   means over a run are the densities. Require places without overlaps. */
 double sampling_wall_density(const struct sampling *s, size_t i, size_t k);
 double sampling_pair_density(const struct sampling *s, size_t i, size_t j);
 

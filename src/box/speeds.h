@@ -1,4 +1,4 @@
-/* Computes the speed distributions of N disks and of Maxwell. */
+/* Computes the speed distribution of N disks, and that of Maxwell. */
 #ifndef SPEEDS_H
 #define SPEEDS_H
 

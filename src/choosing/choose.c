@@ -275,7 +275,7 @@ static void compare_surely(const struct task *t)
         return;
     c->candidates = candidates;
     c->points = points;
-    if (!f->coarser.value) { /* freed as the answer: run it again */
+    if (!f->coarser.value) { /* its rows were freed with the answer */
         const struct record_setup o =
             task_setup(t, f->coarser.plan, INFINITY);
         task_run(t, &f->coarser, &o);

@@ -10,16 +10,17 @@ enum { CHOOSE_TEXT = 160, CHOOSE_REFUSAL = 500, CHOOSE_SENTENCE = 600 };
 enum { CHOOSE_BUDGET = 60 }; /* default budget, s by the price list */
 enum { CHOOSE_MOST = STEPPING_MOST + 40, CHOOSE_POINTS = 400 };
 
-/* The question: a scene, a time, a tolerance, and the observables. */
+/* The question: a scene, a time, a tolerance, and the observables. Unless
+   watch is NULL, it is called with the total cost after each run. */
 struct choose_request {
     const struct scene *scene;
     const char *program;             /* name of the program, for messages */
-    double until, every;             /* last row; time between rows; s */
+    double until, every;             /* time of the last row; interval; s */
     double tolerance;                /* allowed error / scale */
     const struct observables *asked; /* NULL: judge all positions */
     double budget; /* limit of the total cost, s by the price list */
     const struct models_plan *only; /* NULL, or the only plan allowed */
-    void (*watch)(void *with, double spent); /* NULL, or gets the cost */
+    void (*watch)(void *with, double spent);
     void *with;
 };
 
@@ -39,16 +40,19 @@ struct choose_point {
 };
 
 /* Two bodies, a and b, that are closer than the tolerance because body
-   `far` makes the scale so large. If there are none, a == b. */
+   `far` makes the scale so large. If there are no such bodies, a == b.
+   distance (m) is that of a and b, and without (m) is the scale without
+   body `far`. */
 struct choose_hidden {
     size_t a, b, far;
-    double distance, without; /* of a and b; scale without `far`; m */
+    double distance, without;
 };
 
-/* The answer, a run or a refusal, and how it was found. */
+/* The answer and how it was found. The chosen run is that of
+   candidate[taken]. If the request is refused, taken equals candidates. */
 struct choose_choice {
     struct choose_candidate candidate[CHOOSE_MOST];
-    size_t candidates, taken; /* taken == candidates: refused */
+    size_t candidates, taken;
     struct choose_point point[CHOOSE_POINTS];
     size_t points;
     struct models_acts acts;
@@ -57,7 +61,7 @@ struct choose_choice {
     struct choose_hidden hidden;
     size_t rows, columns;
     struct record run;            /* the chosen run */
-    struct models_plan reference; /* its model is NULL if none */
+    struct models_plan reference; /* model is NULL if there is none */
     double doubt;                 /* bound on the error of the reference */
     double rounding;              /* bound on the error of an exact run */
     double horizon;               /* end of the predictable motion, s */

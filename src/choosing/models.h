@@ -33,7 +33,6 @@ enum models_unit {
     MODELS_UNITS
 };
 
-/* The price of a unit of work, which is a constant. */
 struct models_price {
     const char *name, *what;
     double ns;
@@ -78,7 +77,7 @@ struct models_plan {
     const struct models_model *model;
     unsigned cuts;
     uint64_t steps;   /* steps in each row; 0 for models without steps */
-    double tolerance; /* of the steps of an adaptive method */
+    double tolerance; /* step tolerance of an adaptive method */
     /* A passage of two bodies matters if it moves one of them by more than
        `negligible` (m) in the time `time_left` (s). */
     double negligible, time_left;
@@ -110,15 +109,17 @@ struct models_model {
     unsigned bears; /* private: bits of models_parts.h */
     size_t engine;  /* private: bytes of its state, zeroed at the start */
     enum models_end (*row)(struct models_run *r);
-    const char *(*begin)(struct models_run *r); /* NULL, or why it fails */
-    void (*end)(struct models_run *r); /* after begin, even if it fails */
+    /* Begins a run. Returns NULL, or why it fails. */
+    const char *(*begin)(struct models_run *r);
+    /* Ends a run after begin, even if begin has failed. */
+    void (*end)(struct models_run *r);
     /* Returns why the model cannot compute this scene, or NULL. `bears` is
        checked before. The pointer is NULL if nothing else needs a check. */
     const char *(*refuses)(const struct scene *s,
                            const struct models_acts *a);
     bool approximate; /* not exact, even for scenes that it accepts */
-    const struct stepping_method *method; /* NULL: without steps */
-    void (*count)(struct models_run *r);  /* updates collisions, or NULL */
+    const struct stepping_method *method; /* NULL if there are no steps */
+    void (*count)(struct models_run *r);  /* may be NULL */
 };
 
 /* The state of a run. All members but engine may be read. Only `all` and
@@ -133,7 +134,7 @@ struct models_run {
     double clock;        /* bound on the relative error of time that is
                             equal in all twins, or 0 */
     uint64_t rows;       /* rows so far */
-    uint64_t collisions; /* use models_collisions for relabel */
+    uint64_t collisions; /* see models_collisions */
     double least;        /* smallest gap of a near miss or, if negative,
                             shallowest contact, m */
     double virial;       /* as in struct disks, J s; NaN: unknown */

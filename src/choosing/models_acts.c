@@ -33,13 +33,13 @@ double models_square(const struct scene *s, size_t i, size_t j)
 
 /* An interaction is absent only if it is exactly zero. An axis does not
    matter if nothing moves along it at the start and nothing pushes along
-   it. Nothing pushes along an axis without uniform gravity along which all
-   bodies that interact have equal positions. Forces act along the line
-   between two bodies or along their relative velocity, and the difference
-   of equal numbers is exactly 0. Friction only slows bodies down. With
-   gravity and contacts any two bodies may interact, so all positions count.
-   With springs only the two ends of a spring interact, so a flat membrane
-   stays flat. */
+   it. Nothing pushes along an axis if it has no uniform gravity and all
+   bodies that interact have equal positions along it. This is exact: forces
+   act along the line between two bodies or along their relative velocity,
+   and the difference of equal numbers is 0. Friction only slows bodies
+   down. With gravity and contacts any two bodies may interact, so all
+   positions count. With springs only the two ends of a spring interact, so
+   a flat membrane stays flat. */
 void models_analyse(struct models_acts *a, const struct scene *s)
 {
     const size_t n = s->bodies;
@@ -183,9 +183,9 @@ static bool is_stiff(const struct scene *s, const struct scene_spring *p,
    are added to the frequency. In `row` the dashpots follow the springs. A
    spring that becomes a rod does not vibrate. It turns at most at the
    relative speed of its ends divided by its length. The result is only a
-   first estimate for the steps, since rates change: a comet far from its
-   star will not stay there. The choice is made by comparing runs, and does
-   not depend on this estimate. */
+   first estimate for the steps, since rates change when a comet approaches
+   its star. The choice is made by comparing runs, and does not depend on
+   this estimate. */
 double models_rate(const struct scene *s, unsigned cuts)
 {
     double square = 0, rate = 0, turning = 0, slow = 0;

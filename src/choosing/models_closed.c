@@ -98,21 +98,21 @@ static double *at_start(const struct models_run *r)
     return l->work;
 }
 
-/* Relative error of times that is equal in all twins. 2 pi has a relative
-   error of a third of 2^-53. Its product with the number of whole turns,
-   which is the same in all units, is rounded once. */
+/* The part of the relative error of time that is equal in all twins. 2 pi
+   has a relative error of a third of 2^-53. Its product with the number of
+   whole turns, which is the same in all units, is rounded once. */
 static const double clock_error = 0x1.6p-53;
 
-/* Returns the relative error of times that is equal in all twins. Returns
-   INFINITY if an orbit is a parabola or hyperbola, which this model cannot
-   compute, or an ellipse as narrow as a line, on which the body would fall
-   into the centre. The rounding error of the mean motion is larger. It is
-   not included, as it depends on the last digits of r and v, so twins in
-   other units show it. The mean motion has this error because 1/a is the
-   difference 2/r - v^2/mu of terms with relative errors of about 2^-53.
-   This gives the mean motion an error of up to 13 a/r times 2^-53. The
-   bound 4 a/r 2^-51 was tried and was far too high: 14 times the true error
-   in the median of random orbits, and 40 times in one of ten. */
+/* Returns the part of the relative error of time that is equal in all
+   twins. Returns INFINITY if an orbit is a parabola or hyperbola, which
+   this model cannot compute, or an ellipse as narrow as a line, on which
+   the body would fall into the centre. The rounding error of the mean
+   motion is larger, but not included. It depends on the last digits of r
+   and v, so twins in other units show it. 1/a is the difference 2/r -
+   v^2/mu of terms with relative errors of about 2^-53, so the mean motion
+   has an error of up to 13 a/r times 2^-53. The bound 4 a/r 2^-51 was tried
+   and was far too high: 14 times the true error in the median of random
+   orbits, and 40 times in one of ten. */
 static double clock_of_ellipses(const struct models_run *r)
 {
     const struct jacobi *j = &((const struct particles *)r->engine)->jacobi;

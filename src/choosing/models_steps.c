@@ -124,9 +124,9 @@ static bool passage_counts(const struct steps *t, const struct pair *p,
            t->plan.negligible * b * sqrt(p->v2);
 }
 
-/* Returns 1/T, 1/s, where T is the shorter of two times: that in which two
-   bodies move by 0.7 of their distance relative to each other, and that in
-   which their accelerations bring them nearer by as much. */
+/* Returns 1/T, 1/s. T is the time in which two bodies move by 0.7 of their
+   distance at their present relative velocity, or in which they come nearer
+   by as much with their present acceleration. The shorter time is used. */
 static double passage_rate(const struct pair *p, double a2)
 {
     const double way = 0.7 * sqrt(p->r2), fall = 2 * sqrt(a2) * way;
@@ -213,7 +213,7 @@ static const char *begin_steps(struct models_run *r)
         g->source = t->particles.order;
         g->sources = t->particles.heavy;
         g->factor = t->particles.factor;
-        models_count_sorting(r, s->bodies, 5); /* 5 includes the
+        models_count_sorting(r, s->bodies, 5); /* 5: sorting and the
                                                   coordinates */
     }
     if (count > 0) {

@@ -35,10 +35,10 @@ int particles_compare(const void *one, const void *other);
 bool particles_is_light(const struct scene *s, size_t i, double heaviest);
 
 /* Divides the bodies of s into heavy and light bodies, and sorts the light
-   bodies. Heavy are body `centre` and all bodies with at least a hundredth
-   of the mass `heaviest`. There must be a heavy body. `moving` says that no
-   body is fixed and only gravity acts. Returns false, with nothing to free,
-   if memory runs out. */
+   bodies. Body `centre` is heavy, and so are all bodies with at least a
+   hundredth of the mass `heaviest`. There must be a heavy body. `moving`
+   says that no body is fixed and only gravity acts. Returns false, with
+   nothing to free, if memory runs out. */
 bool particles_create(struct particles *l, const struct scene *s,
                       double heaviest, size_t centre, bool moving);
 void particles_free(struct particles *l);
@@ -56,8 +56,8 @@ void particles_gather(const struct particles *l, const struct scene *s,
 void particles_to_jacobi(struct particles *l, const struct scene *s,
                          double x[], double v[]);
 
-/* Reverses particles_to_jacobi at the time t, s, after it. The centre of
-   mass of all bodies has moved on in this time. */
+/* Reverses particles_to_jacobi after the time t, s, in which the centre of
+   mass of all bodies has moved. */
 void particles_from_jacobi(const struct particles *l, const struct scene *s,
                            double t, double x[], double v[]);
 

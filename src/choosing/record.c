@@ -286,9 +286,8 @@ static void change_units(struct scene *s, const struct units *u)
     s->damping *= m / t;
 }
 
-/* Returns the change of coordinate c of a velocity of 1 m/s in a twin: a
-   unit in the last place, up or down. The signs differ from twin to
-   twin. */
+/* Returns the change of velocity coordinate c in a twin, as a fraction:
+   2^-52 or -2^-52. The signs differ from twin to twin. */
 static double last_bit(size_t c, unsigned twin)
 {
     const uint64_t h = (c + 1) * UINT64_C(0x9e3779b97f4a7c15) +

@@ -41,7 +41,7 @@ struct record {
     const char *why;     /* NULL, or why the run could not begin */
 };
 
-enum { RECORD_TWINS = 7 }; /* largest number of a twin */
+enum { RECORD_TWINS = 7 }; /* twins have numbers from 1 to this */
 
 /* The parameters of a run. */
 struct record_setup {

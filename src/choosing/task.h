@@ -145,7 +145,7 @@ struct choose_point rung_try(const struct task *t, const struct ladder *l,
 
 /* The largest number of twins of a run. The largest distance of k twins
    from the run, times twins_margin[k - 1], bounds the error of the run. For
-   each k this fails with probability 6.7e-5. */
+   each k this bound fails with probability 6.7e-5. */
 enum { TWINS = 6 };
 extern const double twins_margin[TWINS];
 static const double last_margin = 2; /* the last twins_margin */

@@ -43,7 +43,7 @@ enum bonkers_engine {
 enum {
     BONKERS_SCANNED = 32,  /* most movers for which the scan is fastest */
     BONKERS_REPEATS = 100, /* see most_repeats */
-    BONKERS_MOVERS = 10000000 /* largest number of movers, 1 GB */
+    BONKERS_MOVERS = 10000000 /* largest number of movers (1 GB) */
 };
 
 /* A run of bodies between two walls. Body 0 is the left wall, and body

@@ -33,7 +33,8 @@ static double bell(double x, double mean, double sd, int power)
 
 /* The sums over the bins in (3.20, eq:score) and (3.21, eq:fisher). */
 struct newton {
-    double score[2], information[3]; /* I: mean-mean, mean-sd, sd-sd */
+    double score[2], information[3]; /* information: mean-mean, mean-sd,
+                                        sd-sd */
 };
 
 /* Adds a bin, which may be infinitely wide, to the sums. The probability is
@@ -130,10 +131,11 @@ static void compare_with(const struct statistics_histogram *h, double unit,
     fit->degrees = groups > 3 ? groups - 3 : 0;
 }
 
-/* Each Newton step is the inverse of I times S, computed by Cramer's rule.
-   A step that is too large is shortened, since the standard deviation must
-   stay positive. A hundred steps are always enough. The diagonal of the
-   inverse gives the variances of the two parameters. */
+/* Each Newton step is the inverse of the information times the score,
+   computed by Cramer's rule. A step that is too large is shortened, since
+   the standard deviation must stay positive. A hundred steps are always
+   enough. The diagonal of the inverse gives the variances of the two
+   parameters. */
 bool statistics_fit_gaussian(const struct statistics_histogram *h, double g,
                              struct statistics_gaussian *fit)
 {

@@ -88,7 +88,7 @@ size_t laws_complete(struct law *law, double mean, double sd)
     /* A row for each law, in the order of enum law_kind. */
     const double usual[][LAW_PARAMETERS] = {
         {mean, sd},
-        {0, p[0] * sd * sd / 2, 1}, /* <v^2> = 2E/nm */
+        {0, p[0] * sd * sd / 2, 1}, /* <v^2> = 2E/(nm) */
         {0, 0, 0, 1},
         {0, 1, 0}}; /* d = 0: law of a component, not of a speed */
     law->given = kinds[law->kind].most;
@@ -143,7 +143,7 @@ double laws_density(const struct law *law, double x)
         return gsl_ran_gaussian_pdf(x - p[0], p[1]);
     if (!speed)
         return gsl_ran_gaussian_pdf(x, sqrt(p[0] / p[1]));
-    const double a = p[1] / (2 * p[0]); /* m / 2kT */
+    const double a = p[1] / (2 * p[0]); /* m / (2kT) */
     return x < 0 ? 0
                  : 2 * pow(a, p[2] / 2) * pow(x, p[2] - 1) *
                        exp(-a * x * x) / tgamma(p[2] / 2);

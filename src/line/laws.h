@@ -27,14 +27,14 @@ struct law_test {
     double degrees;                /* degrees of freedom of chi2 */
 };
 
-/* Reads a law from text; parts in brackets are optional:
+/* Reads a law from text. Parts in brackets are optional:
      normal[:mean,sd]
-     microcanonical:n[,E,m]   a velocity of a body of mass m when n such
-                              velocity components share the energy E
+     microcanonical:n[,E,m]   a velocity component of a body of mass m, if n
+                              such components share the energy E
      beta:k,n[,low,high]      the k-th of n points between low and high
-     maxwell:kT[,m[,d]]       a velocity component of a body of mass m (1)
-                              at temperature kT; or, given d, its speed in
-                              d dimensions
+     maxwell:kT[,m[,d]]       a velocity component of a body of mass m at
+                              temperature kT or, if d is given, its speed
+                              in d dimensions
    Returns NULL, or an error message. */
 const char *laws_read(const char *text, struct law *law);
 

@@ -1,4 +1,4 @@
-/* The slab engine; for the other files of the line only. */
+/* Declares the slab engine for the other files of the line. */
 #ifndef SLAB_H
 #define SLAB_H
 

@@ -12,7 +12,7 @@
 
 /* The moments of a series, which do not depend on its order. */
 struct statistics_moments {
-    double mean, variance; /* variance: with divisor n - 1 */
+    double mean, variance; /* the variance has the divisor n - 1 */
     double third, fourth;  /* means of (x - mean)^3 and ^4 */
     double least, greatest;
 };
@@ -33,7 +33,7 @@ struct statistics_blocking {
     size_t levels, chosen; /* number of lengths; index of the chosen
                               length */
     bool plateau;          /* false: the error is only a lower bound */
-    double error;          /* of the mean, from the chosen level */
+    double error;          /* error of the mean, from the chosen level */
     double inefficiency;   /* samples per independent sample */
     struct statistics_block level[STATISTICS_LEVELS];
 };
@@ -44,7 +44,7 @@ struct statistics_correlation {
     size_t window;
     bool settled; /* false: even the longest window was too short */
     double inefficiency, uncertainty;
-    double error; /* of the mean */
+    double error; /* error of the mean */
 };
 
 /* The counts of samples in equal bins. Bin i begins at low + i (high - low)
@@ -60,8 +60,8 @@ struct statistics_histogram {
 /* The Gaussian fitted to a histogram. */
 struct statistics_gaussian {
     double mean, sd, mean_error, sd_error;
-    double chi2;    /* of the fit, divided by g */
-    size_t degrees; /* of freedom of chi2 */
+    double chi2;    /* chi-square of the fit, divided by g */
+    size_t degrees; /* degrees of freedom of chi2 */
 };
 
 /* The description of a series: mean, standard deviation and kurtosis with
@@ -70,7 +70,7 @@ struct statistics_description {
     size_t n;
     double least, greatest;
     double mean, mean_error, sd, sd_error, kurtosis, kurtosis_error;
-    double naive_error;  /* of the mean, assuming independence */
+    double naive_error;  /* error of the mean of independent samples */
     double inefficiency; /* largest of 1 and the values for x and (x -
                             mean)^2 */
     size_t block;        /* longest block used, in samples */
@@ -86,8 +86,8 @@ struct statistics_scatter {
 /* The dependence of two series on each other. */
 struct statistics_dependence {
     double correlation, error; /* coefficient and its error */
-    double chi2;               /* of a table of cells */
-    size_t degrees;            /* of freedom of chi2 */
+    double chi2;               /* chi-square of a table of cells */
+    size_t degrees;            /* degrees of freedom of chi2 */
 };
 
 /* Returns the moments of a series. Requires n >= 2. */

@@ -1,4 +1,4 @@
-/* Gravity for the engines of the line; private to them. */
+/* Declares gravity for the engines of the line. */
 #ifndef WEIGHT_H
 #define WEIGHT_H
 

@@ -211,17 +211,15 @@ static char *read_kit(const struct job *job, const char *name, int line)
 }
 
 /* Returns the time limit, in seconds, for the tests after a time-out; 0
-   means the usual limit. Usually these tests run into the same endless
-   loop, so one second is enough. A project keeps the usual limit. So does a
-   program that needed 200 ms for an earlier test, as few right answers do:
-   it may just be slow, and then only its late tests should fail. */
+   means the usual limit. One second is enough, since these tests usually
+   run into the same endless loop. A project keeps the usual limit. So does
+   a program that was slow before: then only its late tests should fail. */
 static int later_seconds(const struct job *job)
 {
     return *job->kit->exercise == 'P' || job->slow ? 0 : LATER_SECONDS;
 }
 
-/* Counts a test that timed out. After MOST_LATE time-outs the remaining
-   tests are not run. marks->late asks the grader for a second try. That
+/* Counts a time-out. marks->late asks the grader for a second try. That
    helps only after the limit on wall-clock time, since only that time
    passes while other programs run. In a project both limits count, because
    run.c reports both as SIGXCPU. */
@@ -237,10 +235,8 @@ static void note_late(struct job *job, bool by_the_wall)
 }
 
 /* Opens a sandbox. Returns PASSED, or the state of the exercise if the
-   sandbox is not ready. In the sandbox the driver is called
-   sandbox.suite.o: build.c searches the linker's errors for ".suite.o" to
-   find out whether the tests or the student's file call a missing
-   function. */
+   sandbox is not ready. Inside, the driver is called sandbox.suite.o,
+   because build.c searches the linker's errors for ".suite.o". */
 static enum state open_box(struct job *job, FILE *story)
 {
     if (ftruncate(job->prints, 0) != 0)
@@ -318,10 +314,10 @@ static enum state run_test(struct job *job, const struct kit_test *test,
 
 /* Runs test i, unless its result is known or too many tests have timed out.
    In a second try (`before` is not NULL), a test that ended in the first
-   try keeps its mark. Tests that timed out run again until one of them
-   times out again: then the load of the machine was not the cause. A test
-   that an empty function passes (`idle`) always runs again, because its
-   points depend on the other tests. */
+   try keeps its mark. The others run again until one of them times out
+   again: then the load of the machine was not the cause. A test that an
+   empty function passes (`idle`) always runs again, because its points
+   depend on the other tests. */
 static enum state try_test(struct job *job, int i, FILE *story)
 {
     const struct marks *before = job->grading->before;
@@ -342,8 +338,7 @@ static enum state try_test(struct job *job, int i, FILE *story)
 /* Replaces a hint that names a different mistake from the first hint. The
    first mistake may make a later test return a value that looks like
    another mistake. So the student is asked to correct the first mistake
-   first. For the same reason `make check` explains only the first failure
-   in full. */
+   first. */
 static void name_once(char *mistake, size_t room, char **text, size_t *size)
 {
     char *hint = strstr(*text, "\n  hint "), *end, *name;

@@ -45,9 +45,9 @@ void __asan_unpoison_memory_region(const volatile void *x, size_t n) WEAK;
 
 /* Forbids access to the guards of an output, or allows it again if `on` is
    false. An address sanitizer then notices reads, too, and reports the
-   line. The two functions are weak symbols, which are NULL without a
-   sanitizer, because one object file of the driver serves programs with and
-   without sanitizers. Only ELF has such symbols. */
+   line. The two functions are weak symbols, NULL without a sanitizer,
+   because one driver serves programs with and without sanitizers. Only ELF
+   has weak symbols. */
 static void forbid(const struct place *p, bool on)
 {
     void (*const tell)(const volatile void *x, size_t n) =

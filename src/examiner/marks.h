@@ -12,8 +12,8 @@
    tests exist. */
 struct mark {
     char *name;
-    bool hidden;      /* inputs must not be shown */
-    int points;       /* points for passing */
+    bool hidden; /* inputs must not be shown */
+    int points;
     enum state state; /* NOT_BEGUN also if it was not run */
     char *story;      /* the examiner's report on the test */
     double seconds;   /* wall-clock time of all tries, s */
@@ -27,9 +27,9 @@ enum { MARKS_MOST = 96 };
    an interrupted run of the grader can be continued, and a new report needs
    no new grading. */
 struct marks {
-    char *student;    /* name of the student's folder */
-    char *exercise;   /* "01a" */
-    char *title;      /* title of the exercise */
+    char *student;  /* name of the student's folder */
+    char *exercise; /* "01a" */
+    char *title;
     char *file;       /* the file that was graded, or "no file" */
     char *note;       /* a note for the lecturer, or "" */
     enum state state; /* state of the first wrong test */

@@ -163,12 +163,11 @@ int process_watch(pid_t pid)
 #endif
 }
 
-/* Waits for a process. Kills its process group if it runs longer than
-   `seconds`, uses more than `memory` bytes, or the user interrupts. Kills
-   the group again at the end, for children left behind. Returns whether the
-   process ran too long. waitpid has no time limit, so this function polls:
-   every 20 ms if the kernel reports the end at once (pidfd), otherwise
-   every 2 ms, which delays a test by 1 ms on average. */
+/* Waits for a process. Returns whether it ran longer than `seconds`. Kills
+   its process group if it runs too long, uses more than `memory` bytes, or
+   the user interrupts. Kills the group again at the end, for children left
+   behind. waitpid has no time limit, so this function polls: every 20 ms if
+   the kernel reports the end at once (pidfd), otherwise every 2 ms. */
 static bool wait_for_end(pid_t pid, double seconds, rlim_t memory)
 {
     struct pollfd end = {process_watch(pid), POLLIN, 0};
@@ -248,10 +247,9 @@ static void collect(pid_t pid, double seconds, rlim_t memory,
 
 /* Starts a command in a new process. Flushes all buffers first, because the
    new process would print their content again. Parent and child both set
-   the process group, since either may run first; the parent's call fails if
-   the child is already in exec. A shell with timeout and ulimit could not
-   replace this: it cannot tell a segmentation fault from exit(139), and
-   timeout does not kill children. */
+   the process group, since either may run first. A shell with timeout and
+   ulimit could not replace this: it cannot tell a segmentation fault from
+   exit(139), and timeout does not kill children. */
 static pid_t launch(char *const command[], const char *folder,
                     const struct process_files *files,
                     const struct process_limits *limits)

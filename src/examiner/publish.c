@@ -155,13 +155,11 @@ static const char *shown_story(const struct marks *m, int test)
                                  : state_name(state_of(m, test));
 }
 
-/* A report that is being written. */
 struct draft {
     char path[4096], *temporary;
     FILE *file;
 };
 
-/* Removes a report that cannot be written, and exits. */
 static _Noreturn void give_up(const struct draft *draft)
 {
     const int why = errno;
@@ -813,8 +811,6 @@ static const char *element_of(enum state state)
     }
 }
 
-/* Counts tests by the same elements that are written later, so that the
-   numbers agree. */
 static void count_endings(struct tally *tally, const struct marks *m)
 {
     for (int i = 0; i < m->count; ++i) {

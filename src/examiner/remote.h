@@ -53,14 +53,14 @@ void remote_wait(void);
    answer. Defined by an exercise whose function takes a function.
 
    It may also send the answers to likely next calls. In exercise 12b the
-   next step begins where the last one ended; in 08d the function tries one
-   length after another; in 03a it halves an interval repeatedly. A wrong
-   guess costs no more than the call. This leaves four to thirty of every
-   hundred round trips. The calls of 05c cannot be guessed. There the
-   sandbox has a copy of the disks. It sends a list of all calls and results
-   whenever the list is full; the judge repeats them with its own disks and
-   checks the results. A course of 25 students took 10 s of processor time
-   when each call went through two pipes, and takes 2.5 s this way. */
+   next step begins where the last one ended; in 03a the function halves an
+   interval repeatedly. A wrong guess costs no more than the call. This
+   leaves four to thirty of every hundred round trips. The calls of 05c
+   cannot be guessed. There the sandbox has a copy of the disks and sends a
+   list of all calls and results. The judge repeats them with its own disks
+   and checks the results. Grading a course of 25 students took 10 s of
+   processor time with a round trip for each call, and takes 2.5 s this
+   way. */
 void remote_serve_callback(int which);
 
 /* Ends the arguments of a callback. Next, the caller must send the

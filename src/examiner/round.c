@@ -182,8 +182,7 @@ bool round_check(struct course *course, const struct verdict_rules *rules,
 
 enum { BAR = 24 };
 
-/* Draws a bar of progress. Rounds down, so that only all points fill the
-   bar. */
+/* Rounds down, so that a full bar means all points. */
 static void draw_bar(char bar[BAR + 1], int earned, int points)
 {
     const int full = points > 0 ? BAR * earned / points : 0;

@@ -6,8 +6,8 @@
 #include <stddef.h>
 
 enum {
-    RUN_WORDS = 8,          /* most arguments, the NULL included */
-    RUN_FILES = 2,          /* most files */
+    RUN_WORDS = 8, /* most arguments, the NULL included */
+    RUN_FILES = 2,
     RUN_PRINTS = 16000000,  /* most bytes that a run may print */
     RUN_COMPLAINT = 1 << 14 /* bytes kept of standard error */
 };
@@ -45,7 +45,7 @@ struct run_order {
    consists of rows, which have equally many numbers, and of remarks, which
    begin with #. Any other line is an error. */
 struct run {
-    int status;   /* exit status */
+    int status;
     bool flooded; /* more than RUN_PRINTS was printed */
     size_t rows, columns;
     double *numbers;    /* all rows, one after the other */

@@ -338,8 +338,8 @@ static double take_calls(const struct counter *c)
     return (double)calls;
 }
 
-/* Removes the files of the order, the link to the program and, if nothing
-   else is in it, the folder. */
+/* Removes the files of the order, the link to the program, and the folder
+   if it is empty. */
 static void clean_up(void)
 {
     char path[96];

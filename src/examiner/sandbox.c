@@ -49,7 +49,6 @@ struct words {
     int made;
 };
 
-/* Appends arguments to a command line. */
 static void add(struct words *w, const char *const words[])
 {
     for (int i = 0; words[i] && w->count < WORDS - 1; ++i)

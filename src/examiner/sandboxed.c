@@ -83,7 +83,6 @@ static void ignore_freed(const volatile void *block)
     (void)block;
 }
 
-/* Serves calls until the judge ends the test. */
 static _Noreturn void serve(void)
 {
     transport_open(REQUESTS, ANSWERS);

@@ -174,7 +174,6 @@ size_t text_fold(const char *text, size_t room)
     return strcspn(text, " ");
 }
 
-/* Writes the label before the first line, blanks before the others. */
 void text_field(FILE *out, const char *label, const char *text)
 {
     for (; *text; label = "") {

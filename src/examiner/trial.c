@@ -41,9 +41,9 @@ enum { MIB = 1 << 20, MEMORY_MIB = 512, SANITIZER_STATUS = 86 };
 struct result {
     struct process_end end;
     char nonce[REPORT_NONCE + 1];
-    char *report; /* content of the report */
-    char *output; /* output of the program */
-    char *error;  /* report of the sanitizers, or NULL */
+    char *report;
+    char *output;
+    char *error; /* report of the sanitizers, or NULL */
 };
 
 /* Draws a nonce, 16 random bytes from the kernel, which no program prints
@@ -71,8 +71,6 @@ static int open_fresh(const char *path)
     return file;
 }
 
-/* Removes all occurrences of `words` from a text. Used for the line that
-   the address sanitizer prints before its report on a deadly signal. */
 static void drop_words(char *text, const char *words)
 {
     const size_t length = strlen(words);
@@ -436,8 +434,6 @@ static void tell_crash(const struct trial *trial,
         text_field(story, "where", nowhere);
 }
 
-/* Shows where the first leaked block was allocated. A leak costs no
-   points. */
 bool trial_leak(const char *prints, const char *source, FILE *story)
 {
     char *text = text_read(prints);

@@ -455,7 +455,6 @@ static bool store_kept(struct reader *r, const double value[], size_t count)
     return store_axes(&r->scene->kept, r, value, count);
 }
 
-/* Stores a kind of spring in the list that prepare has allocated. */
 static bool store_kind(struct reader *r, const double value[], size_t count)
 {
     struct scene_kind *kind = &r->scene->kind[(size_t)value[0]];
@@ -604,7 +603,6 @@ static bool check_once(struct reader *r, size_t sort, const double value[])
     return true;
 }
 
-/* Reads the rest of a line of this sort and stores its values. */
 static bool read_values(struct reader *r, size_t sort)
 {
     const struct line *form = &forms[sort];
@@ -757,7 +755,6 @@ static bool is_nothing(const double *x, size_t bodies, size_t i,
     return true;
 }
 
-/* Writes a line: a word, the number of a body, and `count` values. */
 static void write_body(struct table *out, const char *word, const double *x,
                        size_t bodies, size_t i, size_t count)
 {

@@ -52,9 +52,9 @@ struct scene {
     bool axial;      /* dashpots act along their spring only */
     bool contact;    /* bodies collide; if not, radii are for drawing */
     double restitution;
-    enum scene_law law; /* law of contacts */
-    double stiffness,   /* of contacts, N/m (Hertz: N/m^1.5) */
-        dashpot;        /* damping of contacts, kg/s */
+    enum scene_law law;
+    double stiffness, /* of contacts, N/m (Hertz: N/m^1.5) */
+        dashpot;      /* damping of contacts, kg/s */
     enum scene_wall wall[SCENE_AXES];
     double low[SCENE_AXES], high[SCENE_AXES]; /* ends of the box, m */
 };

@@ -35,8 +35,8 @@ void sampling_free(struct sampling *s)
     s->blocked = NULL;
 }
 
-/* A straight line on which the centre of disk i may move: the points from +
-   t along, with t from low to high, m. */
+/* A straight line on which the centre of disk i may move: the points `from`
+   + t `along`, with t (m) from low to high. */
 struct line {
     const struct sampling *s;
     size_t i, except; /* the moving disk; a disk that is ignored */
@@ -93,8 +93,8 @@ static double moment(double t, int power)
     return (power == 0 ? t : power == 1 ? t * t : t * t * t) / (power + 1);
 }
 
-/* Returns the integral of t^power over the unblocked part of the line. Sets
- *low and *high to whether its ends are unblocked. */
+/* Returns the integral of t^power over the unblocked part of the line. *low
+   and *high become true if this end of the line is unblocked. */
 static double free_part(struct line *l, int power, bool *low, bool *high)
 {
     const struct sampling *s = l->s;

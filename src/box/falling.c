@@ -33,8 +33,9 @@ void falling_land(const struct disks *d, struct disk *a)
     a->since = d->now;
 }
 
-/* Uses the heights at the last collisions, where the stored velocities
-   belong. The energy of a disk is constant along its flight. */
+/* Uses the heights at the last collisions, since the kinetic energy is
+   computed from the velocities at the last collisions. Their sum is
+   constant along a flight. */
 double falling_energy(const struct disks *d)
 {
     double energy = 0;

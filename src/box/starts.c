@@ -165,8 +165,8 @@ static struct lattice best_lattice(const struct disks *d, double r,
     return best;
 }
 
-/* Fills place with the position of a site, m. Sites are numbered within a
-   cell, and then cell by cell. */
+/* Fills place with the position of a site, m. The sites are numbered cell
+   by cell. */
 static void place_of_site(const struct disks *d, const struct lattice *l,
                           size_t site, double place[])
 {
@@ -226,7 +226,7 @@ static size_t count_free(const struct disks *d, const struct lattice *l,
     return free;
 }
 
-/* Places all disks but the large one on the uncovered sites, and spreads
+/* Places all disks except the large one on the uncovered sites, and spreads
    the vacancies evenly. */
 static void fill_lattice(struct disks *d, const struct lattice *l,
                          size_t big, double r, size_t free)

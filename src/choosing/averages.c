@@ -142,10 +142,10 @@ static double scale_of(const struct search *h, double value)
 
 /* Fills in *h. Returns NULL, or the reason why no average is known, without
    a run. Scenes with forces, losses or fixed bodies are refused because
-   their equilibria are not known here. A mean position depends on the start
-   for ever in three cases: a single disk, fewer than three bodies on a
-   line, and equal masses on a line, which only exchange their
-   velocities. */
+   their equilibria are not known here. A mean position is refused if it
+   depends on the start for ever. This is so for a single disk, for fewer
+   than three bodies on a line, and for equal masses on a line, which only
+   exchange their velocities. */
 static const char *survey(struct search *h)
 {
     const struct scene *s = h->s;

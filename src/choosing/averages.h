@@ -26,7 +26,7 @@ struct averages_request {
     struct averages_quantity quantity;
     double until;      /* averaging time, s */
     double tolerance;  /* allowed error, as a fraction of the scale */
-    double budget;     /* cost limit, s by the price list */
+    double budget;     /* cost limit, s */
     const char *model; /* NULL, or the only allowed method */
 };
 
@@ -38,15 +38,14 @@ enum averages_sure {
     AVERAGES_OUT       /* no answer */
 };
 enum { AVERAGES_TEXT = 200, AVERAGES_REFUSAL = 400 };
-enum { AVERAGES_BUDGET = 60 }; /* default budget, s by the price list */
+enum { AVERAGES_BUDGET = 60 }; /* default cost limit, s */
 
 struct averages_found {
     const char *way; /* "conserved", "tonks", "events"; or NULL */
     enum averages_sure sure;
     double value, error;      /* error: a fraction of the scale */
     double scale;             /* max(1, Z), length of the box, or value */
-    double time, cost;        /* simulated time, s; cost, s by the price
-                                 list */
+    double time, cost;        /* simulated time, s; cost, s */
     char text[AVERAGES_TEXT]; /* how the answer was found */
     char refusal[AVERAGES_REFUSAL]; /* empty unless refused */
 };

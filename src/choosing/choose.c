@@ -408,8 +408,8 @@ static const char *const order_in_words[] = {"",      "first",   "second",
                                              "third", "fourth",  "fifth",
                                              "sixth", "seventh", "eighth"};
 
-/* Returns the cheapest candidate that costs more than the chosen run. Sets
- *price to the actual or predicted cost of that candidate. */
+/* Returns the cheapest candidate that costs more than the chosen run, and
+   sets *price to its actual or predicted cost. */
 static const struct choose_candidate *next_best(
     const struct choose_choice *c, double *price)
 {

@@ -7,7 +7,7 @@
 #include "forces/observables.h"
 
 enum { CHOOSE_TEXT = 160, CHOOSE_REFUSAL = 500, CHOOSE_SENTENCE = 600 };
-enum { CHOOSE_BUDGET = 60 }; /* default budget, s by the price list */
+enum { CHOOSE_BUDGET = 60 }; /* default cost limit, s */
 enum { CHOOSE_MOST = STEPPING_MOST + 40, CHOOSE_POINTS = 400 };
 
 /* The question: a scene, a time, a tolerance, and the observables. Unless
@@ -18,8 +18,8 @@ struct choose_request {
     double until, every;             /* time of the last row; interval; s */
     double tolerance;                /* allowed error / scale */
     const struct observables *asked; /* NULL: judge all positions */
-    double budget; /* limit of the total cost, s by the price list */
-    const struct models_plan *only; /* NULL, or the only plan allowed */
+    double budget;                   /* limit of the total cost, s */
+    const struct models_plan *only;  /* NULL, or the only plan allowed */
     void (*watch)(void *with, double spent);
     void *with;
 };
@@ -27,7 +27,7 @@ struct choose_request {
 /* A model with its simplifications, and its results so far. */
 struct choose_candidate {
     struct models_plan plan;
-    double error, cost; /* error / scale; cost, s by the price list */
+    double error, cost; /* error / scale; cost, s */
     double foreseen;    /* predicted cost, s; INFINITY: unknown */
     bool holds;
     char text[CHOOSE_TEXT]; /* result, or why the candidate is excluded */
@@ -65,7 +65,7 @@ struct choose_choice {
     double doubt;                 /* bound on the error of the reference */
     double rounding;              /* bound on the error of an exact run */
     double horizon;               /* end of the predictable motion, s */
-    double spent;                 /* total cost, s by the price list */
+    double spent;                 /* total cost, s */
     char refusal[CHOOSE_REFUSAL];
 };
 

@@ -119,7 +119,8 @@ struct models_model {
                            const struct models_acts *a);
     bool approximate; /* not exact, even for scenes that it accepts */
     const struct stepping_method *method; /* NULL if there are no steps */
-    void (*count)(struct models_run *r);  /* may be NULL */
+    /* Updates r->collisions. NULL if row does this. */
+    void (*count)(struct models_run *r);
 };
 
 /* The state of a run. All members but engine may be read. Only `all` and
@@ -144,11 +145,12 @@ struct models_run {
     void *engine;
 };
 
-/* Returns the cost of this work by the price list, s. */
+/* Returns the cost of this work by the price list. All costs are in seconds
+   of processor time, computed from this list and not measured. */
 double models_cost(const double work[MODELS_UNITS]);
 
-/* Returns the simplifications that are tried without a request: those of
-   MODELS_NO_LIGHT and MODELS_RODS that change the scene. */
+/* Returns the simplifications that are tried by default: MODELS_NO_LIGHT
+   and MODELS_RODS, if they change the scene. */
 unsigned models_cuts(const struct scene *s);
 
 /* Finds the interactions in a scene. */

@@ -209,12 +209,12 @@ void record_view_free(struct record_view *v)
 }
 
 /* The units of length (negative: mirrored), mass and time of the twins. If
-   two collisions at the same time share a body, the order of bodies in a
-   list or the orientation of the axes decides which comes first, and not
-   nature. So all twins reverse the order, and every other twin also mirrors
-   the axes. No factor is a power of two, so every number is rounded
-   differently in each twin. The only exception is the unit of time of twin
-   1, whose steps must end at exactly the times of the run itself. */
+   two collisions at the same time share a body, which comes first depends
+   on the order of bodies in a list or on the orientation of the axes. So
+   all twins reverse the order, and every other twin also mirrors the axes.
+   No factor is a power of two, so every number is rounded differently in
+   each twin. The only exception is the unit of time of twin 1, whose steps
+   must end at exactly the times of the run itself. */
 static const struct units {
     double length, mass, time;
 } units[] = {{1, 1, 1},        {-0.7, 1.3, 1},   {0.9, 0.6, 1.1},

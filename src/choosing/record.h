@@ -33,7 +33,7 @@ struct record {
     double *value;  /* [(rows + 1) * columns], filled up to reached */
     double work[MODELS_UNITS];
     uint64_t collisions; /* as counted by the model */
-    double cost;         /* cost of the work, s by the price list */
+    double cost;         /* cost of the work, s */
     double seconds;      /* processor time, s */
     double clock;        /* as in struct models_run */
     double least;        /* as in struct models_run, m */
@@ -49,7 +49,7 @@ struct record_setup {
     struct models_plan plan;
     double every; /* s */
     size_t rows;
-    double limit;  /* largest cost, s by the price list */
+    double limit;  /* cost limit, s */
     double grow;   /* added to all radii, m */
     unsigned twin; /* 0: the run itself; 1 to RECORD_TWINS: a twin, the same
                       scene with other units, order, orientation and last

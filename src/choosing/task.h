@@ -24,7 +24,7 @@ struct reference {
 };
 
 /* The runs of a method with finer and finer steps: the best run so far, and
-   bounds on the next. */
+   bounds on the fineness of the next run. */
 struct ladder {
     struct choose_candidate *candidate;
     struct models_plan foot;
@@ -45,7 +45,7 @@ static const double roughly = 0.2;
 
 /* ---- task.c: the cost and the list of candidates */
 
-/* Returns the rest of the budget, s by the price list. */
+/* Returns the rest of the budget, s. */
 double task_budget(const struct task *t);
 
 /* Returns the tolerance for the steps of the first reference. */
@@ -93,8 +93,8 @@ void task_explain(struct choose_candidate *k, const char *text);
 /* Returns a text that says how a run without all its rows ended. */
 const char *task_ending(const struct record *r);
 
-/* Returns the cost of the best run so far, s by the price list, or INFINITY
-   if there is none. */
+/* Returns the cost of the best run so far, s, or INFINITY if there is
+   none. */
 double task_best_cost(const struct task *t);
 
 /* Stores a run with its error: as a point of the chart, and in its
@@ -183,8 +183,8 @@ bool reference_ask_twins(const struct task *t, struct reference *f,
 void climb_note(const struct task *t, struct ladder *l,
                 struct choose_point r);
 
-/* Returns the cost of a run within the tolerance, s by the price list, as
-   predicted from the order of the method. */
+/* Returns the predicted cost, s, of a run within the tolerance. The
+   prediction uses the order of the method. */
 double climb_price(const struct task *t, const struct ladder *l);
 
 /* Tries finer rungs while one may be cheaper than the best run. */

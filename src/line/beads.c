@@ -150,8 +150,8 @@ void bonkers_settle(struct bonkers *b)
 }
 
 /* Returns whether no gap will ever close. Without gravity, a gap of finite
-   length closes if its left body is faster than its right body. This test
-   does not need positions at the same time. */
+   length closes if its left body is faster than its right body. Positions
+   at a common time are not needed for this test. */
 bool bonkers_is_still(const struct bonkers *b)
 {
     for (size_t i = 0; i < b->gaps; ++i)

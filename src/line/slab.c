@@ -219,9 +219,9 @@ static bool too_long(const struct bonkers *b, const struct slab *s)
 
 /* Extends the island of gaps *first to *last by gap i if i is just outside.
    Returns false if the island is then too close to a finished island on its
-   left or to a due gap on its right (2.6, eq:islands). The due gap becomes
-   *last. Gap i + 1 needs no test: if it had been due, the island would have
-   included it from the start. */
+   left or to a due gap on its right (2.6, eq:islands). Sets *last to this
+   due gap. Gap i + 1 needs no test: if it had been due, the island would
+   have included it from the start. */
 static bool keep_apart(const struct bonkers *b, const struct slab *s,
                        size_t i, size_t *first, size_t *last)
 {

@@ -38,13 +38,15 @@ extern const char *const start_names[START_KINDS + 1];
 bool start_create(struct start *s, size_t movers);
 void start_free(struct start *s);
 
-/* A request to start_fill. Members that are zero select the defaults. */
+/* A request to start_fill. Members that are zero select the defaults. ratio
+   is a ratio of masses: of the second body to the first (START_TWO,
+   START_GALPERIN), or of the piston to the mean of the others
+   (START_PISTON, START_ADIABATIC). */
 struct start_request {
     enum start_kind kind;
     size_t movers;
-    double ratio; /* of masses: second to first body (two, galperin) or
-                     piston to mean of others (piston, adiabatic) */
-    bool walls;   /* whether wall is given */
+    double ratio;
+    bool walls; /* whether wall is given */
     double wall[2];
     uint64_t seed; /* seed of the random numbers */
 };

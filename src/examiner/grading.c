@@ -1,4 +1,5 @@
-/* Grades one exercise of a student: runs its tests in a sandbox. */
+/* Grades a student's answer: runs the tests of its exercise in a
+   sandbox. */
 #include "examiner/grading.h"
 #include "examiner/build.h"
 #include "examiner/process.h"

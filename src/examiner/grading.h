@@ -1,4 +1,4 @@
-/* Grades one exercise of one student. */
+/* Grades one student's answer to one exercise. */
 #ifndef GRADING_H
 #define GRADING_H
 

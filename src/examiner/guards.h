@@ -1,4 +1,4 @@
-/* Guards around the outputs of a student's function. */
+/* Puts guards around the outputs of a student's function. */
 #ifndef GUARDS_H
 #define GUARDS_H
 

@@ -1,4 +1,4 @@
-/* The judge's side of remote calls: sends arguments, receives answers. */
+/* Sends arguments to the function in the sandbox, and receives answers. */
 #include "examiner/remote.h"
 #include "examiner/check.h"
 #include "examiner/exercise.h"

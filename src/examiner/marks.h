@@ -1,4 +1,4 @@
-/* The marks of one exercise of one student. */
+/* Holds the marks of one student for one exercise. */
 #ifndef MARKS_H
 #define MARKS_H
 

@@ -1,4 +1,5 @@
-/* Helps to test projects: inputs, tables, exact paths. */
+/* Draws inputs, checks tables and computes exact paths, to test
+   projects. */
 #ifndef PROJECT_H
 #define PROJECT_H
 

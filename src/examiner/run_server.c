@@ -89,12 +89,12 @@ static struct order take_order(void)
 
 int __lsan_do_recoverable_leak_check(void) __attribute__((weak));
 
-/* Replaces this process by the program. The program gets a process group
-   of its own, the standard descriptors, the counter, and a folder that
+/* Replaces this process by the program. The program gets a process group of
+   its own, the standard descriptors, the counter, and a folder that
    contains only the files of the order. Its environment is empty, except
-   for options of a sanitizer. It is started through a link named after
-   the project, which hides the number of the function that it is linked
-   with. */
+   for options of a sanitizer. It is started through a link named after the
+   project, which hides the number of the function that the program is
+   linked with. */
 static _Noreturn void become(int given, int out, int complain, int counter)
 {
     char program[32], *none[] = {NULL, NULL, NULL};

@@ -559,12 +559,12 @@ static bool end_test(struct sandbox *sandbox)
     return whole;
 }
 
-/* Returns whether the sandbox can run the next test. end_test is not
-   enough: nine bytes from a program that never stops writing may look like
-   a status. An empty pipe does not prove that such a program has stopped:
-   of 400 such programs, 8 had just been suspended. So the driver must also
-   return a byte that is sent to it. A program that keeps writing has
-   written something else before it. */
+/* Ends the test's process and returns whether the sandbox can run another
+   test. end_test is not enough: nine bytes from a program that never stops
+   writing may look like a status. An empty pipe does not prove that such a
+   program has stopped: of 400 such programs, 8 had just been suspended. So
+   the driver must also return a byte that is sent to it. A program that
+   keeps writing would send other bytes first. */
 bool sandbox_settle(struct sandbox *sandbox)
 {
     sandbox->test_ms = 0;

@@ -1,4 +1,4 @@
-/* Checksums of files, bytes and numbers. */
+/* Computes checksums of files, bytes and numbers. */
 #ifndef SUM_H
 #define SUM_H
 

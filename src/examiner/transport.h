@@ -1,4 +1,4 @@
-/* The messages between the judge and the sandbox, through two pipes. */
+/* Sends messages between the judge and the sandbox, through two pipes. */
 #ifndef TRANSPORT_H
 #define TRANSPORT_H
 

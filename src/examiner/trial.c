@@ -122,18 +122,19 @@ static struct {
     int report, output, orders; /* the runner's descriptors, or 0 */
 } served;
 
-/* Starts a runner for one test and waits for it. If `end` is NULL, starts a
-   runner that waits for orders, and does not wait. The runner works in an
-   empty folder `desk` inside ours. So a student's file called output cannot
-   replace ours, and temporary files are removed with the folder.
+/* Starts a runner for one test and waits for its end. If `end` is NULL,
+   starts a runner that waits for orders instead, and returns at once. The
+   runner works in the empty folder `desk`. So a student's file called
+   output cannot replace ours, and temporary files are removed with the
+   folder.
 
    The environment contains options for the sanitizers: they exit with a
    special status, catch abort, and search for leaks only on request. The
    address sanitizer maps some fourteen terabytes at its start, so a limit
-   on the address space would end it before main. Instead it watches the
-   memory in use, in a thread. A forked copy has no such thread; there
-   process_copy watches the memory. A judge has no sanitizers, even if the
-   program in its sandbox has. */
+   on the address space would end it before main. Instead a thread of the
+   sanitizer watches the memory in use. A forked copy has no such thread, so
+   process_copy watches its memory. A judge runs without sanitizers, even if
+   the program in its sandbox has them. */
 static bool start_runner(const struct trial *trial, const char *test,
                          const struct process_files *files,
                          struct process_end *end)
@@ -505,7 +506,7 @@ static bool is_mistake(const char *report)
            !strstr(report, "failed to allocate");
 }
 
-/* Judges a test. The order of the conditions must stay. A program that was
+/* Judges a test. The order of the conditions matters. A program that was
    stopped has timed out, whatever it reported. A program that ended by a
    signal or with a status other than 0 has crashed; sanitizers use such a
    status. A program without a signed verdict has crashed, too: it called

@@ -12,9 +12,9 @@ enum { DISKS = 4, FIRST = 15, BINS = 35 };
 
 /* Parameters: the `offset` of the article's loop (box/loop.h), 0 for the
    right one; the tick, s; the seed. The wrong loops of the hard-disk
-   article look right, and so do their films. The script shows what reveals
-   the error: the density of positions compared with direct sampling, the
-   pressure, and how deeply the disks overlap. */
+   article look right, and so do films of them. The script shows what
+   reveals the error: the density of positions compared with direct
+   sampling, the pressure, and how deeply the disks overlap. */
 double page_number[PAGE_NUMBERS];
 
 static struct loop loop;
@@ -76,7 +76,7 @@ static void sample(void)
 
 /* Runs the disks; an event is a record. The article's loop also makes a
    record at each event of the disks, and counts its next tick from that
-   time; the right loop makes records at multiples of the tick. */
+   time. The right loop makes records only at multiples of the tick. */
 double page_run(double until, double events)
 {
     const double before = records;

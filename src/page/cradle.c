@@ -14,9 +14,9 @@ enum { MOST = 12, WAYS = 3 };
 /* The scene cradle runs three times, side by side: by events (line/), in
    steps with instantaneous contacts, and in steps with springs as contacts.
    Parameters: the number of balls; the number of balls that fly in; the
-   gap, m; the step of the second run, s; and for the third run 1 for
-   Hertz's law or 0 for linear springs, the stiffness of the springs, and
-   the step, s. */
+   gap, m; the step of the second run, s; 1 if the springs of the third run
+   follow Hertz's law, 0 if they are linear; the stiffness of the springs;
+   the step of the third run, s. */
 double page_number[PAGE_NUMBERS];
 
 static struct bonkers events;

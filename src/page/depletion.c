@@ -9,8 +9,8 @@ enum { LARGE = 2, MOST = 400 };
 #define SIDE 5.0   /* side of the periodic box, m */
 #define SHELL 0.05 /* width of the contact shell, in small radii */
 
-/* Parameters: the number of small disks, their radius, m; the step of the
-   large ones, m, 0 to keep them in place; the seed; x and y at which
+/* Parameters: the number of small disks; their radius, m; the step of the
+   large disks, m, or 0 to keep them in place; the seed; x and y at which
    page_make puts a large disk, m. The small disks may overlap each other.
    The radius of the large disks is 1 m. */
 double page_number[PAGE_NUMBERS];

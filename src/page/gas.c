@@ -9,9 +9,9 @@
 enum { MOST = 2000, BINS = 30 }; /* disks; bins of u = v sqrt(m/(2kT)) */
 #define WIDTH 0.1                /* width of a bin, in u */
 
-/* Parameters: the number of disks, the fraction of the box that they fill,
-   the seed, 1 for a periodic box. The sides of the box are 7.5 m and 5
-   m. */
+/* Parameters: the number of disks; the fraction of the box that they fill;
+   the seed; 1 for a periodic box, 0 for walls. The sides of the box are 7.5
+   m and 5 m. */
 double page_number[PAGE_NUMBERS];
 
 static struct disks gas;

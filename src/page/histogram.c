@@ -11,7 +11,7 @@ enum { BEADS = 10, BINS = 40, MOST = 200000 };
 enum { BEAD, POSITION, EVERY, SEED }; /* indices into page_number */
 
 /* Parameters: the number of the bead, from 1; 1 for a histogram of its
-   position, 0 of its velocity; the time between samples, s; the seed. */
+   position, 0 for its velocity; the time between samples, s; the seed. */
 double page_number[PAGE_NUMBERS];
 
 static struct start start;

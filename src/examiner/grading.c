@@ -1,5 +1,4 @@
-/* Grades a student's answer: runs the tests of its exercise in a
-   sandbox. */
+/* Grades a student's answer: runs its tests in a sandbox. */
 #include "examiner/grading.h"
 #include "examiner/build.h"
 #include "examiner/process.h"

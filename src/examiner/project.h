@@ -1,5 +1,4 @@
-/* Draws inputs, checks tables and computes exact paths, to test
-   projects. */
+/* Draws inputs, checks tables and computes paths, to test projects. */
 #ifndef PROJECT_H
 #define PROJECT_H
 

@@ -23,7 +23,6 @@ do for [k=0:4] {
 names = 'cm difference impulse complement smaller'
 # Two forms all but coincide: one is drawn as a frame around the other.
 set style line 2 pt 4 ps 0.95*big lw 2*thick
-set style line 3 ps 0.5*big
 
 set multiplot layout 1,2 margins 0.105,0.985,0.175,0.895 spacing 0.1,0
 set logscale y
@@ -37,7 +36,5 @@ set title 'mass ratio to 3.2' offset 0,-0.5
 set key at graph 0.95,0.97 right top reverse Left samplen 0.5
 plot for [k=1:5] similar using (ns[k]):($1 == k ? $2 : NaN) with points ls k ps 1.3*big title word(names, k)
 unset ylabel
-unset key
 set title 'mass ratio to 10^6'
 plot for [k=1:5] extreme using (ns[k]):($1 == k ? $2 : NaN) with points ls k ps 1.3*big
-unset multiplot

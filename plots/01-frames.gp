@@ -36,4 +36,3 @@ do for [panel=1:2] {
     set arrow 1 from (moving ? 0 : middle(-2.4)),-2.4 to (moving ? 0 : middle(2.4)),2.4 nohead dt 3 lw 1.5*thick lc rgb '#555555' back
     plot 1/0
 }
-unset multiplot

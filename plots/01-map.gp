@@ -30,8 +30,6 @@ plot sqrt(a)*cos(t), sqrt(b)*sin(t) ls 9 lw 1.5*thick, \
      file using 1:2:($3-$1):($4-$2) with vectors nohead lc rgb blue lw 0.8*thick, \
      file using 1:2 with points pt 6 ps 0.8*big lw 1.5*thick lc rgb blue, \
      file using 3:4 with points pt 7 ps 0.8*big lc rgb blue
-unset arrow 1
-unset arrow 2
 
 set xlabel '√{/:Italic m}_1 {/:Italic u}_1  (J^{1/2})'
 set ylabel '√{/:Italic m}_2 {/:Italic u}_2  (J^{1/2})' offset 1
@@ -45,4 +43,3 @@ plot cos(t), sin(t) ls 9 lw 1.5*thick, \
      file using ($1/sqrt(a)):($2/sqrt(b)):(($3-$1)/sqrt(a)):(($4-$2)/sqrt(b)) with vectors nohead lc rgb blue lw 0.8*thick, \
      file using ($1/sqrt(a)):($2/sqrt(b)) with points pt 6 ps 0.8*big lw 1.5*thick lc rgb blue, \
      file using ($3/sqrt(a)):($4/sqrt(b)) with points pt 7 ps 0.8*big lc rgb blue
-unset multiplot

@@ -32,4 +32,3 @@ do for [k=1:9] { set label 10+k sprintf('%d', k) at 2.36*cos(k*theta),2.36*sin(k
 set arrow 3 from 2.2,h to 1.7,h lw 2*thick lc rgb dark front
 set trange [asin(h/2.4):pi-asin(h/2.4)]
 plot r(t)*cos(t),r(t)*sin(t) lc rgb dark lw 1.3*thick
-unset multiplot

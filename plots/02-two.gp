@@ -28,4 +28,3 @@ file = 'build/data/02-two-golden.dat'
 m2 = mass(file, 2)
 set title sprintf('{/:Italic m}_2/{/:Italic m}_1 = %.3f…', m2)
 plot cos(t),sin(t) ls 9, file using ($6/sqrt(2*$2)):($8*sqrt(m2/(2*$2))) with points ls 2 ps 0.2*big
-unset multiplot

@@ -52,4 +52,3 @@ set label 5 '3' at -0.03,0.56 tc rgb red
 set label 6 '2' at 0.0,0.26 tc rgb blue
 plot (abs(x) < 0.9995 ? p(x,2) : NaN) with lines lc rgb blue lw 1.5*thick, p(x,3) with lines lc rgb red lw 1.5*thick, \
      p(x,4) with lines lc rgb green lw 1.5*thick, p(x,5) with lines lc rgb dark lw 1.5*thick, p(x,10) with lines lc rgb purple lw 1.5*thick
-unset multiplot

@@ -33,10 +33,8 @@ set xtics 1
 set format y '10^{%T}'
 set ytics auto
 unset ylabel
-unset key
 set label 1 'canonical' at 2.95,2e-2 left tc rgb red
 set label 2 '{/:Italic N} = 10' at 2.8,3e-5 right tc rgb '#555555'
 plot exp(-x**2/2)/sqrt(2*pi) lc rgb red dt 2 lw 1.3*thick, \
      many index 0 using ($1 > 0 ? $1/sd : NaN):($5*sd) with histeps ls 9 lw 1.4*thick, \
      many index 0 using ($1 > 0 ? $1/sd : NaN):($2 > 0 ? $3*sd : NaN):($4*sd) with yerrorbars ls 3
-unset multiplot

@@ -4,12 +4,9 @@
 load 'plots/style.gp'
 file = 'build/data/03-states.dat'
 fast = sqrt(10/mass(file, 1))
-# the density, in units of its greatest value, at (0, 0)
-f(x,v) = x >= 0 && x <= 11 && abs(v) < fast ? (1-x/11)**9*(1-(v/fast)**2)**3.5 : 0
-# the contour f = q solved for v
+# The density, in units of its greatest value, is (1-x/11)^9 (1-(v/fast)^2)^3.5; where
+# it is q, solved for v:
 edge(x,q) = q/(1-x/11)**9 < 1 ? fast*sqrt(1-(q/(1-x/11)**9)**(1/3.5)) : NaN
-# where it closes
-last(q) = 11*(1-q**(1/9.))
 set samples 2000
 set xrange [0:5]
 set yrange [-3.3:3.3]

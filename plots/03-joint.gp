@@ -30,4 +30,3 @@ plot file every ::1 using 21:23 with points pt 7 ps dot lc rgb red, \
      [0:11] x ls 9, \
      '+' using (11-half):(11-half+(half)*$0/99.) with lines lc rgb dark lw 1.1*thick, \
      '+' using (11-most):(11-most+(most)*$0/99.) with lines lc rgb dark lw 1.1*thick
-unset multiplot

@@ -38,9 +38,7 @@ set ytics (0.1, 0.2, 0.5, 1, 2)
 set format x '%g'
 set xlabel 'processor time (ns a sample)'
 set ylabel 'error found / true error'
-unset key
 # the error in a run of 10^6 s, for 96000 s
 true = naive*sqrt(1e6/worth)*sqrt(1e6/T)
 plot 1 ls 9, for [k=0:2] cost using 4:($2/true):($3/true) every ::k::k with yerrorbars ls k+1 ps 0.9*big, \
      cost using 4:($2/true):1 with labels offset 0,-1.2
-unset multiplot

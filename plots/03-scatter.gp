@@ -26,4 +26,3 @@ set xlabel '{/:Italic v}_9  (m/s)'
 set ylabel '{/:Italic v}_{10}  (m/s)' offset 0.4
 plot file every ::1 using 22:24 with points pt 7 ps dot lc rgb red, \
      for [q in '0.5 0.9 1'] fast(m[3])*radius(q)*cos(t), fast(m[4])*radius(q)*sin(t) lc rgb dark lw 1.1*thick
-unset multiplot

@@ -25,7 +25,6 @@ set parametric
 set trange [0:2*pi]
 plot sqrt(2*energy)*cos(t), sqrt(2*energy/9)*sin(t) ls 9, \
      states using 6:8 with points pt 7 ps 0.3*big lc rgb blue
-unset parametric
 set xlabel 'position  (m)'
 set ylabel 'density  (1/m)' offset 1.5
 set xrange [0:3]
@@ -35,4 +34,3 @@ set key at graph 0.5,0.98 center top horizontal samplen 0.8 width 0
 plot file index 2 using 1:5 with lines ls 9 lw 1.4*thick, file index 3 using 1:5 with lines ls 9 lw 1.4*thick, \
      file index 2 using 1:3:4 with yerrorbars ls 1 ps 0.35*big title '{/:Italic x}_1', \
      file index 3 using 1:3:4 with yerrorbars ls 2 ps 0.35*big title '{/:Italic x}_2'
-unset multiplot

@@ -28,11 +28,9 @@ plot p(x,1) ls 9 lw 1.6*thick title 'law', \
 set xlabel '{/:Italic v}_9  (m/s)'
 set label 1 sprintf('%.2f kg', m[2])
 unset ylabel
-unset key
 set yrange [0:1.7]
 set ytics 0.5
 set xrange [-1.6:1.6]
 plot p(x,2) ls 9 lw 1.6*thick, \
      few index 1 using 1:3:4 with yerrorbars ls 2 pt 4 ps 0.7*big lw 1*thick, \
      many index 1 using 1:2:3 with yerrorbars ls 1 ps 0.45*big
-unset multiplot

@@ -25,7 +25,6 @@ set yrange [0.02:200]
 set format y '%g'
 set ytics (0.1, 1, 10, 100)
 set ylabel 'error of the period  (%)' offset 1.5
-unset key
 set label 1 'isothermal' at 2e-6,66 left tc rgb '#555555'
 set label 2 'bare' at 3e-6,5 left tc rgb red
 set label 3 'mass, small swing; sound' at 5e-6,1.05 left tc rgb green
@@ -37,4 +36,3 @@ plot cost using (strcol(1) eq 'isothermal' ? $5 : NaN):6 with points pt 12 ps bi
      cost using (strcol(1) eq 'added-swing' ? $5 : NaN):6 with points ls 1, \
      cost using (strcol(1) eq 'leapfrog' && $2 == 1 && $3 < 0.6 ? $5 : NaN):(100*abs($4/truth-1)) with points ls style_of('leapfrog') ps 0.4*big, \
      cost using (strcol(1)[1:9] eq 'particles' ? $5 : NaN):6 with points ls 5
-unset multiplot

@@ -45,4 +45,3 @@ set label 2 'no memory' at 60,3 left
 plot moving(x)/(friction*kept(x)) with lines lw 1.5*thick lc rgb blue, \
      x/(2*friction) with lines lw 1.5*thick lc rgb red dt 2, \
      $means using 1:2:3 with yerrorbars pt 7 ps 0.6*big lw 1.5*thick lc rgb dark
-unset multiplot

@@ -42,4 +42,3 @@ if (row(3)) plot total lc rgb warm with filledcurves y1=0 title 'piston', \
      $mean using 1:2:(0) with filledcurves lc rgb soft title 'left gas', \
      $upper using 1:2:(total) with filledcurves lc rgb fresh title 'right gas', \
      total*5/11 with lines lc rgb dark dt 2 lw 1.2*thick, total*6/11 with lines lc rgb dark dt 2 lw 1.2*thick
-unset multiplot

@@ -25,4 +25,3 @@ set yrange [0:4]
 set xtics 20
 set ytics 1
 plot for [n=0:3] file index n using 2:3 with points pt 7 ps 0.22*big lc rgb (n < 3 ? red : blue), 1 with lines lc rgb dark dt 2 lw 1.5*thick
-unset multiplot

@@ -36,4 +36,3 @@ set label 2 'adiabatic' at 0.03,0.86
 plot 'build/data/04-amplitude.dat' using ($4/6 - 1):($12/$10) smooth csplines with lines lw 1.5*thick lc rgb blue, \
      [0:0.25] sqrt(3) ls 9 lw 1.5*thick dt 2, \
      'build/data/04-swings.dat' using ($7/6):($15/small($1)) with points pt 6 ps 0.8*big lc rgb dark
-unset multiplot

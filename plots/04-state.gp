@@ -36,4 +36,3 @@ do for [side=1:2] {
              heavy using (12-$2):(column(6+2*side)/5) with points pt 8 ps 0.45*big lc rgb green title 'right gas / 5'
     }
 }
-unset multiplot

@@ -20,4 +20,3 @@ set ytics 50
 plot for [i=1:5] file using (column(3+2*i)):1 with lines lw 0.25*thick lc rgb blue, \
      for [i=7:11] file using (column(3+2*i)):1 with lines lw 0.25*thick lc rgb green, \
      file using 15:1 with lines lw 2*thick lc rgb purple
-unset multiplot

@@ -26,4 +26,3 @@ set yrange [-0.5:side+0.5]
 set object 1 rectangle from 0,0 to side,side fs empty border lc rgb '#333333' lw 1.5*thick
 plot file index 1 using 1:2:(0.5) with circles fc rgb '#dddddd' fs solid border lc rgb '#888888', \
      file index 1 using 1:($3 > 0 ? $2 : NaN):(0.5) with circles fc rgb red fs solid border lc rgb red
-unset multiplot

@@ -22,4 +22,3 @@ do for [k=0:7] {
          file index k using 5:6:(0.15*$7):(0.15*$8) with vectors lc rgb '#333333' lw 1.5*thick, \
          file index k using ($5-back*$7/hypot($7,$8)):($6-back*$8/hypot($7,$8)):2 with labels tc rgb '#333333'
 }
-unset multiplot

@@ -23,4 +23,3 @@ set yrange [1e-16:1e-5]
 plot eps/sqrt(x) ls 9, \
      file using 1:2 with points ls 1 title "of the time", \
      file using 1:3 with points ls 3 title "of the distance"
-unset multiplot

@@ -2,7 +2,6 @@
 width = 11
 height = 4.6
 load 'plots/style.gp'
-unset border
 unset ytics
 set xtics 1 nomirror out
 set border 1

@@ -18,4 +18,3 @@ do for [k=0:1] {
          truth using (($1+$2)/2):3 with lines lc rgb dark lw 0.8*thick
     unset ylabel
 }
-unset multiplot

@@ -24,7 +24,6 @@ set label 2 '∝ 1/{/:Italic N}^2' at 30,1.2e4 right tc rgb '#555555'
 plot 0.45*plan/x ls 9, 0.85*pairs/x**2 ls 9, \
      speed using 1:3 with linespoints ls 1 title 'plan', \
      speed using 1:2 with linespoints ls 2 title 'pairs'
-unset label
 set xlabel 'processor time of a run  (s)'
 set ylabel 'error of {/:Italic Z}' offset 1
 set xrange [2e-5:0.6]
@@ -32,4 +31,3 @@ set yrange [1e-3:0.3]
 plot 1.35*slow/sqrt(x) ls 9, \
      pressure using 3:4 with points ls 1 title 'plan', \
      pressure using 2:4 with points ls 2 title 'pairs'
-unset multiplot

@@ -16,4 +16,3 @@ do for [p in '0.3 0.65'] {
     if (p eq '0.3') { set key at graph 0.97,0.97 right top samplen 1 } else { unset key }
     plot for [k=1:3] file using (strcol(1) eq word(list,k).'-'.p ? $2 : NaN):3 with linespoints ls (k == 1 ? 2 : k == 2 ? 3 : 4) lw 1*thick title name(k)
 }
-unset multiplot

@@ -17,4 +17,3 @@ do for [r in '0.05 0.15 0.2'] {
     if (r eq '0.05') { set key at graph 0.97,0.97 right top samplen 1 } else { unset key }
     plot for [k=1:3] file using (strcol(1) eq word(list,k).'-'.r ? $3 : NaN):4 with linespoints ls k lw 1*thick title name(k)
 }
-unset multiplot

@@ -52,4 +52,3 @@ set xrange [0.9:2.5]
 set xtics 0.5
 set yrange [0:7]
 plot (x < 1 ? NaN : wall(x)/wall(2.5)) ls 9 lw 2*thick, f using ($2 > 0 ? $1+0.025 : NaN):(c*($2+$4)/2):(c*sqrt($3**2+$5**2)/2) with yerrorbars ls 3 ps 0.5*big
-unset multiplot

@@ -23,4 +23,3 @@ do for [k=1:3] {
     set object 7 rectangle from 0,0 to 1,1 fs empty border lc rgb dark lw 2*thick
     plot 1/0
 }
-unset multiplot

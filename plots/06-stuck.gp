@@ -22,6 +22,4 @@ unset logscale
 set format y '%g'
 set yrange [0.2:0.8]
 set ylabel 'mean of {/:Italic x}_1  (m)' offset 1
-unset key
 plot 0.5 ls 9 lw 2*thick, file using 1:6 with points ls 1
-unset multiplot

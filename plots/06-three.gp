@@ -43,4 +43,3 @@ set tmargin at screen 0.43
 set bmargin at screen lecture ? 0.15 : 0.13
 inside(i) = i >= 15 && i < 85
 plot for [k=1:3] word(data,k) using ($1+0.002+0.003*(k-1)):(inside($0) ? ($2-P[int($0)+1])/$3 : NaN) with points ls k ps 0.4*big
-unset multiplot

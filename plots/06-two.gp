@@ -24,4 +24,3 @@ set yrange [0:1]
 set xlabel 'radius {/:Italic r}  (m)'
 set ylabel 'acceptance' offset 1
 plot (x <= 0.25 ? alpha(1-2*x,2*x) : NaN) ls 9 lw 2*thick, 'build/data/06-accept2.dat' using 1:3:4 with yerrorbars ls 1
-unset multiplot

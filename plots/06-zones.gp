@@ -26,7 +26,6 @@ set object 11 circle at 0,0 size R fc rgb big fs solid border lc rgb blue lw 1.5
 set object 12 circle at s,0 size R fc rgb big fs solid border lc rgb blue lw 1.5*thick front
 set object 13 circle at X,0 size R fc rgb big fs solid border lc rgb blue lw 1.5*thick front
 set object 14 rectangle from w-0.25,-1.5 to w,1.5 fc rgb '#999999' fs solid noborder
-n = 20
 array A[8] = [1.12, 3.9, 4.25, 3.75, 4.5, 7.85, 7.8, 4.4]
 array B[8] = [1.2, 0.9, -0.4, -1.1, 0.35, 1.1, -1.05, -1.15]
 do for [k=1:8] { set object 20+k circle at A[k],B[k] size d fs empty border lc rgb green lw 1.5*thick front }

@@ -29,4 +29,3 @@ set yrange [1e-4:300]
 plot 2*C0*x**2 ls 9 dt 2 lw 1.5*thick, \
      4*C0/g**2*(g*x-1+exp(-g*x)) ls 9 lw 1.5*thick, \
      file using 1:($1 > 0 ? $4 : NaN):5 with yerrorbars ls 1 ps 0.4*big
-unset multiplot

@@ -71,7 +71,6 @@ $disks << EOD
 EOD
 unset border
 unset tics
-unset key
 set size ratio -1
 set margins 0,0,0,0
 set xrange [cell-0.6:4*cell+0.6]

@@ -21,7 +21,6 @@ plot [0:0.65] henderson(x) ls 9 lw 1.5*thick, (x < 0.5 ? starling(x) : NaN) ls 9
 set ylabel 'deviation (per cent)' offset 1.5
 set yrange [-0.5:0.8]
 set ytics 0.2
-unset key
 set label 1 'Henderson' at 0.47,0.62 right tc rgb '#555555'
 set label 2 'Carnahan, Starling' at 0.63,-0.36 right tc rgb '#555555'
 plot 0 ls 9 lw 0.8*thick, \
@@ -31,4 +30,3 @@ plot 0 ls 9 lw 0.8*thick, \
      file using ($2 == 3 ? $4 : NaN):11 with points pt 2 ps 0.5*big lc rgb red, \
      file using ($2 == 2 ? $4 : NaN):10:7 with yerrorbars ls 1, \
      file using ($2 == 3 ? $4 : NaN):10:7 with yerrorbars ls 2
-unset multiplot

@@ -46,4 +46,3 @@ full = pi/sqrt(12)
 if (row(2)) plot [0:0.8] (x < 0.71 ? (1+x**2/8)/(1-x)**2 : NaN) ls 9 lw 1.6*thick title 'fluid', \
      (x > 0.71 ? 1/(1-sqrt(x/full)) : NaN) ls 9 lw 1.6*thick dt 2 title 'crystal', \
      'plots/data/07-phases.dat' using 1:3 with points ls 1 title 'measured'
-unset multiplot

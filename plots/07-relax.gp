@@ -22,8 +22,6 @@ plot (x < 5 ? 1+x*64/225 : NaN) ls 9 dt 2 lw 1.6*thick title 'first collisions',
 set ylabel '{/:Italic H}' offset 1
 set yrange [-2.4:0.8]
 set ytics 0.5
-unset key
 plot -1-log(pi) ls 9 lw 1.6*thick, \
      few using 2:4 with points pt 6 ps 0.4*big lc rgb red, \
      many using 2:4 with points ls 1 ps 0.4*big
-unset multiplot

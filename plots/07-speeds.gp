@@ -26,4 +26,3 @@ plot few using ($1+half):(100*($4/$5-1)) with lines ls 9 lw 1.4*thick, \
      many using ($1+half):(100*($4/$5-1)) with lines ls 9 lw 1.4*thick, \
      few using ($1+half):(100*($2/$5-1)):(100*$3/$5) with yerrorbars ls 2 title '10 disks', \
      many using ($1+half):(100*($2/$5-1)):(100*$3/$5) with yerrorbars ls 1 title '250 disks'
-unset multiplot

@@ -38,4 +38,3 @@ plot 0 dt 2 lc rgb dark lw 1.4*thick, \
      above(p(x,4),x) ls 9 lw 1.4*thick, above(p(x,40),x) ls 9 lw 1.4*thick, \
      'build/data/07-weight-4.dat' every 2::1 using (t=u($1,0.01,few)):(above($4*few/g,t)):(100*$5*few/g*exp(t)) with yerrorbars ls 2 title '4 disks', \
      'build/data/07-weight-40.dat' every 4::1 using (t=u($1,0.002,many)):(above($4*many/g,t)):(100*$5*many/g*exp(t)) with yerrorbars ls 1 title '40 disks'
-unset multiplot

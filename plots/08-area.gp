@@ -17,4 +17,3 @@ do for [k=0:2] {
   set label 1 part[k+1] at graph 0.05,0.93
   plot for [j=0:3] file index 4*k+j using 1:2 with filledcurves closed fc rgb blue fs transparent solid 0.2+0.15*j border lc rgb blue
 }
-unset multiplot

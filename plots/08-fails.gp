@@ -27,4 +27,3 @@ plot 0 ls 9, \
      file using 1:(log10($6)) with points ls style_of('yoshida4') title name_of('yoshida4').', 2.5', \
      file using 1:(log10($7)) with points ls style_of('leapfrog') title name_of('leapfrog').', 1.2', \
      file using 1:(log10($5)) with points ls style_of('rk4') title name_of('rk4').', 2.5'
-unset multiplot

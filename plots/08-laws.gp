@@ -16,7 +16,6 @@ set yrange [0.3:1e7]
 set label 1 'Euler' at 36,2e5 right
 plot (1+h2)**x ls 9 lw 1.5*thick, file using 1:2 with points ls style_of('euler')
 unset logscale y
-unset label
 set format y '%.2f'
 set ylabel ''
 set yrange [0.7:1.7]
@@ -26,4 +25,3 @@ plot (1-h2**3/72+h2**4/576)**x ls 9 lw 1.5*thick, 1 ls 9, 1-h2/4 ls 9 dt 2, \
      file using 1:3 with linespoints ls style_of('symplectic-euler') lw 0.5*thick title name_of('symplectic-euler'), \
      file using 1:4 with linespoints ls style_of('leapfrog') lw 0.5*thick title name_of('leapfrog'), \
      file using 1:5 with points ls style_of('rk4') title name_of('rk4')
-unset multiplot

@@ -44,4 +44,3 @@ set ylabel 'length of a step  (s)' offset 0.2
 set key at graph 0.03,0.04 left bottom samplen 1.5 Left reverse
 plot file index 2 using 1:2 with lines ls style_of('radau15') lw thick title name_of('radau15'), \
      file index 3 using 1:2 with lines ls style_of('dopri5') lw thick title name_of('dopri5')
-unset multiplot

@@ -25,4 +25,3 @@ set ylabel 'energy  (AU^2/yr^2)' offset 0
 set key at graph 0.97,0.55 right top Left reverse samplen 2
 plot for [k=0:2] m=word('euler symplectic-euler leapfrog', k+1) file index k using 1:4 \
      with lines ls style_of(m) lw (3-k)*1.2*thick title name_of(m)
-unset multiplot

@@ -4,7 +4,6 @@
 height = 8.5
 load 'plots/style.gp'
 file = 'build/data/08-portrait.dat'
-names = 'Euler|symplectic Euler|leapfrog|RK4'
 array part[4] = ['Euler', 'symplectic Euler', 'leapfrog', 'RK4']
 set multiplot layout 2,2 margins 0.1,0.985,0.15,0.93 spacing 0.09,0.085
 set xrange [-3.3:3.3]
@@ -21,4 +20,3 @@ do for [k=0:3] {
        for [j=1:4] -sqrt(2*(cos(x) - cos(0.6*j))) ls 9, \
        for [j=0:3] file index 4*k+j using 2:3 with points pt 7 ps 0.25*big lc rgb (j % 2 ? red : blue)
 }
-unset multiplot

@@ -24,4 +24,3 @@ do for [k=0:panels-1] {
   set title name_of(m) offset 0,-0.7
   plot file index at(file, m) using 1:2:($3 < 1+1e-6 ? 1 : 2) with image
 }
-unset multiplot

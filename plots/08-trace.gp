@@ -18,7 +18,6 @@ set key at graph 0.02,0.68 left top reverse Left samplen 3 width -1
 plot 1 ls 9, -1 ls 9, cos(x) ls 9 lw 4*thick title 'cosine', \
      for [m in columns(file, known)] \
      file using 1:column_of(file, m) with lines ls style_of(m) title name_of(m)
-unset key
 set xrange [2.95:3.25]
 set yrange [-1.0012:-0.9988]
 set xtics 0.1
@@ -29,4 +28,3 @@ set rmargin at screen 0.985
 plot -1 ls 9, cos(x) ls 9 lw 4*thick, \
      for [m in columns(file, known)] \
      file using 1:column_of(file, m) with lines ls style_of(m)
-unset multiplot

@@ -26,4 +26,3 @@ do for [k=0:1] {
   plot for [m in names] file index words(names)*k + at(file, m) using 1:2 \
        with linespoints ls style_of(m) title name_of(m)
 }
-unset multiplot

@@ -17,7 +17,6 @@ plot file index 0 using 1:5 with lines ls 4 title '{/:Italic e} = 0.99', \
      file index 0 using 1:4 with lines ls 3 dt 4 title '0.9', \
      file index 0 using 1:3 with lines ls 2 dt 2 title '0.5', \
      file index 0 using 1:2 with lines ls 1 title '0.1'
-unset key
 set lmargin at screen 0.53
 set rmargin at screen 0.99
 set size ratio -1
@@ -34,4 +33,3 @@ plot cos(t) - 0.7, sqrt(1 - 0.49)*sin(t) ls 9, \
      file index 1 using 1:2:(-$1):(-$2) with vectors nohead lc rgb '#cccccc', \
      file index 1 using 1:2 with points ls 1, \
      '+' using (0):(0) every ::::0 with points pt 7 ps 1.6*big lc rgb orange
-unset multiplot

@@ -4,7 +4,6 @@ height = 6.4
 load 'plots/style.gp'
 unset border
 unset tics
-unset key
 set size ratio -1
 set margins 0,0,0,0
 set xrange [-0.35:1.35]

@@ -18,7 +18,6 @@ plot file index 0 using 1:2 with points ls 1 title '3', \
      file index 5 using 1:2 with points ls 4 title '8', \
      file index 6 using 1:2 with points ls 5 title '9 bodies'
 unset logscale
-unset key
 set format y '%g'
 set xlabel 'bodies {/:Italic N}'
 set ylabel 'growth rate / angular velocity' offset 0
@@ -26,4 +25,3 @@ set xrange [2.5:10.5]
 set yrange [0:2.7]
 plot file index 8 using 1:4 with lines ls 9, \
      file index 8 using 1:5 with points ls 1
-unset multiplot

@@ -21,4 +21,3 @@ set yrange [-2.5:2.5]
 plot file index 1 using 2:3 with lines ls 2, \
      file index 1 using 4:5 with lines lc rgb orange lw 1.5*thick, \
      file index 1 using 6:7 with lines ls 1
-unset multiplot

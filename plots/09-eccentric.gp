@@ -17,7 +17,6 @@ plot file index 0 using 1:2 with linespoints ls style_of('leapfrog') title name_
      file index 0 using 1:3 with linespoints ls style_of('rk4') title name_of('rk4'), \
      file index 0 using 1:4 with linespoints ls style_of('kahan-li8') title name_of('kahan-li8')
 unset logscale
-unset key
 set format y '%g'
 set size ratio -1
 set lmargin at screen 0.62
@@ -28,4 +27,3 @@ set xlabel '{/:Italic x}'
 set ylabel '{/:Italic y}' offset 1
 plot file index 1 using 1:2 with lines ls style_of('leapfrog') lw 0.8*thick, \
      '+' using (0):(0) every ::::0 with points pt 7 ps 1.2*big lc rgb orange
-unset multiplot

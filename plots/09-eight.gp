@@ -30,4 +30,3 @@ set key at graph 0.97,0.97 right top samplen 2
 plot file index 1 using 1:2 with linespoints ls style_of('leapfrog') title name_of('leapfrog'), \
      file index 2 using 1:2 with linespoints ls style_of('rk4') title name_of('rk4'), \
      file index 3 using 1:2 with linespoints ls style_of('kahan-li8') title name_of('kahan-li8')
-unset multiplot

@@ -14,9 +14,7 @@ set key at graph 0.03,0.06 left bottom Left reverse samplen 2
 plot file using 1:5 with linespoints ls style_of('leapfrog') title name_of('leapfrog'), \
      file using 1:6 with linespoints ls style_of('kahan-li8') title name_of('kahan-li8'), \
      file using 1:7 with linespoints ls style_of('leapfrog') pt 6 dt 3 title name_of('leapfrog').', softened'
-unset key
 set ylabel 'error of the energy' offset 1
 plot file using 1:2 with linespoints ls style_of('leapfrog'), \
      file using 1:3 with linespoints ls style_of('kahan-li8'), \
      file using 1:4 with linespoints ls style_of('leapfrog') pt 6 dt 3
-unset multiplot

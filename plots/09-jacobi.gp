@@ -27,4 +27,3 @@ set xrange [0.007:14]
 set format x '10^{%T}'
 plot for [i=1:4] file index i+3 using (i == 2 ? NaN : $2):3 with linespoints \
      ls style_of(word(list, i))
-unset multiplot

@@ -14,11 +14,9 @@ plot file using 1:8 with lines ls 4 title '× 300', \
      file using 1:6 with lines ls 2 title '× 100', \
      file using 1:4 with lines ls 3 title '× 30', \
      file using 1:2 with lines ls 1 title 'Jupiter'
-unset key
 set title 'Mars'
 set yrange [0:0.2]
 plot file using 1:9 with lines ls 4, \
      file using 1:7 with lines ls 2, \
      file using 1:5 with lines ls 3, \
      file using 1:3 with lines ls 1
-unset multiplot

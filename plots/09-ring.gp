@@ -19,4 +19,3 @@ do for [f in '1 500 1000'] {
     plot file index 0 every ::1 using 1:2 with points pt 7 ps 0.1*big lc rgb '#333333', \
          file index 0 every ::0::0 using 1:2 with points pt 7 ps 1.6*big lc rgb orange
 }
-unset multiplot

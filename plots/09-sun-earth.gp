@@ -29,4 +29,3 @@ year = 365.25
 plot (1 + 6*h*k*year*x)**(1./3) ls 9 title 'law', \
      file using ($1/year):(sqrt($4**2+$5**2)) with lines ls style_of('euler') title name_of('euler'), \
      file every 12 using ($1/year):(sqrt($6**2+$7**2)) with points ls style_of('leapfrog') title name_of('leapfrog')
-unset multiplot

@@ -14,9 +14,7 @@ set xlabel 'evaluations in a period'
 set ylabel 'largest error of the energy' offset 0.8
 set xrange [40:8000]
 set yrange [1e-16:1]
-unset key
 plot for [m in methods(file, '')] file index at(file, m) using 1:2 with linespoints ls style_of(m)
 set key at screen 0.995,0.93 right top Left reverse samplen 1.5
 set ylabel 'error of place after 400 d  (AU)' offset 0.8
 plot for [m in methods(file, '')] file index at(file, m) using 1:3 with linespoints ls style_of(m) title name_of(m)
-unset multiplot

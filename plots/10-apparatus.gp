@@ -3,7 +3,6 @@ height = 9.6
 load 'plots/style.gp'
 unset border
 unset tics
-unset key
 set size ratio -1
 set margins 0,0,0,0
 set xrange [-0.4:14.2]
@@ -80,4 +79,3 @@ plot for [j=0:7] mx(7*t, j), my(7*t, j) with lines lc rgb (j % 7 ? blue : dark) 
      for [i=0:7] for [j=0:7] mx(i, j), my(i, j) with points pt 7 ps 0.5*big lc rgb (i % 7 && j % 7 ? blue : dark), \
      ax, ay with points pt 7 ps big lc rgb dark, bx, by with points pt 7 ps 1.5*big lc rgb blue, \
      ex, ey with points pt 7 ps 1.5*big lc rgb blue
-unset multiplot

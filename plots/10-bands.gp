@@ -3,7 +3,6 @@ height = 4.2
 load 'plots/style.gp'
 unset border
 unset tics
-unset key
 set size ratio -1
 set margins 0,0,0,0
 set xrange [-0.5:14.5]

@@ -19,4 +19,3 @@ do for [k=0:2] {
        'build/data/10-shapes.dat' index 2*k using 1:2 with linespoints ls 2 ps 0.35*big lw 0.8*thick title (k == 0 ? 'turning point' : ''), \
        '' index 2*k+1 using 1:2 with linespoints ls 1 ps 0.35*big lw 0.8*thick title (k == 0 ? 'at rest' : '')
 }
-unset multiplot

@@ -27,7 +27,6 @@ plot file using 1:2 with lines ls 1 title 'at rest length, mode (1, 1)', file us
 set lmargin at screen 0.735
 set rmargin at screen 0.985
 set tmargin at screen 0.97
-unset key
 set logscale xy
 eval decades
 set ytics auto
@@ -40,4 +39,3 @@ set label 1 '∝ 1/{/:Italic A}' at 0.02,25 tc rgb '#555555'
 # A T, with l = 2/7 m, m = 1 kg and D = 50 N/m.
 period = sqrt(2)*gamma(0.25)**2/sqrt(2*pi)*2/7/sqrt(50)
 plot period/x ls 9, 'build/data/10-quartic.dat' using 1:2 with points ls 1
-unset multiplot

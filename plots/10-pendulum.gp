@@ -33,4 +33,3 @@ set key at screen 0.815,0.97 left top Left reverse samplen 1.5
 errors = 'build/data/10-errors.dat'
 plot for [m in methods(errors, known)] errors index at(errors, m) using 1:3 \
      with linespoints ls style_of(m) title name_of(m)
-unset multiplot

@@ -26,7 +26,6 @@ set xrange [1e-15:1]
 set xtics 1e-15,1e3
 set ytics 1e-16,1e2
 set yrange [3e-17:1e-6]
-set key at graph 0.98,0.98 right top samplen 1.5
 t = 3
 w(g) = sqrt(abs((1 - g)*(1 + g)))
 ours(g) = exp(-g*t)*(g < 1 ? cos(w(g)*t) + g*t*(sin(w(g)*t)/(w(g)*t)) : cosh(w(g)*t) + g*t*(sinh(w(g)*t)/(w(g)*t)))
@@ -34,4 +33,3 @@ e(a, b) = abs(a/b - 1) + 5e-17
 plot 'build/data/10-critical.dat' using 1:(e($3, $2)) with points ls 2 title 'two exponentials', \
      '' using 1:(e($5, $4)) with points ls 4 title 'cosine with a phase', \
      '' using 1:(e(ours(1 + $1), $2)) with points ls 1 title 'one formula for all'
-unset multiplot

@@ -28,7 +28,5 @@ set xlabel 'stiffness of the upper spring  (N/m)'
 set ylabel 'distance of spring from rod  (m)' offset 0
 set xrange [60:3e6]
 set yrange [5e-6:2]
-unset key
 set label 1 '∝ 1/{/:Italic D}_1' at 2e5,4e-4 tc rgb '#555555'
 plot stiff/x ls 9, rod index 1 using 1:2 with points ls 2
-unset multiplot

@@ -24,4 +24,3 @@ do for [k=0:1] {
     splot 'build/data/10-snapshots.dat' index 4*k + shot using 1:2:3 with lines lc rgb (k == 0 ? blue : red) lw 0.8*thick
   }
 }
-unset multiplot

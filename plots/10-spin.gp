@@ -22,4 +22,3 @@ set ylabel 'energy  (J)' offset 1
 set key at graph 0.97,0.5 right center
 plot file using 1:4 with lines ls 2 title 'as printed', \
      '' using 1:5 with lines ls 1 title 'along the axis'
-unset multiplot

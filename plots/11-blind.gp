@@ -29,4 +29,3 @@ plot law*x ls 9 title 'law', (x > 0.05 ? law*x*x : NaN) ls 9 dt 2, \
      file index 0 using ($1/0.2):(dz($2,$4)):(low(dz($2,$4),er($3,$5))):(dz($2,$4)+er($3,$5)) every ::1 with yerrorbars ls 2 title 'all pairs', \
      file index 0 using ($1/0.2*1.03):(dz($15,$17)):(low(dz($15,$17),er($16,$18))):(dz($15,$17)+er($16,$18)) every ::1 with yerrorbars ls 3 title 'approaching', \
      file index 0 using ($1/0.2):(dz($28,$30)):(low(dz($28,$30),er($29,$31))):(dz($28,$30)+er($29,$31)) every ::1 with yerrorbars ls 1 title 'going back'
-unset multiplot

@@ -51,4 +51,3 @@ do for [panel=1:2] {
     set ylabel ''
     set format y ''
 }
-unset multiplot

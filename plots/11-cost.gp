@@ -9,7 +9,6 @@ set multiplot layout slide ? 1 : 2,2 margins 0.105,0.985,slide ? 0.15 : 0.125,sl
 set logscale xy
 set xrange [4e-5:2]
 set yrange [2e-4:2]
-set format '10^{%T}'
 what(i) = sprintf('packing %s', word('0.1 0.3 0.5 0.7', i + 1))
 low(d,e) = d > 1.2*e ? d - e : 2e-4
 do for [i=slide == 2 ? 2 : 0:slide == 1 ? 1 : 3] {
@@ -26,4 +25,3 @@ do for [i=slide == 2 ? 2 : 0:slide == 1 ? 1 : 3] {
        file index i using 10:11:(low($11,$12)):($11+$12) with yerrorbars ls 1 title 'going back', \
        for [m=1:(i < 3)] file index i using 13:14:(low($14,$15)):($14+$15) with yerrorbars ls 3
 }
-unset multiplot

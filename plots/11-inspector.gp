@@ -27,4 +27,3 @@ do for [k=slide == 2 ? 2 : 0:slide == 1 ? 1 : 3] {
     if (k == 2) { set xrange [-1.3:1.3]; set yrange [-0.45:0.45]; plot 'build/data/11-eight.dat' using 2:3 with lines lc rgb blue lw 1.5*thick, '' every ::0::0 using 2:3 with points ls 1 }
     if (k == 3) { set xrange [*:*]; set yrange [*:*]; plot 'build/data/11-phase.dat' using 2:3 with lines lc rgb blue lw 1.2*thick, '' every ::0::0 using 2:3 with points ls 1 }
 }
-unset multiplot

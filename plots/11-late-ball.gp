@@ -16,7 +16,5 @@ plot file using ($1/0.2):(tiny($5)) with points ls 2 title 'place', \
      file using ($1/0.2):(tiny($4)) with points ls 1 title 'velocities'
 set title 'going back'
 set ylabel ''
-unset key
 plot file using ($1/0.2):(tiny($7)) with points ls 2, \
      file using ($1/0.2):(tiny($6)) with points ls 1
-unset multiplot

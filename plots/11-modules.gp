@@ -2,7 +2,6 @@
 load 'plots/style.gp'
 unset border
 unset tics
-unset key
 set lmargin 0
 set rmargin 0
 set tmargin 0

@@ -27,7 +27,6 @@ set xtics autofreq
 set ytics 1e-14,100
 set xlabel 'step  (s)'
 set ylabel 'error  (m)' offset 1.2
-unset key
 set label 1 'stepwise' at 5e-4,0.9
 set label 2 name_of('leapfrog') at 3e-3,2e-5
 set label 3 name_of('rk4') at 6e-3,2e-10
@@ -35,4 +34,3 @@ set label 4 name_of('kahan-li8') at 2.2e-2,2e-13
 file = 'build/data/11-moment.dat'
 plot file using 1:2 with points lc rgb dark pt 4 ps 0.5*big, \
      for [name in 'leapfrog rk4 kahan-li8'] file using 1:column_of(file, name) with points ls style_of(name)
-unset multiplot

@@ -29,4 +29,3 @@ plot swing using 1:($8/strings) with lines ls 1 title 'on strings', \
      (x > 20 ? 0.2 : NaN) with lines ls 9, \
      rest using 1:($2/walls) with lines ls 5 title 'walls, by events', \
      rest using 1:($3/walls) every 30 with points ls 2 title 'walls, by steps'
-unset multiplot

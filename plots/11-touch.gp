@@ -15,7 +15,6 @@ set xlabel 'time  (s)'
 set ylabel 'velocity  (m/s)' offset 0.4
 set xrange [0:0.14]
 set xtics 0.05
-unset key
 set title 'linear springs, touching' offset 0,-0.6
 plot for [b=1:5] file index 0 using 1:(column(b + 1)) with lines ls (10 + b)
 set format y ''
@@ -27,4 +26,3 @@ set xtics 0.1
 set key at graph 0.99,0.5 right center samplen 1.2 spacing 0.9
 set title 'linear springs, with gaps' offset 0,-0.6
 plot for [b=1:5] file index 2 using 1:(column(b + 1)) with lines ls (10 + b) title sprintf('%d', b)
-unset multiplot

@@ -411,7 +411,7 @@ verdict 'another one has what she deserves with any seed' \
 # ---- the same marks, whoever works beside one ----
 
 for trick in exit-sanitizer prints segv forged-reply compile-include; do
-    prepare "$here/hostile/$trick.c" "$scratch/learnt/$trick"
+    prepare "$hostile/$trick.c" "$scratch/learnt/$trick"
 done
 marks() { # JOBS
     grade "$scratch/learnt" "$scratch/jobs$1" --jobs "$1"

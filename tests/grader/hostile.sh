@@ -1,6 +1,6 @@
 #!/bin/sh
 # Everything that somebody may hand in who would rather be clever than right,
-# or who is just unlucky: one file each in hostile/. The first line of a file
+# or who is just unlucky: a file each, from hostile/. The first line of a file
 # says the state it should be given, `earns:` what it should earn; a file
 # without a function gets a right one, which calls its trick in the first of
 # the tests. All are graded in one batch, with two honest students among
@@ -15,7 +15,7 @@ sums >"$scratch/kit.before"
 
 # ---- one file for each trick ----
 
-for file in "$here"/hostile/*.c; do
+for file in "$hostile"/*.c; do
     name=${file##*/}
     if [ "${LONG-}" = 1 ] || ! grep -q '^/\* long \*/$' "$file"; then
         prepare "$file" "$scratch/tricks/${name%.c}"
@@ -39,7 +39,7 @@ verdict 'the batch ends well' ended 0
 grep -q 'sealed namespaces' "$scratch/said"
 sealed=$?
 fewer=0
-for file in "$here"/hostile/*.c; do
+for file in "$hostile"/*.c; do
     name=${file##*/}
     name=${name%.c}
     if [ ! -d "$scratch/tricks/$name" ] ||
@@ -223,7 +223,7 @@ some() { # FOLDER TRICK...: these and the honest ones
     into=$scratch/$1
     shift
     for trick; do
-        prepare "$here/hostile/$trick.c" "$into/$trick"
+        prepare "$hostile/$trick.c" "$into/$trick"
     done
     honest "$into"
 }
@@ -236,7 +236,7 @@ batch() {
     grade "$scratch/$from" "$scratch/$to" $more
     verdict "$where: the batch ends well" ended 0
     for trick; do
-        file=$here/hostile/$trick.c
+        file=$hostile/$trick.c
         state=$(sed -n '1s/^\/\* \(.*\): .* \*\/$/\1/p' "$file")
         verdict "$where: $trick is $state" \
             judged "$trick" "$state" "$(earns "$file")"

@@ -121,7 +121,7 @@ static void trick(int argc, char **argv)
 }
 END
 if [ "${ALL-}" = 1 ]; then
-    for file in "$here"/hostile/*.c; do
+    for file in "$hostile"/*.c; do
         if grep -q '^static void trick(void)' "$file"; then
             name=${file##*/}
             sed -e "s|@ROOT@|$root|g" -e "s|@SCRATCH@|$scratch|g" \
@@ -177,7 +177,7 @@ prints-hidden    passed         30
 settle-flood     failed          0
 settle-half      failed          0'
 other() { # NAME
-    file=$here/hostile/$1.c row='\\n'
+    file=$hostile/$1.c row='\\n'
     [ "$1" != outside ] || row=' 7\\n'
     {
         sed -e "s|@ROOT@|$root|g" -e 's|01a-collide|P1-bonkers|g' \
@@ -231,7 +231,7 @@ if [ "${ALL-}" = 1 ]; then
                 hand_in other-prints-hidden
             learn 'exit(3);' | hand_in learnt
         elif [ "${LONG-}" = 1 ] ||
-            ! grep -q '^/\* long \*/$' "$here/hostile/$name.c"; then
+            ! grep -q '^/\* long \*/$' "$hostile/$name.c"; then
             other "$name"
         fi
     done <"$scratch/others"
@@ -280,7 +280,7 @@ if [ "${ALL-}" = 1 ]; then
     verdict 'who has learnt what is public earns that alone' \
         judged learnt failed 25
     count=$((count + 1))
-    for file in "$here"/hostile/*.c; do
+    for file in "$hostile"/*.c; do
         name=${file##*/}
         grep -q '^static void trick(void)' "$file" ||
             grep -q "^${name%.c} " "$scratch/others" || echo "$name"

@@ -1,9 +1,0 @@
-/* timed out: it stops itself */
-/* earns: all but the first */
-#include "exercise.h"
-#include <signal.h>
-
-static void trick(void)
-{
-    raise(SIGSTOP);
-}

@@ -1,9 +1,0 @@
-/* crashed: it sends itself the polite signal */
-/* earns: all but the first */
-#include "exercise.h"
-#include <signal.h>
-
-static void trick(void)
-{
-    raise(SIGTERM);
-}

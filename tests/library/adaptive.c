@@ -7,7 +7,6 @@
 #include "toolbox/quad.h"
 
 #include <float.h>
-#include <stdlib.h>
 
 static const char *const names[] = {"dopri5", "radau15"};
 
@@ -256,11 +255,10 @@ FORCES(power)
 static double miss(int degree)
 {
     const struct stepping_forces f = {2, false, power, &degree};
-    struct stepping s;
+    FREED(stepping) s;
     double x[] = {0, 0}, v[] = {0, 1};
     begin(&s, "radau15", f, 1, 0, x, v);
     UNIT_TRUE(stepping_run(&s, 1) == STEPPING_DONE);
-    stepping_free(&s);
     return v[0] - 1.0 / (degree + 1);
 }
 

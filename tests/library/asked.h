@@ -7,8 +7,6 @@
 #include "choosing/averages.h"
 #include "line/start.h"
 
-#include <stdlib.h>
-
 static inline struct averages_found ask(const struct scene *s,
                                         const char *name, double until,
                                         double tolerance, const char *model)

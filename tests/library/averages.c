@@ -7,8 +7,6 @@
 #include "scenes/gallery.h"
 #include "toolbox/random.h"
 
-#include <stdlib.h>
-
 /* The scene of the gallery with one key set. */
 static void make(struct scene *s, const char *name, const char *key,
                  double value)

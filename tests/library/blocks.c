@@ -6,8 +6,6 @@
 #include "line/statistics.h"
 #include "toolbox/random.h"
 
-#include <stdlib.h>
-
 /* Samples 0, 1, 2, ... : every full block is known. */
 TEST(test_joined, "blocks that are joined keep their sums")
 {

@@ -8,7 +8,6 @@
 #include "toolbox/random.h"
 
 #include <float.h>
-#include <stdlib.h>
 
 enum { LARGEST = 100002 };
 

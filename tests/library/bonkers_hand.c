@@ -7,7 +7,6 @@
 #include "line/collide.h"
 
 #include <float.h>
-#include <stdlib.h>
 
 /* Movers of 1 kg, at these places and velocities, between two walls. */
 static void begin(struct bonkers *b, size_t movers, const double x[],

@@ -4,8 +4,6 @@
 #include "box/calendar.h"
 #include "toolbox/random.h"
 
-#include <stdlib.h>
-
 enum { MOST = 3000 };
 
 /* What the calendar should hold. */
@@ -135,13 +133,12 @@ static int mix(size_t size, double width, double start,
                const struct spread *s, uint64_t seed, int turns)
 {
     static struct plain p;
-    struct calendar c;
+    FREED(calendar) c;
     SEEDED(r, seed);
     begin(&c, &p, size, start, width);
     for (size_t i = 0; i < size; ++i)
         put(&c, &p, i, choose(&r, start, s), random_below(&r, size));
     const int bad = play(&c, &p, turns, start, s, &r) + drain(&c, &p);
-    calendar_free(&c);
     return bad;
 }
 

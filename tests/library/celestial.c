@@ -7,8 +7,6 @@
 #include "forces/gravity.h"
 #include "forces/kepler.h"
 
-#include <stdlib.h>
-
 struct wish {
     const char *key;
     double value;

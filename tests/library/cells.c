@@ -7,8 +7,6 @@
 #include "box/cells.h"
 #include "toolbox/random.h"
 
-#include <stdlib.h>
-
 enum radii { EQUAL, TWO, SPREAD, GIANT, POINTS };
 enum speeds { NORMAL, ONE_SPEED, AXIS, REST, ONE_MOVES };
 

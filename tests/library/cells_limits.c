@@ -6,8 +6,6 @@
 
 #include "box/cells.h"
 
-#include <stdlib.h>
-
 /* Disks in a box, with no places yet. */
 static void make(struct disks *d, size_t dimensions, size_t count,
                  enum disks_boundary boundary, const double box[],
@@ -102,10 +100,9 @@ static bool suits(size_t dimensions, size_t count,
                   enum disks_boundary boundary, const double box[],
                   double radius)
 {
-    struct disks d;
+    FREED(disks) d;
     make(&d, dimensions, count, boundary, box, radius);
     const bool suit = cells_suit(&d);
-    disks_free(&d);
     return suit;
 }
 

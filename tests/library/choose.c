@@ -7,8 +7,6 @@
 #include "library/galleries.h"
 #include "unit.h"
 
-#include <stdlib.h>
-
 static struct choose_request asked(const struct scene *s, double until,
                                    double tolerance)
 {
@@ -77,7 +75,7 @@ static double twins_apart(const struct choose_request *q,
                           const struct choose_choice *c, unsigned twins)
 {
     double most = 0;
-    struct record_view v;
+    FREED(record_view) v;
     struct record_setup o = {.scene = q->scene,
                              .plan = c->run.plan,
                              .every = q->every,
@@ -92,7 +90,6 @@ static double twins_apart(const struct choose_request *q,
         record_run(&twin, &v, &o);
         most = fmax(most, record_difference(&v, &c->run, &twin, 1, 16));
     }
-    record_view_free(&v);
     return most;
 }
 
@@ -588,7 +585,7 @@ static struct choose_choice seen_as(int kind, const struct scene *s,
                                     const struct choose_request *as,
                                     double scale)
 {
-    struct scene other;
+    FREED(scene) other;
     struct choose_request q = *as;
     UNIT_TRUE(scene_copy(&other, s));
     q.scene = &other;
@@ -606,7 +603,6 @@ static struct choose_choice seen_as(int kind, const struct scene *s,
         choose_free(&c);
         c = chosen(&q, true);
     }
-    scene_free(&other);
     return c;
 }
 

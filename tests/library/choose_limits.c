@@ -6,8 +6,6 @@
 #include "library/galleries.h"
 #include "unit.h"
 
-#include <stdlib.h>
-
 static struct choose_choice chosen(const struct scene *s, double tolerance)
 {
     const struct choose_request q = {.scene = s,

@@ -247,13 +247,13 @@ TEST(test_endings, "how a run ended")
 static bool offered(struct choose_candidate *k, uint64_t steps, double cost,
                     double error)
 {
-    struct record r = {.plan = steps_of(k->plan.model->name, steps),
-                       .cost = cost,
-                       .value = calloc(1, sizeof(double))};
+    FREED(record)
+    r = {.plan = steps_of(k->plan.model->name, steps),
+         .cost = cost,
+         .value = calloc(1, sizeof(double))};
     task_consider(&task, k, &r, error);
     const bool taken = !r.value;
     UNIT_TRUE(!taken || choice.run.plan.steps == steps);
-    record_free(&r);
     return taken;
 }
 

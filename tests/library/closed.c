@@ -9,8 +9,6 @@
 #include "toolbox/random.h"
 
 #include <float.h>
-#include <stdlib.h>
-#include <string.h>
 
 /* Fourteen sums and products, of which only the last two are not small:
    measured 2.9 units in the last place. */

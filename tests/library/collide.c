@@ -6,7 +6,6 @@
 #include "toolbox/random.h"
 
 #include <float.h>
-#include <stdlib.h>
 
 /* Exact collisions: velocities, inverse masses, and the velocities after,
    worked out as fractions by hand. */

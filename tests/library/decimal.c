@@ -6,9 +6,6 @@
 #include "toolbox/random.h"
 
 #include <locale.h>
-#include <stdbool.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/mman.h>
 #include <unistd.h>
 

@@ -6,7 +6,6 @@
 #include "box/disks.h"
 
 #include <float.h>
-#include <stdlib.h>
 
 /* Count disks of this radius in a box of equal sides. */
 static void begin(struct disks *d, size_t dimensions, size_t count,

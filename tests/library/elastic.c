@@ -6,9 +6,6 @@
 #include "forces/elastic.h"
 #include "forces/springs.h"
 
-#include <math.h>
-#include <stdlib.h>
-
 static void make(struct scene *s, const char *name, const char *key,
                  double value)
 {
@@ -31,7 +28,7 @@ TEST(test_all_keys, "every key of every scene at both ends")
     for (const struct gallery_scene *g = elastic_scenes; g->name; ++g)
         for (size_t k = 0; g->key[k].name; ++k)
             for (int high = 0; high < 2; ++high) {
-                struct scene s;
+                FREED(scene) s;
                 const double value =
                     high ? fmin(g->key[k].high, 100) : g->key[k].low;
                 const char *why =
@@ -44,7 +41,6 @@ TEST(test_all_keys, "every key of every scene at both ends")
                 }
                 for (size_t i = 0; i < 3 * s.bodies; ++i)
                     UNIT_TRUE(isfinite(s.position[i]));
-                scene_free(&s);
             }
 }
 

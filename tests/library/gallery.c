@@ -9,8 +9,6 @@
 #include "toolbox/table.h"
 
 #include <inttypes.h>
-#include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
 /* Calls look for every scene; returns the sum. */

@@ -7,7 +7,6 @@
 #include "toolbox/random.h"
 
 #include <float.h>
-#include <stdlib.h>
 
 enum { MOST = 700 };
 static double place[3 * MOST], mass[MOST], sum[3 * MOST], other[3 * MOST];
@@ -192,7 +191,7 @@ TEST(test_threads, "any number of threads has the same bits")
 {
     const size_t n = 501;
     scatter(n, 9);
-    struct gravity g = prepare(n, 1, 0.01);
+    FREED(gravity) g = prepare(n, 1, 0.01);
     for (int kernel = 0; kernel < GRAVITY_KERNELS; ++kernel) {
         if (!gravity_can((enum gravity_kernel)kernel))
             continue;
@@ -204,7 +203,6 @@ TEST(test_threads, "any number of threads has the same bits")
             UNIT_TRUE(memcmp(sum, other, 3 * n * sizeof sum[0]) == 0);
         }
     }
-    gravity_free(&g);
 }
 
 /* Few bodies: all kernels are the same loop. */

@@ -266,7 +266,7 @@ TEST(test_small, "theta is how large a cell may look")
 /* How many cells the tree of n bodies has. */
 static size_t count_cells(size_t n)
 {
-    struct gravity g;
+    FREED(gravity) g;
     UNIT_TRUE(gravity_create(&g, n, mass, 1, 0) &&
               gravity_use_tree(&g, 0.5));
     tree_build(g.tree, place);
@@ -275,7 +275,6 @@ static size_t count_cells(size_t n)
         UNIT_TRUE(g.tree->cell[i].next > i &&
                   g.tree->cell[i].next <= cells);
     UNIT_EQUAL(g.tree->cell[0].next, cells);
-    gravity_free(&g);
     return cells;
 }
 

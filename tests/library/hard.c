@@ -6,8 +6,6 @@
 #include "forces/hard.h"
 #include "forces/spheres.h"
 
-#include <stdlib.h>
-
 static void make(struct scene *s, const char *name, const char *key,
                  double value)
 {

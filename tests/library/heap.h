@@ -8,9 +8,7 @@
 #include "unit.h"
 
 #include <errno.h>
-#include <stdbool.h>
 #include <stddef.h>
-#include <stdlib.h>
 
 static long heap_blocks;
 

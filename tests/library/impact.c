@@ -9,8 +9,6 @@
 #include "forces/motion.h"
 #include "toolbox/random.h"
 
-#include <stdlib.h>
-
 static void make(struct scene *s, size_t bodies, double dt)
 {
     UNIT_MUST(scene_create(s, bodies));

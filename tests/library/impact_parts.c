@@ -7,8 +7,6 @@
 
 #include "forces/motion.h"
 
-#include <stdlib.h>
-
 static struct scene scene;
 static struct stepping stepping;
 static struct impact impact;

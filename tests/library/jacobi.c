@@ -9,7 +9,6 @@
 #include "forces/motion.h"
 
 #include <float.h>
-#include <stdlib.h>
 
 /* A star of mass 1 and two planets of these masses, on ellipses. */
 static void build(struct scene *s, double mass, double eccentricity)
@@ -81,14 +80,12 @@ TEST(test_pair, "two bodies are exact at any step")
 /* The error at t = 10 against Kahan and Li's method in short steps. */
 static double error_of(const char *method, double dt, double mass)
 {
-    struct scene s, right;
+    FREED(scene) s, right;
     build(&s, mass, 0.1);
     UNIT_MUST(scene_copy(&right, &s));
     go(&right, "kahan-li8", 0.01, 10);
     go(&s, method, dt, 10);
     const double error = apart(&s, &right);
-    scene_free(&s);
-    scene_free(&right);
     return error;
 }
 

@@ -10,7 +10,6 @@
 #include "toolbox/random.h"
 
 #include <float.h>
-#include <stdlib.h>
 
 enum { MOST = 100000 };
 static double x[MOST];

@@ -6,7 +6,6 @@
 #include "line/statistics.h"
 
 #include <float.h>
-#include <stdlib.h>
 
 static const double pi = 3.14159265358979324;
 

@@ -3,8 +3,6 @@
 
 #include "box/loop.h"
 
-#include <stdlib.h>
-
 /* Two disks that fly at each other, 1 m/s each, and meet 4 s later; walls
    are 1 s and 2 s behind them. */
 static void begin(struct loop *l, double offset)

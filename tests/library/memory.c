@@ -21,9 +21,6 @@
 #include "forces/rods.h"
 #include "library/galleries.h"
 
-#include <stdlib.h>
-#include <string.h>
-
 static struct scene scene;
 
 static void make(const char *name)
@@ -345,7 +342,7 @@ static double last_place(const struct line *l)
     const struct start_request request = {
         .kind = START_RANDOM, .movers = 40, .seed = 7};
     struct start s;
-    struct bonkers b;
+    FREED(bonkers) b;
     size_t wrong;
     double x[42], v[42];
     const long failing = heap_failing;
@@ -356,7 +353,6 @@ static double last_place(const struct line *l)
     heap_failing = failing;
     bonkers_run(&b, 3, UINT64_MAX);
     bonkers_state(&b, x, v);
-    bonkers_free(&b);
     return x[20];
 }
 

@@ -9,8 +9,6 @@
 #include "forces/motion.h"
 #include "toolbox/random.h"
 
-#include <stdlib.h>
-
 static struct scene scene; /* each that is made takes its place */
 
 /* A scene of the gallery; up to three keys, the last name NULL. */
@@ -59,14 +57,12 @@ struct gap {
 static struct gap compare(const char *one, const char *other, double every,
                           uint64_t rows)
 {
-    struct models_run a = run_of(one, every, rows);
-    struct models_run b = run_of(other, every, rows);
+    RUN a = run_of(one, every, rows);
+    RUN b = run_of(other, every, rows);
     const size_t n = 3 * scene.bodies;
     const struct gap gap = {apart(a.scene.position, b.scene.position, n),
                             apart(a.scene.velocity, b.scene.velocity, n)};
     UNIT_EQUAL(a.scene.time, b.scene.time);
-    models_end(&a);
-    models_end(&b);
     return gap;
 }
 

@@ -5,8 +5,6 @@
 #include "forces/elastic.h"
 #include "forces/modes.h"
 
-#include <stdlib.h>
-
 static void find(struct modes *m, const struct scene *s)
 {
     FREED(springs) p;

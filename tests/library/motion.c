@@ -7,8 +7,6 @@
 #include "forces/motion.h"
 #include "toolbox/table.h"
 
-#include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
 /* Three bodies that feel everything; with contact they are in a box. */

@@ -4,8 +4,6 @@
 
 #include "forces/observables.h"
 
-#include <stdlib.h>
-
 static struct scene scene;
 static struct motion motion;
 

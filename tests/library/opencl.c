@@ -8,8 +8,6 @@
 #include "forces/opencl.h"
 #include "toolbox/random.h"
 
-#include <stdlib.h>
-
 enum { BODIES = 777 }; /* no multiple of 8, 16 or 64 */
 static double mass[BODIES], x[3 * BODIES];
 static const double k2 = 0.7, softening = 1e-3;

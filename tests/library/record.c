@@ -5,8 +5,6 @@
 #include "choosing/record.h"
 #include "unit.h"
 
-#include <stdlib.h>
-
 static struct record_setup order(const struct scene *s, const char *text,
                                  double until, size_t rows)
 {

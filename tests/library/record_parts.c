@@ -175,14 +175,14 @@ TEST(test_moved, "they are moved where something moves")
 TEST(test_tied, "they are not where a closed form ties nothing")
 {
     for (unsigned k = 0; k < 4; ++k) {
-        struct scene s = all_different(), t;
+        FREED(scene) s = all_different(), t;
         s.contact = k % 2;
         s.k2 = 0;
         struct models_plan plan = {
             .model = models_find(k < 2 ? "leapfrog" : "free"), .steps = 1};
         const struct record_setup o = {
             .scene = &s, .plan = plan, .every = 1, .twin = 1};
-        struct record r;
+        FREED(record) r;
         struct pass w = {.r = &r, .o = &o};
         FREED(record_view) v;
         UNIT_MUST(plan.model && scene_copy(&t, &s) &&
@@ -193,9 +193,7 @@ TEST(test_tied, "they are not where a closed form ties nothing")
                           9 * sizeof *t.velocity) != 0,
                    k != 2);
         end_pass(&w);
-        record_free(&r);
         scene_free(&t);
-        scene_free(&s);
     }
 }
 

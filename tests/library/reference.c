@@ -13,13 +13,12 @@ static double orbit_error(double tolerance, int pieces)
 {
     const double period = 2 * acos(-1);
     double x[] = {0.5, 0}, v[] = {0, sqrt(3)};
-    struct reference r;
+    FREED(reference) r;
     UNIT_TRUE(reference_begin(
         &r, (struct stepping_forces){2, false, orbit, NULL}, tolerance));
     for (int k = 0; k < pieces; ++k)
         UNIT_TRUE(reference_step(&r, 10 * period / pieces, x, v));
     UNIT_TRUE(r.evaluations > 1000);
-    reference_free(&r);
     return hypot(x[0] - 0.5, x[1]);
 }
 

@@ -7,8 +7,6 @@
 #include "choosing/models.h"
 #include "forces/rods.h"
 
-#include <stdlib.h>
-
 static double weight;
 static struct scene scene;
 

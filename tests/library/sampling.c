@@ -20,7 +20,7 @@ struct told {
 static struct told run(struct sampling *s, double step, size_t samples)
 {
     struct told told = {0};
-    struct means m;
+    FREED(means) m;
     SEEDED(r, 1);
     UNIT_TRUE(means_create(&m, QUANTITIES));
     UNIT_TRUE(step == 0 || sampling_start(s, &r));
@@ -44,7 +44,6 @@ static struct told run(struct sampling *s, double step, size_t samples)
         told.mean[q] = means_mean(&m, q);
         told.error[q] = means_error(&m, q);
     }
-    means_free(&m);
     return told;
 }
 

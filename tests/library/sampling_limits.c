@@ -6,7 +6,6 @@
 #include "box/sampling.h"
 
 #include <float.h>
-#include <stdlib.h>
 
 static void box(struct sampling *s, size_t dimensions,
                 enum disks_boundary boundary, double side, size_t count,
@@ -69,7 +68,7 @@ TEST(test_hair_behind, "what is a hair behind is not in the way")
     static const double places[][3] = {{.5, .4, 0}, {.5 - 1e-10, .7, 0}};
     int tried = 0;
     for (uint64_t seed = 1; seed <= 8; ++seed) {
-        struct sampling s;
+        FREED(sampling) s;
         SEEDED(r, seed);
         double gained = 0;
         if (random_below(&r, 2) != 0)
@@ -81,7 +80,6 @@ TEST(test_hair_behind, "what is a hair behind is not in the way")
         UNIT_EQUAL(sampling_chain(&s, 0, 0.25, &r, &gained), 0);
         UNIT_EQUAL(s.disks.disk[0].position[0], 0.75);
         UNIT_EQUAL(gained, 0);
-        sampling_free(&s);
     }
     UNIT_TRUE(tried > 1);
 }
@@ -289,7 +287,7 @@ TEST(test_images, "images end a slide in every direction")
                                  D == 2 ? 0 : way / 9 - 1};
             const double length =
                 sqrt(to[0] * to[0] + to[1] * to[1] + to[2] * to[2]);
-            struct sampling s;
+            FREED(sampling) s;
             if (length == 0)
                 continue;
             box(&s, D, DISKS_PERIODIC, 1, 3, 0.1, NULL);
@@ -302,7 +300,6 @@ TEST(test_images, "images end a slide in every direction")
             UNIT_NEAR(sampling_pair_density(&s, 0, 1),
                       p * pow(0.2, p - 1) / (pow(end, p) - pow(0.2, p)),
                       1e-11);
-            sampling_free(&s);
         }
 }
 

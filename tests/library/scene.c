@@ -9,9 +9,6 @@
 #include "toolbox/random.h"
 #include "toolbox/table.h"
 
-#include <stdlib.h>
-#include <string.h>
-
 static struct scene_error error; /* of the last parse */
 
 static bool parse(struct scene *s, const char *text)

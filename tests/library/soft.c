@@ -5,8 +5,6 @@
 
 #include "forces/motion.h"
 
-#include <stdlib.h>
-
 /* A row of balls of 1 kg with springs of 5000 N/m: 100/s for a pair. */
 static void make(struct scene *s, size_t balls, enum scene_law touch,
                  double gap)

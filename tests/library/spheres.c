@@ -8,8 +8,6 @@
 #include "forces/spheres.h"
 #include "toolbox/random.h"
 
-#include <stdlib.h>
-
 static void make(struct scene *s, size_t bodies)
 {
     UNIT_MUST(scene_create(s, bodies));
@@ -67,46 +65,31 @@ static void begin_pair(struct scene *s)
 }
 
 /* v = 1 and -1 with 3 kg and 1 kg: the centre moves at 1/2, so out come 0
-   and 2. The depth is 0.25. */
-TEST(test_shares, "the depth is shared by radius or by mass")
+   and 2. The depth is 0.25. They have touched 1/8 s ago, at -1/8 and 7/8;
+   going back, the first has stood there since, and the second has gone on
+   to 9/8. Nobody goes back for more than a step: pushed apart by mass
+   instead.
+ */
+TEST(test_shares,
+     "the depth is shared, or they go back to where they should be")
 {
-    static const double first[] = {-0.125, -0.0625}, /* radius; mass */
-        second[] = {0.875, 0.9375};
-    for (int shift = SPHERES_BY_RADIUS; shift <= SPHERES_BY_MASS; ++shift) {
+    static const struct {
+        enum spheres_shift shift;
+        double dt, first, second;
+    } known[] = {{SPHERES_BY_RADIUS, 1, -0.125, 0.875},
+                 {SPHERES_BY_MASS, 1, -0.0625, 0.9375},
+                 {SPHERES_BACK, 1, -0.125, 1.125},
+                 {SPHERES_BACK, 0.0625, -0.0625, 0.9375}};
+    for (size_t k = 0; k < sizeof known / sizeof *known; ++k) {
         FREED(scene) s;
         FREED(spheres) p;
         begin_pair(&s);
-        begin(&p, &s, SPHERES_APPROACHING, shift, 1);
+        begin(&p, &s, SPHERES_APPROACHING, known[k].shift, known[k].dt);
         UNIT_EQUAL(spheres_resolve(&p, s.position, s.velocity), 1);
         UNIT_LIST(s.velocity, 0, 0, 2);
-        UNIT_LIST(s.position, 0, first[shift], second[shift]);
+        UNIT_LIST(s.position, 0, known[k].first, known[k].second);
         UNIT_EQUAL(p.depth, 0.25);
     }
-}
-
-/* They have touched 1/8 s ago, at -1/8 and 7/8; the first has stood there
-   since, the second has gone on to 9/8. */
-TEST(test_going_back, "going back leads to where they should be")
-{
-    FREED(scene) s;
-    FREED(spheres) p;
-    begin_pair(&s);
-    begin(&p, &s, SPHERES_APPROACHING, SPHERES_BACK, 1);
-    UNIT_EQUAL(spheres_resolve(&p, s.position, s.velocity), 1);
-    UNIT_LIST(s.velocity, 0, 0, 2);
-    UNIT_LIST(s.position, 0, -0.125, 1.125);
-}
-
-/* No longer than the step: pushed apart by mass instead. */
-TEST(test_not_too_far, "nobody goes back for more than a step")
-{
-    FREED(scene) s;
-    FREED(spheres) p;
-    begin_pair(&s);
-    begin(&p, &s, SPHERES_APPROACHING, SPHERES_BACK, 0.0625);
-    spheres_resolve(&p, s.position, s.velocity);
-    UNIT_EQUAL(s.velocity[1], 2);
-    UNIT_LIST(s.position, 0, -0.0625, 0.9375);
 }
 
 /* Glancing hits, found late, against where both would be if they had been
@@ -221,20 +204,25 @@ TEST(test_parting, "only the paper reflects pairs that part")
     }
 }
 
+static void collide(struct scene *s)
+{
+    FREED(spheres) p;
+    begin(&p, s, SPHERES_APPROACHING, SPHERES_BY_RADIUS, 1);
+    spheres_resolve(&p, s->position, s->velocity);
+}
+
 /* A fixed body is a wall; one that is free along x only moves along x, and
    the energy is kept. By hand: the normal is (3, 4)/5, 1 kg at (0, -1)
    comes down on it: J = 2 (4/5) / (9/25 + 1). */
 TEST(test_fixed, "what is fixed along an axis stays")
 {
     FREED(scene) s;
-    FREED(spheres) p;
     make(&s, 2);
     s.freedom[2] = s.freedom[4] = 0; /* body 0 along y, z */
     s.position[1] = 0.54;
     s.position[3] = 0.72; /* 0.9 apart */
     s.velocity[3] = -1;
-    begin(&p, &s, SPHERES_APPROACHING, SPHERES_BY_RADIUS, 1);
-    spheres_resolve(&p, s.position, s.velocity);
+    collide(&s);
     const double J = 1.6 / 1.36;
     UNIT_NEAR(s.velocity[0], -0.6 * J, 1e-15);
     UNIT_EQUAL(s.velocity[2], 0);
@@ -242,13 +230,11 @@ TEST(test_fixed, "what is fixed along an axis stays")
     UNIT_NEAR(s.velocity[3], 0.8 * J - 1, 1e-15);
     UNIT_NEAR(energy(&s), 0.5, 1e-15);
     UNIT_EQUAL(s.position[2], 0);
-    spheres_free(&p);
     s.freedom[0] = 0; /* now wholly fixed */
     PUT(s.position, 0, 0.9);
     s.position[3] = s.velocity[0] = s.velocity[3] = 0;
     s.velocity[1] = -1;
-    begin(&p, &s, SPHERES_APPROACHING, SPHERES_BY_RADIUS, 1);
-    spheres_resolve(&p, s.position, s.velocity);
+    collide(&s);
     UNIT_EQUAL(s.velocity[1], 1);
     UNIT_EQUAL(s.position[0], 0);
     UNIT_NEAR(s.position[1], 1, 1e-15);
@@ -256,9 +242,7 @@ TEST(test_fixed, "what is fixed along an axis stays")
     s.freedom[1] = 0;
     s.position[1] = 0.9;
     PUT(s.velocity, 1, 0);
-    spheres_free(&p);
-    begin(&p, &s, SPHERES_APPROACHING, SPHERES_BY_RADIUS, 1);
-    spheres_resolve(&p, s.position, s.velocity);
+    collide(&s);
     UNIT_EQUAL(s.velocity[0], -1);
     UNIT_NEAR(s.position[0], -0.1, 1e-15);
     UNIT_EQUAL(s.position[1], 0.9);
@@ -487,52 +471,35 @@ TEST(test_cradle, "what leaves the cradle")
         }
 }
 
-/* Three bodies at once: by hand, from either side first. */
-TEST(test_order_of_pairs, "the order of pairs decides")
+/* Body 1, of 2 kg, is hit from both sides at once. By hand: 0 first makes
+   (-1/3, 2/3), then 1 on 2, closing with 5/3, 2/3 - 10/9. The deepest
+   first: the later pair; of equal ones the first, though the sweep, from
+   the left, finds it last. */
+TEST(test_order_of_pairs, "the order of pairs decides, or their depth")
 {
-    FREED(scene) s;
-    FREED(spheres) p;
-    make(&s, 3); /* 1 is hit from both sides at once, and weighs more */
-    s.mass[1] = 2;
-    s.position[0] = -0.9;
-    s.position[2] = 0.9;
-    s.velocity[0] = 1;
-    s.velocity[2] = -1;
-    begin(&p, &s, SPHERES_APPROACHING, SPHERES_BACK, 1);
-    spheres_resolve(&p, s.position, s.velocity);
-    /* 0 first: (-1/3, 2/3), then 1 on 2: closing 5/3, out 2/3 - 10/9 */
-    UNIT_NEAR(s.velocity[0], -1 / 3., 1e-15);
-    UNIT_NEAR(s.velocity[2], -1 + 20 / 9., 1e-15);
-    spheres_free(&p);
-    PUT(s.position, -0.9, 0, 0.9);
-    PUT(s.velocity, 1, 0, -1);
-    begin(&p, &s, SPHERES_APPROACHING, SPHERES_BACK, 1);
-    p.order = SPHERES_DESCENDING;
-    spheres_resolve(&p, s.position, s.velocity);
-    UNIT_NEAR(s.velocity[2], 1 / 3., 1e-15);
-    UNIT_NEAR(s.velocity[0], 1 - 20 / 9., 1e-15);
-}
-
-/* The deepest first: here the later pair, which comes out as above; of
-   equal ones the first, though the sweep, from the left, finds it last. */
-TEST(test_deepest, "or their depth")
-{
-    for (int equal = 0; equal < 2; ++equal) {
+    static const struct {
+        enum spheres_order order;
+        double x[3], out[2]; /* out: of 0 and of 2 */
+    } known[] = {
+        {SPHERES_ASCENDING, {-0.9, 0, 0.9}, {-1 / 3., 20 / 9. - 1}},
+        {SPHERES_DESCENDING, {-0.9, 0, 0.9}, {1 - 20 / 9., 1 / 3.}},
+        {SPHERES_DEEPEST, {-0.95, 0, 0.9}, {1 - 20 / 9., 1 / 3.}},
+        {SPHERES_DEEPEST, {0.9, 0, -0.9}, {1 / 3., 1 - 20 / 9.}}};
+    for (size_t k = 0; k < sizeof known / sizeof *known; ++k) {
         FREED(scene) s;
         FREED(spheres) p;
         make(&s, 3);
         s.mass[1] = 2;
-        s.position[0] = equal ? 0.9 : -0.95;
-        s.position[2] = equal ? -0.9 : 0.9;
-        s.velocity[0] = equal ? -1 : 1;
+        memcpy(s.position, known[k].x, sizeof known[k].x);
+        s.velocity[0] = s.position[0] < 0 ? 1 : -1;
         s.velocity[2] = -s.velocity[0];
         begin(&p, &s, SPHERES_APPROACHING, SPHERES_BACK, 1);
-        p.order = SPHERES_DEEPEST;
-        p.search = SPHERES_SWEEP;
+        p.order = known[k].order;
+        if (p.order == SPHERES_DEEPEST)
+            p.search = SPHERES_SWEEP;
         spheres_resolve(&p, s.position, s.velocity);
-        const double first = 1 / 3., last = 1 - 20 / 9.;
-        UNIT_NEAR(s.velocity[2], equal ? last : first, 1e-15);
-        UNIT_NEAR(s.velocity[0], equal ? first : last, 1e-15);
+        UNIT_NEAR(s.velocity[0], known[k].out[0], 1e-15);
+        UNIT_NEAR(s.velocity[2], known[k].out[1], 1e-15);
     }
 }
 

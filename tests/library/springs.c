@@ -9,7 +9,6 @@
 #include "forces/springs.h"
 
 #include <float.h>
-#include <stdlib.h>
 
 /* Two bodies of mass 1 and 2 on a spring of 10 N/m, 1 m, c = 3 kg/s; the
    second at (x, y, 0). */

@@ -4,8 +4,6 @@
 
 #include "box/states.h"
 
-#include <stdlib.h>
-
 static const char path[] = "build/tests/states.table";
 
 static void text(const char *words)

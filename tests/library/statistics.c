@@ -9,7 +9,6 @@
 #include "toolbox/random.h"
 
 #include <float.h>
-#include <stdlib.h>
 
 enum { MOST = 1 << 18 };
 static double x[MOST], y[MOST];

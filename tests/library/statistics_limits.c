@@ -6,7 +6,6 @@
 #include "line/statistics.h"
 
 #include <float.h>
-#include <stdlib.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>

@@ -10,7 +10,6 @@
 #include "toolbox/quad.h"
 
 #include <float.h>
-#include <stdlib.h>
 
 enum { MOST = 6 };
 
@@ -543,7 +542,7 @@ TEST(test_evaluations, "the forces are asked as often as promised")
 static double circle_error(bool compensated)
 {
     double x[] = {1, 0}, v[] = {0, 1};
-    struct stepping s;
+    FREED(stepping) s;
     begin(&s, stepping_find("kahan-li8"), orbit_forces, 0.02, x, v);
     s.compensated = compensated;
     double sum = 0;
@@ -553,7 +552,6 @@ static double circle_error(bool compensated)
                               1 / sqrt(x[0] * x[0] + x[1] * x[1]);
         sum += fabs(energy + 0.5);
     }
-    stepping_free(&s);
     return sum / 100;
 }
 

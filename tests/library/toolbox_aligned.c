@@ -4,7 +4,6 @@
 #include "unit.h"
 
 #include <stdint.h>
-#include <stdlib.h>
 
 TEST(test_lines, "zeros from the beginning of a line")
 {

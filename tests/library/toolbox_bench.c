@@ -3,7 +3,6 @@
 #include "toolbox/bench.h"
 #include "unit.h"
 
-#include <stdlib.h>
 #include <time.h>
 
 TEST(test_median, "the median is the middle one, the upper of two")

@@ -4,8 +4,6 @@
 #include "toolbox/digits.h"
 #include "toolbox/random.h"
 
-#include <math.h>
-#include <stdbool.h>
 #include <stdint.h>
 
 static bool is_same(double x)

@@ -7,8 +7,6 @@
 #include "toolbox/random.h"
 
 #include <float.h>
-#include <stdbool.h>
-#include <stdlib.h>
 
 enum { DRAWS = 1000000, BINS = 100 };
 

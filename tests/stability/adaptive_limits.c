@@ -4,8 +4,6 @@
 
 #include "library/own_steps.h"
 
-#include <stdlib.h>
-
 FORCES(springs)
 {
     const double *stiff = what;

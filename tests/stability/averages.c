@@ -6,8 +6,6 @@
 #include "library/asked.h"
 #include "toolbox/random.h"
 
-#include <stdlib.h>
-
 static void make_four(struct scene *s, double radius)
 {
     UNIT_MUST(

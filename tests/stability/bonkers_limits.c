@@ -6,7 +6,6 @@
 #include "toolbox/random.h"
 
 #include <float.h>
-#include <stdlib.h>
 
 static void begin(struct bonkers *b, struct start_request request,
                   enum bonkers_engine engine)
@@ -23,7 +22,7 @@ static void begin(struct bonkers *b, struct start_request request,
 static double miss(struct start_request request, enum bonkers_engine engine,
                    uint64_t n)
 {
-    struct bonkers b, start;
+    FREED(bonkers) b, start;
     double worst = 0;
     begin(&b, request, engine);
     begin(&start, request, engine);
@@ -37,8 +36,6 @@ static double miss(struct start_request request, enum bonkers_engine engine,
     bonkers_settle(&b);
     for (size_t i = 0; i <= b.gaps; ++i)
         worst = fmax(worst, fabs(b.body[i].x - start.body[i].x));
-    bonkers_free(&b);
-    bonkers_free(&start);
     return worst;
 }
 
@@ -85,7 +82,7 @@ static size_t count_pairs(double ratio)
 {
     enum { TIMES = 40000, MANY = 1000 };
     static double seen[MANY][2];
-    struct bonkers b;
+    FREED(bonkers) b;
     size_t count = 0;
     begin(&b, (struct start_request){.kind = START_TWO, .ratio = ratio},
           BONKERS_AUTO);
@@ -102,7 +99,6 @@ static size_t count_pairs(double ratio)
             seen[count++][1] = v[2];
         }
     }
-    bonkers_free(&b);
     return count;
 }
 
@@ -122,7 +118,7 @@ TEST(test_two_balls, "two balls of mass ratio 3 know 12 velocity pairs")
    0.01 s. */
 static double effect_of_looking(enum bonkers_engine engine)
 {
-    struct bonkers a, b;
+    FREED(bonkers) a, b;
     double worst = 0, x[10], v[10], y[10];
     begin(&a, (struct start_request){.kind = START_MIXED}, engine);
     begin(&b, (struct start_request){.kind = START_MIXED}, engine);
@@ -133,8 +129,6 @@ static double effect_of_looking(enum bonkers_engine engine)
     bonkers_state(&b, y, v);
     for (size_t i = 0; i < 10; ++i)
         worst = fmax(worst, fabs(x[i] - y[i]));
-    bonkers_free(&a);
-    bonkers_free(&b);
     return worst;
 }
 

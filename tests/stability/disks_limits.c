@@ -6,7 +6,6 @@
 #include "box/disks.h"
 
 #include <float.h>
-#include <stdlib.h>
 
 static void make(struct disks *d, size_t count, double side)
 {
@@ -79,7 +78,7 @@ static void begin(struct disks *d, size_t count, double r, double side,
 
 static double way_back(double t, uint64_t seed)
 {
-    struct disks d, start;
+    FREED(disks) d, start;
     double worst = 0;
     begin(&d, 4, 0.15, 1, sqrt(0.5), seed);
     begin(&start, 4, 0.15, 1, sqrt(0.5), seed);
@@ -95,8 +94,6 @@ static double way_back(double t, uint64_t seed)
         for (size_t k = 0; k < 2; ++k)
             worst = fmax(worst, fabs(d.disk[i].position[k] -
                                      start.disk[i].position[k]));
-    disks_free(&d);
-    disks_free(&start);
     return worst;
 }
 

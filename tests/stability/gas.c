@@ -5,8 +5,6 @@
 #include "box/cells.h"
 #include "box/disks.h"
 
-#include <stdlib.h>
-
 /* Disks of radius 1/2 in a box, or spheres, at random speeds. */
 static void make(struct disks *d, size_t dimensions, size_t count,
                  double side)

@@ -7,8 +7,6 @@
 #include "forces/motion.h"
 #include "forces/spheres.h"
 
-#include <stdlib.h>
-
 static void make(struct scene *s, const char *name, const char *key,
                  double value)
 {
@@ -47,8 +45,8 @@ static double energy(const struct scene *s)
    -0.043 of it at a step of 0.1 diameters. */
 static double pressure(enum spheres_shift shift, double *change)
 {
-    struct scene s;
-    struct spheres p;
+    FREED(scene) s;
+    FREED(spheres) p;
     make(&s, "gas", NULL, 0);
     begin(&p, &s, shift, 0.02);
     const double E = energy(&s);
@@ -57,8 +55,6 @@ static double pressure(enum spheres_shift shift, double *change)
     run(&s, &p, 60);
     const double Z = 1 + p.virial / (2 * E * 60);
     *change = fabs(energy(&s) / E - 1);
-    spheres_free(&p);
-    scene_free(&s);
     return Z;
 }
 
@@ -136,8 +132,8 @@ static double break_by_events(double seed)
 {
     const struct gallery_scene *g = gallery_find(hard_scenes, "break");
     double value[GALLERY_KEYS], place[DISKS_AXES];
-    struct scene s;
-    struct disks d;
+    FREED(scene) s;
+    FREED(disks) d;
     gallery_usual(g, value);
     value[gallery_key(g, "jitter")] = 1e-12;
     value[gallery_key(g, "seed")] = seed;
@@ -150,22 +146,18 @@ static double break_by_events(double seed)
     UNIT_TRUE(hard_disks(&d, &s) && disks_plan(&d));
     disks_run(&d, 0.5, UINT64_MAX);
     disks_position(&d, 15, place);
-    disks_free(&d);
-    scene_free(&s);
     return place[0] - 50;
 }
 
 static double break_by_steps(enum spheres_order order)
 {
-    struct scene s;
-    struct spheres p;
+    FREED(scene) s;
+    FREED(spheres) p;
     make(&s, "break", NULL, 0);
     begin(&p, &s, SPHERES_BACK, 1e-5);
     p.order = order;
     run(&s, &p, 0.5);
     const double x = s.position[15];
-    spheres_free(&p);
-    scene_free(&s);
     return x;
 }
 

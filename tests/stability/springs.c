@@ -8,8 +8,6 @@
 #include "forces/modes.h"
 #include "forces/springs.h"
 
-#include <stdlib.h>
-
 static void make(struct scene *s, const char *name, const char *key,
                  double value)
 {
@@ -37,10 +35,10 @@ static void make_at_rest(struct scene *s, bool pendulum)
 static double excursion(const char *method, bool pendulum, double phase,
                         uint64_t steps)
 {
-    struct scene s, rest;
-    struct springs p;
-    struct modes m;
-    struct stepping t;
+    FREED(scene) s, rest;
+    FREED(springs) p;
+    FREED(modes) m;
+    FREED(stepping) t;
     double far = 0;
     make_at_rest(&s, pendulum);
     UNIT_MUST(scene_copy(&rest, &s) && springs_create(&p, &s) &&
@@ -60,11 +58,6 @@ static double excursion(const char *method, bool pendulum, double phase,
             far = off <= far ? far : isfinite(off) ? off : 1;
         }
     }
-    stepping_free(&t);
-    modes_free(&m);
-    springs_free(&p);
-    scene_free(&s);
-    scene_free(&rest);
     return far;
 }
 
@@ -128,9 +121,9 @@ TEST(test_euler, "Euler's method loses the pendulum at any step")
    row to the next, 0.025 s apart. */
 static double ripple(const char *method, int steps)
 {
-    struct scene s;
-    struct springs p;
-    struct stepping t;
+    FREED(scene) s;
+    FREED(springs) p;
+    FREED(stepping) t;
     double most = 0, before = 0;
     make(&s, "double-pendulum", NULL, 0);
     UNIT_MUST(springs_create(&p, &s) &&
@@ -143,9 +136,6 @@ static double ripple(const char *method, int steps)
             most = fmax(most, fabs(now - before));
         before = now;
     }
-    stepping_free(&t);
-    springs_free(&p);
-    scene_free(&s);
     return most;
 }
 

@@ -9,8 +9,6 @@
 #include "forces/stepping.h"
 #include "library/methods.h"
 
-#include <stdlib.h>
-
 /* x'' = -w^2 x - c v */
 struct linear {
     double w, c;
@@ -29,7 +27,7 @@ static double size_after(const struct stepping_method *m, double w,
     struct linear l = {w, c};
     const struct stepping_forces f = {1, c != 0, force, &l};
     double x = 1, v = 0.3, most = 0;
-    struct stepping s;
+    FREED(stepping) s;
     UNIT_MUST(stepping_begin(&s, m, f, 1, &x, &v));
     stepping_run(&s, steps);
     for (int k = 0; k < 100; ++k) {
@@ -37,7 +35,6 @@ static double size_after(const struct stepping_method *m, double w,
             most = INFINITY;
         most = fmax(most, fmax(fabs(x), fabs(v)));
     }
-    stepping_free(&s);
     return most;
 }
 

@@ -950,27 +950,3 @@ TEST(test_sentence, "what was taken is said in words")
     choose_sentence(&c, 1e-3, text);
     UNIT_TRUE(strncmp(text, "kepler: ellipses", 16) == 0);
 }
-
-/* Two bodies a thousandth apart, and one that is a million away: a
-   tolerance of 1e-6 cannot tell the two apart, and without the third one it
-   could. Without a far body, or with a small tolerance, nothing is hidden.
- */
-TEST(test_hidden, "a scale that hides two bodies is seen")
-{
-    FREED(scene) s;
-    UNIT_TRUE(scene_create(&s, 3));
-    PUT(s.position + 1, 1e-3, 1e6);
-    for (int k = 0; k < 3; ++k) {
-        if (k == 2)
-            s.position[2] = 1;
-        const struct choose_request q = asked(&s, 1, k == 1 ? 1e-10 : 1e-6);
-        CHOICE c = chosen(&q, true);
-        UNIT_TRUE((c.hidden.a != c.hidden.b) == (k == 0));
-        if (k == 0) {
-            UNIT_EQUAL(c.hidden.a + c.hidden.b, 1);
-            UNIT_EQUAL(c.hidden.far, 2);
-            UNIT_EQUAL(c.hidden.distance, 1e-3);
-            UNIT_EQUAL(c.hidden.without, 1e-3);
-        }
-    }
-}

@@ -21,29 +21,6 @@ static void begin(struct springs *p, struct stepping *t, struct scene *s,
                              dt, s->position, s->velocity));
 }
 
-/* Every scene at its usual values and with each key at both ends (grids no
-   larger than a hundred on a side) builds, and is finite. */
-TEST(test_all_keys, "every key of every scene at both ends")
-{
-    for (const struct gallery_scene *g = elastic_scenes; g->name; ++g)
-        for (size_t k = 0; g->key[k].name; ++k)
-            for (int high = 0; high < 2; ++high) {
-                FREED(scene) s;
-                const double value =
-                    high ? fmin(g->key[k].high, 100) : g->key[k].low;
-                const char *why =
-                    gallery_make(&s, g, g->key[k].name, value);
-                UNIT_TRUE(g->key[k].usual >= g->key[k].low &&
-                          g->key[k].usual <= g->key[k].high);
-                if (why) { /* as of an oscillator turned over */
-                    UNIT_TRUE(*why != '\0');
-                    continue;
-                }
-                for (size_t i = 0; i < 3 * s.bodies; ++i)
-                    UNIT_TRUE(isfinite(s.position[i]));
-            }
-}
-
 TEST(test_pendulum, "the double pendulum hangs where it should")
 {
     FREED(scene) s;

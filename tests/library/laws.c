@@ -223,30 +223,3 @@ TEST(test_fitted, "fitted numbers cost degrees of freedom")
     UNIT_NEAR(test.chi2, 17, 4 * sqrt(2 * 17));
     UNIT_TRUE(isnan(test.distance_probability));
 }
-
-/* Three samples by hand: 0.1, 0.2 and 0.9 of a flat law. The distance is
-   2/3 - 0.2; of 20 bins three hold 1 and 17 none, expected 0.15 each. */
-TEST(test_by_hand, "three samples by hand")
-{
-    const struct law flat = law_of("beta:1,1");
-    const double samples[] = {0.9, 0.125, 0.2};
-    struct law_test test;
-    UNIT_TRUE(laws_test(&flat, 3, samples, 1, 0, 0, &test));
-    UNIT_NEAR(test.distance, 2.0 / 3 - 0.2, 1e-15);
-    UNIT_NEAR(test.chi2, (3 * 0.85 * 0.85 + 17 * 0.15 * 0.15) / 0.15,
-              1e-12);
-    const double root = sqrt(3);
-    UNIT_NEAR(test.distance_probability,
-              laws_kolmogorov(test.distance * (root + 0.12 + 0.11 / root)),
-              1e-15);
-
-    /* Two blocks, one or none tell nothing of the scatter. */
-    const double four[] = {0.9, 0.125, 0.2, 0.6};
-    UNIT_TRUE(laws_test(&flat, 4, four, 1, 0, 0, &test));
-    for (size_t block = 2; block < 6; ++block) {
-        struct law_test blocked;
-        UNIT_TRUE(laws_test(&flat, 4, four, 1, block, 0, &blocked));
-        UNIT_NEAR(blocked.chi2, test.chi2, 1e-15);
-        UNIT_NEAR(blocked.degrees, test.degrees, 1e-15);
-    }
-}

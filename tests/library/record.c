@@ -249,6 +249,7 @@ TEST(test_scales, "scales by hand")
     UNIT_EQUAL(scale(&s, "x:1", 10, "positions"), 5);
     UNIT_EQUAL(scale(&s, "vx:0", 10, "velocities"), 4);
     UNIT_EQUAL(scale(&s, "energy", 10, "energy"), 16 + 2.5);
+    UNIT_EQUAL(scale(&s, "momentum", 10, "momentum"), 8 + 5);
     UNIT_EQUAL(scale(&s, "collisions", 10, "counts"), 1);
     UNIT_EQUAL(scale(&s, "t", 10, "t"), 1);
     s.wall[0] = SCENE_HARD; /* a wall is as far as a body */
@@ -269,6 +270,10 @@ TEST(test_scales, "scales by hand")
     s.position[0] = 3;
     UNIT_EQUAL(scale(&s, "vx:0", 10, "velocities"), 0.3);
     UNIT_NEAR(scale(&s, "energy", 10, "energy"), 7 * 0.09, 1e-15);
+    UNIT_NEAR(scale(&s, "momentum", 10, "momentum"), 7 * 0.3, 1e-15);
+    s.k2 = 5; /* they would circle in 2 pi/omega, omega^2 = 35/3^3 */
+    UNIT_NEAR(scale(&s, "vx:0", 10, "velocities"), 3 * sqrt(35 / 27.),
+              1e-14);
 }
 
 /* A light body on a parabola has no energy but its kinetic one and the same

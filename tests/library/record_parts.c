@@ -264,31 +264,3 @@ TEST(test_speed, "how fast a body is")
     }
     UNIT_EQUAL(speed_of_body(&s, 1), 7);
 }
-
-/* From what is measured: 2 kg at 4 m/s and 3 kg at 1 m/s, 5 m apart. */
-TEST(test_measured, "scales of a scene")
-{
-    FREED(scene) s;
-    FREED(record_view) v;
-    UNIT_TRUE(scene_create(&s, 2));
-    PUT(s.mass, 2, 3);
-    s.position[1] = 3;
-    s.position[3] = 4;
-    s.velocity[0] = 4;
-    s.velocity[3] = -1;
-    UNIT_TRUE(record_view_create(&v, "record", &s, NULL, 10));
-    struct scales to = measure_scales(&v, 10);
-    UNIT_EQUAL(to.length, 5);
-    UNIT_EQUAL(to.speed, 4);
-    UNIT_EQUAL(to.momentum, 11);
-    UNIT_EQUAL(to.energy, 17.5);
-    for (size_t c = 0; c < 6; ++c)
-        v.scene.velocity[c] = 0;
-    to = measure_scales(&v, 10);
-    UNIT_EQUAL(to.speed, 0.5);
-    UNIT_EQUAL(to.energy, 5 * 0.25);
-    UNIT_EQUAL(to.momentum, 2.5);
-    v.scene.k2 = 5; /* they would circle in 2 pi/omega, omega^2 = 25/5^3 */
-    to = measure_scales(&v, 10);
-    UNIT_NEAR(to.speed, 5 * sqrt(0.2), 1e-14);
-}

@@ -392,31 +392,3 @@ TEST(test_spin, "what dashpots do to rotation")
         UNIT_NEAR(spin[1] / spin[0], axial ? 1 : exp(-0.3 * 3 * 1.5), 1e-8);
     }
 }
-
-/* ---- the oscillator
- * ------------------------------------------------------ */
-
-/* The scene, stepped: second order, so the error is that of the step. */
-TEST(test_regimes, "the stepped oscillator follows it")
-{
-    const double g[] = {0, 0.1, 0.5, 1, 2};
-    const struct gallery_scene *o =
-        gallery_find(elastic_scenes, "oscillator");
-    for (int i = 0; i < 5; ++i) {
-        double error[2];
-        for (int fine = 0; fine < 2; ++fine) {
-            FREED(scene) s;
-            FREED(springs) p;
-            FREED(stepping) t;
-            const double h = fine ? 0.01 : 0.02;
-            UNIT_MUST(!gallery_make(&s, o, "damping", 2 * g[i]));
-            begin(&p, &t, &s, "leapfrog", h);
-            stepping_run(&t, fine ? 300 : 150);
-            double y = 1, v = 0;
-            closed_oscillate(3, 1, 2 * g[i], &y, &v);
-            error[fine] = fabs(s.position[1] - 4 - y);
-        }
-        UNIT_TRUE(error[1] < 1e-4);
-        UNIT_NEAR(log2(error[0] / error[1]), 2, 0.1); /* order 2 */
-    }
-}

@@ -58,8 +58,6 @@ TEST(test_every_kind, "every start is in order")
 TEST(test_four, "four: 10 n + 1.23 kg and 518.45 J")
 {
     FREED(start) s = FILLED(.kind = START_FOUR);
-    UNIT_EQUAL(s.movers, 4);
-    UNIT_TRUE(s.wall[0] == 0 && s.wall[1] == 5 && s.until == 50);
     for (size_t i = 0; i < 4; ++i) {
         const double k = (double)i + 1;
         UNIT_NEAR(s.mass[i], 10 * k + 1.23, 0);
@@ -73,8 +71,6 @@ TEST(test_mixed_and_cradle, "mixed and cradle")
     static const double im[] = {1.1, 1, 0.9, 1};
     static const double v[] = {2, 2.21, 2.621, 2, -0.2, -0.27, -0.37, -0.2};
     FREED(start) s = FILLED(.kind = START_MIXED);
-    UNIT_EQUAL(s.movers, 8);
-    UNIT_TRUE(s.wall[0] == 1 && s.wall[1] == 10);
     for (size_t i = 0; i < 8; ++i) {
         UNIT_NEAR(s.mass[i] * im[i % 4], i < 4 ? 9 : 1, 9 * DBL_EPSILON);
         UNIT_TRUE(s.x[i] == (double)i + 2 && s.v[i] == v[i]);
@@ -82,8 +78,6 @@ TEST(test_mixed_and_cradle, "mixed and cradle")
     UNIT_NEAR(energy(&s, 0, 8), 90.84, 0.005);
     start_free(&s);
     s = FILLED(.kind = START_CRADLE);
-    UNIT_EQUAL(s.movers, 8);
-    UNIT_TRUE(s.wall[0] == 0 && s.wall[1] == 35);
     UNIT_TRUE(s.mass[0] == 4.123 && s.mass[1] == 9.0123);
     UNIT_NEAR(mass(&s, 2, 8), 6, 0);
     UNIT_NEAR(energy(&s, 0, 8), 26.27, 0.005);
@@ -96,8 +90,6 @@ TEST(test_piston, "the piston has three quarters of the energy")
 {
     for (uint64_t seed = 1; seed < 20; ++seed) {
         FREED(start) s = FILLED(.kind = START_PISTON, .seed = seed);
-        UNIT_EQUAL(s.movers, 11);
-        UNIT_TRUE(s.wall[0] == 0 && s.wall[1] == 12);
         UNIT_TRUE(s.mass[5] == 40 && s.x[5] == 6);
         UNIT_NEAR(mass(&s, 0, 5), 20.0 / 3, 20 * DBL_EPSILON);
         UNIT_NEAR(mass(&s, 6, 11), 20.0 / 3, 20 * DBL_EPSILON);
@@ -120,7 +112,6 @@ TEST(test_adiabatic, "two warm gases and a piston")
 {
     for (uint64_t seed = 1; seed < 6; ++seed) {
         FREED(start) s = FILLED(.kind = START_ADIABATIC, .seed = seed);
-        UNIT_EQUAL(s.movers, 401);
         UNIT_TRUE(s.mass[200] == 40 && s.x[200] == 6 && s.v[200] == 0.1);
         /* sums of 200 numbers, a rounding each */
         UNIT_NEAR(energy(&s, 0, 200), 10.0 / 3,
@@ -145,7 +136,6 @@ TEST(test_thermal, "light and heavy share alike")
     enum { SEEDS = 400 };
     for (uint64_t seed = 1; seed <= SEEDS; ++seed) {
         FREED(start) s = FILLED(.kind = START_THERMAL, .seed = seed);
-        UNIT_TRUE(s.movers == 10 && s.wall[1] == 11);
         UNIT_NEAR(energy(&s, 0, 10), 5, 5 * 20 * DBL_EPSILON);
         for (size_t i = 0; i < 10; ++i)
             UNIT_NEAR(s.mass[i], i < 5 ? 1 : 4, i < 5 ? 0.1 : 0.4);
@@ -195,7 +185,6 @@ TEST(test_random_masses, "random masses from 1 to 9 are all different")
     for (uint64_t seed = 0; seed < SEEDS; ++seed) {
         int seen[N] = {0}, all = 1;
         FREED(start) s = FILLED(.kind = START_RANDOM, .seed = seed);
-        UNIT_EQUAL(s.movers, N);
         for (size_t i = 0; i < N; ++i) {
             const double place = (s.mass[i] - 1) * (N - 1) / 8;
             const int k = (int)round(place);
@@ -240,17 +229,11 @@ TEST(test_seeds, "seeds")
 
 TEST(test_two_and_galperin, "two and galperin take a mass ratio")
 {
-    FREED(start) s = FILLED(.kind = START_TWO);
-    UNIT_TRUE(s.mass[0] == 1 && s.mass[1] == 9 && s.wall[1] == 3);
-    start_free(&s);
-    s = FILLED(.kind = START_TWO, .ratio = 0.25);
+    FREED(start) s = FILLED(.kind = START_TWO, .ratio = 0.25);
     UNIT_TRUE(s.mass[0] == 1 && s.mass[1] == 0.25);
     start_free(&s);
     s = FILLED(.kind = START_GALPERIN, .ratio = 1e6);
     UNIT_TRUE(s.mass[0] == 1 && s.mass[1] == 1e6);
-    UNIT_TRUE(s.v[0] == 0 && s.v[1] < 0);
-    UNIT_TRUE(s.wall[0] == 0 && s.wall[1] == INFINITY);
-    UNIT_TRUE(s.until == INFINITY);
 }
 
 TEST(test_walls, "walls that are given stand")
@@ -327,6 +310,7 @@ TEST(test_all_numbers, "all that is fixed of each kind")
     start_free(&s);
     s = FILLED(.kind = START_TWO);
     UNIT_TRUE(s.x[0] == 1 && s.x[1] == 2 && s.v[0] == 1 && s.v[1] == -0.3);
+    UNIT_TRUE(s.mass[0] == 1 && s.mass[1] == 9);
     start_free(&s);
     s = FILLED(.kind = START_GALPERIN);
     UNIT_TRUE(s.x[0] == 1 && s.x[1] == 2 && s.v[0] == 0 && s.v[1] == -1);

@@ -31,17 +31,6 @@ static double inefficiency(double phi)
 /* By hand: mean 5, squares of the deviations 32, cubes 42, fourth 356. */
 static const double eight[] = {2, 4, 4, 4, 5, 5, 7, 9};
 
-TEST(test_moments, "moments of eight numbers by hand")
-{
-    const struct statistics_moments m = statistics_moments(8, eight);
-    UNIT_EQUAL(m.mean, 5);
-    UNIT_NEAR(m.variance, 32.0 / 7, 4 * DBL_EPSILON * 5);
-    UNIT_EQUAL(m.third, 42.0 / 8);
-    UNIT_EQUAL(m.fourth, 356.0 / 8);
-    UNIT_EQUAL(m.least, 2);
-    UNIT_EQUAL(m.greatest, 9);
-}
-
 /* The differences of the shifted numbers are exact, and so is all else. The
    formula <x^2> - <x>^2 is off by 1e18 eps = 200. */
 TEST(test_shifted_moments, "a large mean costs no digits")

@@ -44,9 +44,7 @@ for e in heap slab; do
         cmp "$work/scan" "$work/$e"
 done
 
-# What is given at rest on the floor stays there, elastic or not; a ball of
-# restitution 1/2 let go from 5 m at 10 m/s2 rests after 1 + 2 (1/2 + 1/4 +
-# ...) = 3 s; beads in a pile too high for that are a collapse.
+# What is given at rest on the floor stays there, elastic or not.
 for e in 1 0.5; do
     $b --masses 2,1 --positions 0,0 --velocities 0,0 --walls 0 --gravity 10 \
         --restitution $e --every 1 --until 2 -o "$work/t" --summary "$work/s"
@@ -54,12 +52,6 @@ for e in 1 0.5; do
         "$(rows "$work/t" | cut -d' ' -f2,5-8 | tr '\n' ';')" \
         '0 0 0 0 0;0 0 0 0 0;0 0 0 0 0;'
 done
-$b --masses 2 --positions 5 --walls 0 --gravity 10 --restitution 0.5 --collisions 1000 \
-    -o "$work/t" --summary "$work/s"
-holds 'a ball comes to rest after 3 s' awk '$1 == "time" { t = $2 }
-    END { exit !((t - 3) ^ 2 < 1e-24) }' "$work/s"
-refuses 1 'collapse' $b --masses 1,1,1,1,1,1,1,1,1 --walls 0 --gravity 10 \
-    --positions 1,2,3,4,5,6,7,8,9 --restitution 0.5 -o "$work/t"
 
 # Rows at whole multiples of the interval, and the last at the end: the third
 # of three times 0.1 is 0.3, not a fourth row.
@@ -205,4 +197,4 @@ holds 'an ensemble of two is the mean of its two members' \
 holds 'masses come back as they were given' test '# masses: 49 98 0.1' = \
     "$(build/bin/bonkers --masses 49,98,0.1 --positions 1,2,3 \
         --velocities 1,0,0 --walls 0,4 --every 1 --until 1 | sed -n 4p)"
-echo 1..82
+echo 1..80

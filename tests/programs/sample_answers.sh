@@ -126,25 +126,6 @@ holds 'chains know the pressure of a thin gas' awk '{ v[$1] = $2 }
         e = v["Z_chain_error"]
         exit !(e < 0.005 && d * d < 16 * e * e) }' "$work/s"
 
-# Asakura and Oosawa in the plane: 20 bins from contact to 2.5.
-$s --method markov --disks 2 --radius 1 --box 5,5 --boundary periodic \
-    --small 0.2,72 --measure distances --step 0.3 --samples 4e4 \
-    -o "$work/table"
-holds 'distances of two big disks among small ones' awk '
-    function acos(x) { return atan2(sqrt(1 - x * x), x) }
-    function lens(s) { return s >= 2.4 ? 0 : 2.88 * acos(s / 2.4) - \
-        s / 2 * sqrt(5.76 - s * s) }
-    function law(s) { return s * (1 + lens(s) / (25 - 2.88 * pi)) ^ 72 }
-    BEGIN { pi = atan2(0, -1) }
-    !/^#/ && $1 < 1.99 { bad += $2 != 0 }
-    !/^#/ && $1 >= 1.99 { n++; f[n] = $2; e[n] = $3; sum += $2
-        for (k = 0; k < 10; ++k) l[n] += law($1 + 0.0025 * (k + 0.5)) / 10
-        total += l[n] }
-    END { for (i = 1; i <= n; ++i)
-            chi2 += ((f[i] - l[i] * sum / total) / e[i]) ^ 2
-        print n, chi2; exit !(n == 20 && !bad && chi2 > 4 && chi2 < 38) }' \
-    "$work/table"
-
 # Both methods take the small ones seriously.
 for method in direct markov; do
     $s --method $method --disks 2 --small 0.05,8 --samples 60000 \
@@ -200,4 +181,4 @@ holds 'a run that is cut short has a table' \
     test "$(grep -c '^[0-9]' "$work/table.cut")" -eq 100
 holds 'but no summary, and fails' \
     test "$status" -eq 1 -a ! -e "$work/none"
-echo 1..34
+echo 1..33

@@ -20,7 +20,7 @@ enum {
    eq:fall). */
 struct disk {
     double position[DISKS_AXES]; /* m; not folded back into the box */
-    double since;                /* s */
+    double since;                /* time of position and velocity, s */
     double velocity[DISKS_AXES]; /* m/s */
     double radius;               /* m */
 };

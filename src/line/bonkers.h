@@ -15,7 +15,7 @@
 struct bonkers_body {
     double x;     /* m */
     double v;     /* m/s */
-    double since; /* s */
+    double since; /* time of x and v, s */
     double im;    /* inverse mass, 1/kg; 0: a wall */
 };
 

@@ -14,7 +14,7 @@ enum collide_form {
     COLLIDE_DIFFERENCE, /* fractions by division (1.8, eq:restitution) */
     COLLIDE_IMPULSE,    /* one common impulse (1.10, eq:impulse) */
     COLLIDE_COMPLEMENT, /* smaller fraction = 1 - larger fraction */
-    COLLIDE_SMALLER,    /* larger part: remainder (1.12, eq:smaller) */
+    COLLIDE_SMALLER,    /* larger part is the rest (1.12, eq:smaller) */
     COLLIDE_FORMS       /* number of forms */
 };
 

@@ -1,5 +1,5 @@
 /* From chapters/03-equilibrium.nw: edit there, then run make tangle. */
-/* checksum 588946187 of the lines below */
+/* checksum 3730701638 of the lines below */
 /* Computes moments, errors, correlations and histograms of a series. */
 #include "line/statistics.h"
 
@@ -200,8 +200,7 @@ double statistics_histogram_error(const struct statistics_histogram *h,
                                   size_t i, double inefficiency)
 {
     const double width = (h->high - h->low) / (double)h->bins;
-    const double n = (double)h->total / inefficiency; /* independent
-                                                         samples */
+    const double n = (double)h->total / inefficiency;
     const double found = (double)h->count[i] / (double)h->total;
     const double p = fmin(fmax(found, 1 / n), 1 - 1 / n);
     return sqrt(p * (1 - p) / n) / width;

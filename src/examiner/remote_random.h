@@ -17,9 +17,9 @@ static struct {
     size_t left;
 } block;
 
-/* Receives a block. The judge has only looked ahead at these numbers. With
-   its answer the sandbox sends how many numbers of the last block are left;
-   the judge then draws the numbers that were used. */
+/* Receives a block of numbers that the judge has not drawn yet. With its
+   answer the sandbox sends how many numbers of the last block are left; the
+   judge then draws the numbers that were used. */
 static void take_block(void)
 {
     remote_doubles(block.u, BLOCK);

@@ -18,7 +18,7 @@ enum {
     TRANSPORT_BUILT = 'b',      /* the program is compiled and linked */
     TRANSPORT_NO_GNUPLOT = 'g', /* there is no gnuplot */
     TRANSPORT_READY = 'h',      /* the program has reached its main */
-    TRANSPORT_CALLBACK = 'q',   /* its number and arguments follow */
+    TRANSPORT_CALLBACK = 'q',   /* number and arguments follow */
     TRANSPORT_OVERRUN = 'w',    /* a guard was changed; details follow */
     TRANSPORT_REPLY = 'r',      /* the values of the answer follow */
     TRANSPORT_NOT_DONE = 'u',   /* NOT_DONE_YET reached; its line follows */

@@ -20,8 +20,13 @@ double project_cut(const char *format, double x)
     return strtod(text, NULL);
 }
 
-static bool ended_well(const struct run *r, const char *input)
+bool project_form(const struct run *r, const char *input, size_t rows,
+                  size_t columns, const char *question)
 {
+    const char *line =
+        *r->broken && !r->glued
+            ? check_text("%s; it printed the line: %s", input, r->broken)
+            : input;
     return CHECK_NEAR(r->flooded ? 1.0 : 0.0,
                       .quantity = "output beyond 16 MB", .input = input,
                       .expected = 0.0, .tolerance = 0.0,
@@ -30,26 +35,23 @@ static bool ended_well(const struct run *r, const char *input)
                       .quantity = "the status with which it ended",
                       .input = input, .expected = 0.0, .tolerance = 0.0,
                       .question = "What did it complain about? There is "
-                                  "nothing wrong with this input.");
-}
-
-bool project_form(const struct run *r, const char *input, size_t rows,
-                  size_t columns, const char *question)
-{
-    const char *line =
-        *r->broken
-            ? check_text("%s; it printed the line: %s", input, r->broken)
-            : input;
-    return ended_well(r, input) &&
+                                  "nothing wrong with this input.") &&
            CHECK_NEAR(
                (double)r->rows, .quantity = "rows in the table",
                .input = line, .expected = (double)rows, .tolerance = 0.0,
-               .question = *r->broken
-                               ? check_text("This line is no row of "
-                                            "%zu numbers, and no remark.",
-                                            columns)
-                               : "How many rows does the contract ask "
-                                 "for, and when is one printed?") &&
+               .question =
+                   r->glued ? check_text("Columns run together in row %zu: "
+                                         "found `%.*s`, "
+                                         "expected a blank between any two "
+                                         "of the %zu numbers.",
+                                         r->rows,
+                                         (int)strcspn(r->broken, " \t\r"),
+                                         r->broken, columns)
+                   : *r->broken ? check_text("This line is no row of "
+                                             "%zu numbers, and no remark.",
+                                             columns)
+                                : "How many rows does the contract ask "
+                                  "for, and when is one printed?") &&
            CHECK_NEAR((double)r->columns, .quantity = "numbers in a row",
                       .input = line, .expected = (double)columns,
                       .tolerance = 0.0, .question = question);

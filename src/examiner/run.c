@@ -29,12 +29,9 @@ const char *run_text(const struct run_order *o)
                                    "; in %s: ", o->files[i].name);
         for (const char *c = o->files[i].text; *c && at + 8 < sizeof text;
              ++c) {
-            const char *mark = c[1] ? " / " : "";
-            if (*c == '\n')
-                at += (size_t)snprintf(text + at, sizeof text - at, "%s",
-                                       mark);
-            else
-                text[at++] = *c;
+            const int width = *c != '\n' ? 1 : c[1] ? 3 : 0;
+            at += (size_t)snprintf(text + at, sizeof text - at, "%.*s",
+                                   width, width == 1 ? c : " / ");
         }
         if (at < sizeof text)
             text[at] = '\0';
@@ -74,15 +71,24 @@ static void send_order(const struct run_order *o)
 }
 
 /* Reads at most `most` numbers from a line into x. Returns how many numbers
-   the line has, or 0 if it has anything else. */
-static size_t read_row(const char *line, double x[], size_t most)
+   the line has, or 0 if it has anything else. If no blank separates two
+   numbers, sets r->glued, and r->broken to the first of them: strtod reads
+   1e-3001.5 as 1e-3001 and 0.5, not as 1e-300 and 1.5. */
+static size_t read_row(struct run *r, const char *line, double x[],
+                       size_t most)
 {
+    const char *last = line;
     size_t count = 0;
     char *end;
-    for (;; line = end, ++count) {
+    for (;; last = line, line = end, ++count) {
         const double value = strtod(line, &end);
         if (end == line)
             break;
+        if (count > 0 && !strchr(" \t\r", *line)) {
+            r->broken = last + strspn(last, " \t\r");
+            r->glued = true;
+            return 0;
+        }
         if (count < most)
             x[count] = value;
     }
@@ -92,19 +98,16 @@ static size_t read_row(const char *line, double x[], size_t most)
 
 static void add_row(struct run *r, const char *line)
 {
-    static size_t room;
     double row[320]; /* enough for 64 bodies in the plane */
-    const size_t count = read_row(line, row, 320);
+    const size_t count = read_row(r, line, row, 320);
     if (count == 0 || count > 320 || (r->rows > 0 && count != r->columns)) {
-        r->broken = line;
+        r->broken = check_text("%.60s", r->glued ? r->broken : line);
         return;
     }
     r->columns = count;
-    if (!r->numbers)
-        room = 0;
-    if ((r->rows + 1) * count > room) {
-        room = 2 * room + 4096;
-        r->numbers = realloc(r->numbers, room * sizeof *r->numbers);
+    if ((r->rows & (r->rows - 1)) == 0) { /* 0, or a power of 2 */
+        r->numbers =
+            realloc(r->numbers, (2 * r->rows + 1) * sizeof row[0] * count);
         if (!r->numbers)
             transport_lost();
     }
@@ -126,11 +129,8 @@ static void read_table(struct run *r, char *text)
             memmove(remarks, line, length);
             remarks += length;
             *remarks++ = '\n';
-        } else if (!*r->broken) {
+        } else if (!*r->broken)
             add_row(r, line);
-            if (*r->broken)
-                r->broken = check_text("%.60s", r->broken);
-        }
     }
     *remarks = '\0';
     r->remarks = text;
@@ -157,13 +157,6 @@ int run_remark(const struct run *run, const char *words, double x[],
 
 enum { SANITIZER_STATUS = 86 };
 
-static void tell_run(const struct run_order *o, bool late)
-{
-    check_tell("run", run_text(o));
-    if (late)
-        check_tell("question", o->late);
-}
-
 /* Ends the test if the program crashed or was stopped. Uses the
    program's signal, so that the examiner reports the crash like that of
    a function. */
@@ -173,7 +166,9 @@ static void end_like(const struct run_order *o, int status, bool late)
         WIFEXITED(status) && WEXITSTATUS(status) != SANITIZER_STATUS;
     if (!late && sane)
         return;
-    tell_run(o, late);
+    check_tell("run", run_text(o));
+    if (late)
+        check_tell("question", o->late);
     fflush(NULL);
     if (!late && WIFEXITED(status))
         _exit(SANITIZER_STATUS);

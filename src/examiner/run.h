@@ -50,6 +50,8 @@ struct run {
     size_t rows, columns;
     double *numbers;    /* all rows, one after the other */
     const char *broken; /* the first line in error, or "" */
+    bool glued;         /* no blank separates the first numbers of broken,
+                           which then is the end of the line */
     char *remarks;      /* the lines that begin with a # */
     char *complaint;    /* output on standard error */
     double calls;       /* calls of the function; -1: unknown */

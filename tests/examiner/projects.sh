@@ -163,6 +163,18 @@ forges() { # EXPRESSION QUANTITY
     ! stage 6 && grep -q "says quantity $2" "$out/report" ||
         { cat "$out/report" && false; }
 }
+# The worked program, with rows in which the second number of a body follows the
+# first without a blank: it is told so. (1e-300 and 1.5 were read as 1e-3001 and
+# 0.5, so that a value looked wrong, and 1.5 and -2 passed.)
+glued() { # FORMAT
+    sed "s/printf(\" %.17g %.17g/printf(\" %.17g$1/" "$solution" >"$out/glued.c"
+    quickly=-O0 allowed=5
+    ! cmp -s "$solution" "$out/glued.c" && built "$out/glued.c" $all_given || return
+    ! stage 1 &&
+        tr '\n' ' ' <"$out/report" | grep -q 'says quantity rows in the table .*'$(
+        )'says question Columns run together in row [0-9]*: found `[-+.0-9e]*`, expected' ||
+        { cat "$out/report" && false; }
+}
 in_the_grader() {
     box=$root/build/grade/$ex.inside.o
     given=$(nm "$box" 2>/dev/null | sed -n 's/.* T \([a-z]*\)_0$/\1/p')
@@ -182,6 +194,8 @@ in_the_grader() {
         sed -f "$file" "$solution" >"$out/wrong.c"
         holds "$file is [$name]" recognised "$name" "$n" "$which" "$ends"
     done
+    holds "$ex: columns that run together are named" glued %.17g
+    holds "$ex: and those that a sign parts" glued %+.17g
     if [ "$ex" = P4 ]; then
         holds 'P4: the calls of its pick are no count of all' \
             forges '(long)price(best.order, (double)best.steps)' CALLS
@@ -196,7 +210,7 @@ in_the_grader() {
         done | grep . && exit 1; exit 0"
 }
 
-# Of each six checks, and one for each program but the solution.
+# Of each eight checks, and one for each program but the solution.
 planned=0
 for ex; do
     home=tests/exercises/$ex
@@ -204,7 +218,7 @@ for ex; do
     at_home
     [ "$ex" != P1 ] || own_folder
     in_the_grader
-    planned=$((planned + 6 + 8 * $(echo "$ex" | grep -c P1) +
+    planned=$((planned + 8 + 8 * $(echo "$ex" | grep -c P1) +
         2 * $(echo "$ex" | grep -c P4) +
         $(ls "$home"/right-*.c "$home"/wrong-*.sed | wc -l)))
 done

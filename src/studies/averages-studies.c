@@ -8,7 +8,7 @@
 
 #define PROGRAM "averages-studies"
 
-/* Makes chapter 5's scene "four-disks" with two disks. */
+/* Makes the scene "four-disks" of chapter 5, but with only two disks. */
 static void make_disks(struct scene *s, double seed)
 {
     const char *wrong =
@@ -38,8 +38,8 @@ static double measure_pressure(const struct scene *s, double T)
     return 1 + virial / (2 * energy * T);
 }
 
-/* Returns the estimate of averages_find for the mean pressure over T, with
-   tolerance 0.01. */
+/* Returns the mean pressure over the time T, as estimated by averages_find
+   with tolerance 0.01. */
 static struct averages_found find_pressure(const struct scene *s, double T)
 {
     const struct averages_request q = {
@@ -54,10 +54,10 @@ static struct averages_found find_pressure(const struct scene *s, double T)
 }
 
 /* Writes a row with the pressure averaged over all of T and the estimate of
-   averages_find. The estimate and its error are nan if averages_find
-   refuses to answer. The two runs are independent: their starting
-   velocities differ by about one part in 1e12, so their paths separate
-   after a few dozen collisions. */
+   averages_find. The estimate and its error are nan if averages_find gives
+   no answer. The two runs are independent: their initial velocities differ
+   by about one part in 1e12, so their paths separate after a few dozen
+   collisions. */
 static void study_pair(struct study *s, double T, double seed)
 {
     struct scene pair;
@@ -73,8 +73,8 @@ static void study_pair(struct study *s, double T, double seed)
 }
 
 /* Compares the mean over all of T with the estimate of averages_find, which
-   simulates only part of T. Uses two disks, twenty starts and increasing
-   times T. */
+   simulates only part of T. Uses two disks, twenty initial states, and
+   increasing times T. */
 static void study_disks(struct study *s)
 {
     TABLE_COLUMNS(s->out, {"T", "s", "time of the mean"},

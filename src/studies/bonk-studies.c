@@ -29,9 +29,9 @@ struct subject {
     } set[KEYS];
 };
 
-/* The scenes of the atlas. In `break` the cue ball is shifted slightly,
-   because a ball that touches two others at the same time has no unique
-   outcome. Times of celestial scenes are in days. The comet starts at
+/* The scenes of the atlas. Times of celestial scenes are in days. In
+   `break` the cue ball is shifted slightly, because a ball that hits two
+   others at the same instant has no unique outcome. The comet starts at
    aphelion with sqrt(0.1) times the circular speed, so its orbit has
    eccentricity 0.9. */
 static const struct subject subjects[] = {
@@ -91,8 +91,8 @@ static const struct gallery_scene *find_scene(const char *name)
     return g;
 }
 
-/* Makes a scene with the values of t->set and otherwise the gallery's
-   defaults. */
+/* Makes the scene of t: the values of t->set, and the gallery's defaults
+   for all other keys. */
 static void make_scene(struct scene *s, const struct subject *t)
 {
     double value[GALLERY_KEYS + 1];
@@ -105,12 +105,13 @@ static void make_scene(struct scene *s, const struct subject *t)
         fail(why);
 }
 
-/* The positions of all bodies in all rows. Velocities are not stored: an
-   error in a velocity shows in the positions of the next row. */
+/* The positions of all bodies at ROWS equally spaced times. Velocities are
+   not stored, because an error in a velocity shows up in the positions of
+   the next row. */
 struct path {
     size_t size; /* coordinates in a row: 3 per body */
     double *x;   /* [ROWS * size] m */
-    double cost; /* s by the price list; INFINITY if the run never began */
+    double cost; /* estimated, s; INFINITY if the run never began */
 };
 
 static void make_path(struct path *p, const struct scene *s)
@@ -120,9 +121,9 @@ static void make_path(struct path *p, const struct scene *s)
     program_memory(p->x, "for a path");
 }
 
-/* Runs a plan. Stops when its cost by the price list exceeds `limit`, s.
-   Fills p with the cost and the rows that were reached. Returns false if
-   the run did not finish. */
+/* Runs a plan until it finishes or its estimated cost exceeds `limit`
+   seconds. Fills p with the cost and with the rows reached. Returns whether
+   the run finished. */
 static bool run_plan(struct path *p, const struct models_plan *plan,
                      const struct scene *s, double every, double limit)
 {
@@ -158,10 +159,10 @@ static double distance(const struct path *a, const struct path *b,
     return most;
 }
 
-/* Returns the length by which position errors are divided, m: the diagonal
-   of the box that contains all bodies and walls. This deliberately does not
-   call the function of the module under test, so a mistake in either shows
-   as a disagreement. */
+/* Returns the diagonal of the box that contains all bodies and walls, m.
+   Position errors are divided by this length. The program under test has
+   such a function, too; it is not used here, so that a mistake in either
+   function shows up as a disagreement. */
 static double size_of(const struct scene *s)
 {
     double square = 0;
@@ -184,12 +185,12 @@ struct meeting {
     size_t with; /* body, or bodies + 2 * axis + side for a wall */
 };
 
-/* Hard bodies that move in straight lines between events, in 113-bit
-   arithmetic. They give the true path of scenes in which only contacts act.
+/* Hard bodies that move in straight lines between events. They give the
+   true path, in 113-bit arithmetic, of scenes in which only contacts act.
    The simulation is as simple as possible: all positions refer to the same
    time, each body stores only its next collision, and there is no calendar
-   or grid. The same code serves lines and disks: on a line the square root
-   of (5.3, eq:pair-time) is exact. */
+   or grid. It also serves for bodies on a line, where the square root of
+   (5.3, eq:pair-time) is exact. */
 struct flight {
     size_t bodies;
     const struct scene *scene;
@@ -198,8 +199,8 @@ struct flight {
     struct meeting *next;
 };
 
-/* Returns (a_j - a_i) . (b_j - b_i), the scalar product that all collision
-   equations consist of. a and b are positions or velocities of all
+/* Returns the scalar product (a_j - a_i) . (b_j - b_i), which occurs in all
+   collision equations. a and b are positions or velocities of all
    bodies. */
 static quad scalar_product(const struct flight *f, const quad a[],
                            const quad b[], size_t i, size_t j)
@@ -230,7 +231,7 @@ static quad pair_time(const struct flight *f, size_t i, size_t j)
 }
 
 /* Returns the first collision of body i with a wall (5.1, eq:wall-time). If
-   rounding has put the body beyond a wall, the two collide at once. */
+   rounding has put the body beyond a wall, the collision is immediate. */
 static struct meeting wall_time(const struct flight *f, size_t i)
 {
     const struct scene *s = f->scene;
@@ -250,8 +251,8 @@ static struct meeting wall_time(const struct flight *f, size_t i)
     return first;
 }
 
-/* Finds the next collision of body i. Also updates every other body whose
-   collision with body i comes before its own next collision. */
+/* Finds the next collision of body i. Also updates each body that would
+   collide with body i before its own next collision. */
 static void predict(struct flight *f, size_t i)
 {
     f->next[i] = wall_time(f, i);
@@ -290,8 +291,8 @@ static void collide(struct flight *f, size_t i, size_t j)
 }
 
 /* Moves all bodies to the next event, which is that of body i, and carries
-   it out. Predicts new collisions for the bodies involved and for those
-   that expected to collide with them. */
+   it out. Then predicts new collisions for the bodies involved and for all
+   bodies whose next collision was with one of them. */
 static void handle_event(struct flight *f, size_t i)
 {
     const size_t n = f->bodies, j = f->next[i].with;
@@ -317,7 +318,7 @@ static size_t find_next(const struct flight *f)
     return best;
 }
 
-/* Starts a flight. Takes the scene's doubles as exact, because their
+/* Starts a flight. Treats the scene's doubles as exact, because their
    rounding is not an error of a method. */
 static void begin_flight(struct flight *f, const struct scene *s)
 {
@@ -365,8 +366,9 @@ struct truth {
     double unsure; /* difference of two computed paths, in units of scale */
 };
 
-/* Runs a plan with compensated summation. A scene with `carry` arrays is
-   stepped in this way. If s has none, its copy gets carries of zero. */
+/* Runs a plan with compensated summation, which is used for every scene
+   that has `carry` arrays. If s has none, runs a copy of s with carries of
+   zero. */
 static bool run_with_carries(struct path *p, struct models_plan plan,
                              const struct scene *s, double every)
 {
@@ -381,21 +383,21 @@ static bool run_with_carries(struct path *p, struct models_plan plan,
 
 enum { LEVELS = 3, FIRST = 8, HALVINGS = 20 };
 
-/* A column of Richardson's table. Entry 0 is a run. Each further entry
-   removes one more term of the error. */
+/* A column of a Richardson table. Entry 0 is the path of a run. Each
+   further entry is more accurate by one term of the error. */
 struct column {
     struct path entry[LEVELS];
 };
 
 /* Fills a column from its run and from the previous column, whose steps are
-   twice as long. A run with steps h of a method of order p ends at x(h) = x
-   + a h^p + b h^q + ..., so
+   twice as long, by Richardson extrapolation. A run of order p with steps h
+   ends at x(h) = x + a h^p + b h^q + ..., so
 
    x(h/2) + (x(h/2) - x(h)) / (2^p - 1) = x + b' h^q + ...
 
-   (Richardson's extrapolation). The next entry removes the term h^q in the
-   same way. For a symmetric method the error is the same for h and -h, and
-   q = p + 2. Otherwise q = p + 1. */
+   The next entry removes the term h^q in the same way. For a symmetric
+   method q = p + 2, because the error is the same for h and -h. Otherwise q
+   = p + 1. */
 static void fill_column(struct column *now, const struct column *before,
                         size_t levels, const struct stepping_method *m)
 {
@@ -410,12 +412,12 @@ static void fill_column(struct column *now, const struct column *before,
     }
 }
 
-/* Fills best with the extrapolated path and returns its last change, m.
-   Halves the steps until the result no longer changes or a run costs more
-   than `budget`, s. If a run fails because its steps are too long, the
-   table starts again with the next run. Once the result has nine correct
-   digits, any growth of the change is due to rounding and ends the
-   search. */
+/* Fills best with the extrapolated path that changed least from one halving
+   of the steps to the next, and returns this change, m. Stops if a run
+   costs more than `budget` seconds. Also stops if the change grows once the
+   result has nine correct digits, because the growth is then due to
+   rounding. If a run fails because its steps are too long, the table starts
+   again with the next run. */
 static double converge(struct path *best, const char *method,
                        const struct scene *s, double every, double budget)
 {
@@ -453,9 +455,9 @@ static double converge(struct path *best, const char *method,
     return change;
 }
 
-/* Fills best with a run of radau15, a method with variable steps. Returns
-   the difference between the results for the tolerances 1e-14 and 1e-15,
-   m. */
+/* Fills best with a run of radau15, which chooses its own step lengths, at
+   tolerance 1e-15. Returns the largest difference from a run at tolerance
+   1e-14, m. */
 static double refine_lengths(struct path *best, const struct scene *s,
                              double every)
 {
@@ -481,12 +483,13 @@ static bool only_contacts(const struct scene *s)
 }
 
 /* Finds the true path. If only contacts act, it is computed from events in
-   113-bit arithmetic. Otherwise it is computed by two very different
-   methods: extrapolated steps of equal length, and radau15 with steps of
-   variable length. The equal steps use kahan-li8, or gauss4 if there is
-   friction, which kahan-li8 cannot integrate. Both are symmetric. The path
-   that changed less when it was refined is used. Its distance from the
-   other path is its uncertainty. */
+   113-bit arithmetic. Otherwise two very different methods compute it:
+   extrapolation of runs with equal steps, and radau15, whose steps vary.
+   The path that changed less in its last refinement is used. Its distance
+   from the other path is its uncertainty.
+
+   The equal steps are symmetric: kahan-li8, or gauss4 if there is friction,
+   which kahan-li8 cannot integrate. */
 static void find_truth(struct truth *t, const struct scene *s, double every,
                        double budget)
 {
@@ -518,8 +521,9 @@ static const double tolerances[TOLERANCES] = {1e-3, 1e-6, 1e-9};
 /* A plan with its cost and its error. */
 struct point {
     struct models_plan plan;
-    double cost, error; /* s by the price list; in units of truth.scale */
-    bool front;         /* on the Pareto front (is_front) */
+    double cost,
+        error;  /* cost: estimated, s; error: in units of truth.scale */
+    bool front; /* on the Pareto front (is_front) */
 };
 
 /* The points and the true path of a scene. */
@@ -527,7 +531,7 @@ struct map {
     const struct subject *subject;
     struct scene scene;
     double every; /* time between two rows, s */
-    double limit; /* maximum cost of a run, s by the price list */
+    double limit; /* maximum estimated cost of a run, s */
     struct truth truth;
     struct path path; /* path of the last run */
     struct point point[MOST_POINTS];
@@ -535,8 +539,8 @@ struct map {
 };
 
 /* Runs a plan and adds its point to the map. Returns its error, or INFINITY
-   if the run did not finish. Errors below 1e-17, the lower edge of the map,
-   are raised to 1e-17, because a logarithmic axis has no zero. */
+   if the run did not finish. Errors below 1e-17 are raised to 1e-17,
+   because the map has logarithmic axes and ends there. */
 static double add_point(struct map *m, struct models_plan plan)
 {
     if (m->points == MOST_POINTS)
@@ -551,11 +555,11 @@ static double add_point(struct map *m, struct models_plan plan)
 }
 
 /* Runs a plan with 1, 2, 4, ... steps per row and returns the smallest
-   error. Stops if a run costs too much or if two doublings have not helped.
-   The remaining error then comes from rounding, from a part that was left
-   out, or from the uncertainty of the truth. Each doubling adds at least as
-   much cost as the previous one, so a run whose predicted cost exceeds the
-   limit is not started. */
+   error. Stops if two doublings have not helped: the remaining error then
+   comes from rounding, from a cut, or from the uncertainty of the truth.
+   Also stops if the next run would exceed the cost limit. The cost of that
+   run is predicted from the rule that each doubling adds at least as much
+   cost as the previous one. */
 static double double_steps(struct map *m, struct models_plan plan)
 {
     double best = INFINITY, cost = 0, next = 0;
@@ -574,9 +578,9 @@ static double double_steps(struct map *m, struct models_plan plan)
     return best;
 }
 
-/* Lowers the tolerance of a method with variable steps until it stops
-   helping. The tolerances are 1, 0.5 and 0.2 times powers of ten, from 0.1
-   to 1e-15. */
+/* Runs a method with variable steps with lower and lower tolerances until
+   the error no longer decreases. The tolerances are 1, 0.5 and 0.2 times
+   powers of ten, from 0.1 to 1e-15. */
 static void lower_tolerance(struct map *m, struct models_plan plan)
 {
     static const double digit[] = {1, 0.5, 0.2};
@@ -593,8 +597,9 @@ static void lower_tolerance(struct map *m, struct models_plan plan)
     }
 }
 
-/* Adds points between n/2 and n = plan.steps steps. Finds by bisection the
-   fewest steps that meet the tolerance, to within n/16. */
+/* Finds by bisection how many steps, between n/2 and n = plan.steps, are
+   needed to meet the tolerance. The result is accurate to n/16. Adds the
+   points of all runs to the map. */
 static void refine(struct map *m, struct models_plan plan, double tolerance)
 {
     const uint64_t n = plan.steps;
@@ -616,8 +621,9 @@ static bool is_same(const struct models_plan *a,
     return a->model == b->model && a->cuts == b->cuts;
 }
 
-/* Returns whether plan a is slightly finer than b: it has up to twice as
-   many steps, or down to a tenth of the tolerance. */
+/* Returns whether plan a is slightly finer than b: it has more steps, but
+   at most twice as many, or a smaller tolerance, but at least a tenth of
+   b's. */
 static bool is_a_little_finer(const struct models_plan *a,
                               const struct models_plan *b)
 {
@@ -628,11 +634,11 @@ static bool is_a_little_finer(const struct models_plan *a,
 }
 
 /* Returns whether p meets the tolerance only by luck, that is, whether a
-   slightly finer run of the same model and cuts fails. The error may change
-   sign as the steps get shorter and is zero in between, so 144 steps may
-   meet a tolerance that 160 do not. Only a comparison with the true path
-   reveals this. Therefore a number of steps is accepted only if all larger
-   numbers on the map, up to twice as many, also meet the tolerance. */
+   slightly finer run of the same model and cuts fails. Luck is possible
+   because the error may change sign as the steps get shorter: 144 steps may
+   meet a tolerance that 160 do not. Therefore a number of steps is accepted
+   only if all larger numbers on the map, up to twice as many, also meet the
+   tolerance. */
 static bool is_luck(const struct map *m, const struct point *p,
                     double tolerance)
 {
@@ -645,9 +651,9 @@ static bool is_luck(const struct map *m, const struct point *p,
     return false;
 }
 
-/* Returns the cheapest point that meets the tolerance other than by luck,
-   or NULL. If plan is not NULL, considers only points with its model and
-   cuts. Ignores points of the model `without`. */
+/* Returns the cheapest point that meets the tolerance, and not only by
+   luck, or NULL. If plan is not NULL, considers only points with its model
+   and cuts. Ignores points of the model `without`. */
 static const struct point *cheapest_of(const struct map *m,
                                        const struct models_plan *plan,
                                        const struct models_model *without,
@@ -663,9 +669,8 @@ static const struct point *cheapest_of(const struct map *m,
     }
     return best;
 }
-/* Lowers the cost limit to ten times the cost of this model, if the model
-   is exact or has reached an error of 1e-10. Other models need not run
-   longer than that. */
+/* Lowers the cost limit of all further runs to ten times the cost of this
+   model, if the model is exact or has reached an error of 1e-10. */
 static void lower_limit(struct map *m, const struct models_plan *plan)
 {
     const bool exact = plan->model->family != MODELS_STEPS;
@@ -675,9 +680,9 @@ static void lower_limit(struct map *m, const struct models_plan *plan)
         m->limit = fmin(m->limit, fmax(1e-3, 10 * fine->cost));
 }
 
-/* Adds the points of a model with steps. For each tolerance, refines its
-   cheapest point if that costs less than twice the cheapest point on the
-   map. */
+/* Adds the points of a model that makes steps. For each tolerance, refines
+   the model's cheapest point if it costs less than twice the cheapest point
+   on the map. */
 static void try_steps(struct map *m, struct models_plan plan)
 {
     if (plan.model->method->adaptive)
@@ -706,17 +711,18 @@ static bool is_front(const struct map *m, const struct point *p)
     return true;
 }
 
-/* Returns whether the plan leaves nothing out and its model belongs to
-   `family`. A user who does not compare models chooses such a plan: events
-   if only contacts act, otherwise steps. */
+/* Returns whether a point is plain: its plan has no cuts, and its model
+   belongs to `family`. Users who do not compare models choose such a plan,
+   with events if only contacts act and otherwise with steps. */
 static bool is_plain(const struct point *p, enum models_family family)
 {
     return p->plan.cuts == 0 && p->plan.model->family == family;
 }
 
-/* Returns the cheapest plain point whose error is at most 1e-11 or at most
-   twice the smallest error of all plain points, whichever is larger. Four
-   disks do not reach 1e-11. Returns NULL if there is no plain point. */
+/* Returns the cheapest plain point with an error of at most 1e-11, or NULL
+   if there is no plain point. If twice the smallest error of all plain
+   points is larger than 1e-11, this is the limit instead: four disks do not
+   reach 1e-11. */
 static const struct point *finest(const struct map *m)
 {
     const struct point *best = NULL;
@@ -736,9 +742,9 @@ static const struct point *finest(const struct map *m)
 }
 
 /* Returns the point of the classic method: events, or leapfrog with steps
-   halved until the tolerance is met. Beyond the map the error is
-   extrapolated: leapfrog is of second order, so twice as many steps have a
-   quarter of the error. */
+   halved until the tolerance is met. If no leapfrog run on the map meets
+   the tolerance, extrapolates: leapfrog is of second order, so twice as
+   many steps have a quarter of the error. */
 static struct point classic_way(const struct map *m, double tolerance)
 {
     const bool events = only_contacts(&m->scene);
@@ -760,9 +766,10 @@ static struct point classic_way(const struct map *m, double tolerance)
     return best;
 }
 
-/* Tries all models with these cuts, either those with steps or all others.
-   Starts at the end of the table with the high orders: they soon lower the
-   cost limit, which keeps the runs of low orders short. */
+/* Tries all models with these cuts: if `steps`, the models that make steps,
+   and otherwise all others. Starts with the last models of the table, which
+   are of high order. They soon lower the cost limit, which keeps the runs
+   of low order short. */
 static void try_models(struct map *m, unsigned cuts, bool steps)
 {
     size_t k = 0;
@@ -781,10 +788,12 @@ static void try_models(struct map *m, unsigned cuts, bool steps)
     }
 }
 
-/* Tries all sets of cuts. A cut is a part that a plan may leave out, and a
-   set is a bit mask. If the finest plain plan with these cuts has an error
-   of at least the largest tolerance, tries only models without steps. Sets
-   with rods, which need leapfrog, are always tried. */
+/* Tries all sets of cuts. A cut is a part of the physics that a plan may
+   leave out, and a set of cuts is a bit mask.
+
+   First runs the finest plain plan with the cuts. If its error is not below
+   the largest tolerance, tries only models without steps. Sets with
+   MODELS_RODS are always tried with steps, because rods need leapfrog. */
 static void try_cuts(struct map *m)
 {
     const unsigned all = models_cuts(&m->scene);
@@ -801,16 +810,17 @@ static void try_cuts(struct map *m)
     }
 }
 
-/* The chooser's plan for a tolerance and its result. */
+/* The chooser's plan for a tolerance, and the result of running it. */
 struct pick {
-    struct point point; /* cost NAN: the chooser refused */
-    double deciding;    /* cost of choosing, s by the price list */
-    double horizon;     /* horizon of prediction, s, or INFINITY */
+    struct point point; /* cost NAN if the chooser refused */
+    double deciding;    /* estimated cost of choosing, s */
+    double horizon;     /* time up to which motion is predictable, s, or
+                           INFINITY */
 };
 
-/* Calls the chooser with the functions and the budget that bonk uses, and
-   runs its plan. Ignores the chooser's own error estimate, because the map
-   knows the true path. */
+/* Calls the chooser with the budget that bonk uses and runs its plan.
+   Ignores the chooser's own error estimate, because the map knows the true
+   path. */
 static void ask_chooser(struct pick *p, struct map *m, double tolerance)
 {
     const struct choose_request q = {.scene = &m->scene,
@@ -844,10 +854,11 @@ static void write_way(const struct point *p, struct table *out)
                 p ? p->cost : NAN);
 }
 
-/* Writes the row of a pick. The row starts with the name that the book
-   cites: the scene and the digits of the tolerance. Then follow the pick,
-   the cheapest point that meets the tolerance, the cheapest such point of
-   another model, the finest plain point, and the classic method. */
+/* Writes the row of a pick. Its columns are the name that the book cites
+   (the scene and the digits of the tolerance), the pick, the cheapest point
+   that meets the tolerance, the cheapest such point of any other model, the
+   finest plain point (see `finest`), the classic method, and the chooser's
+   cost and horizon. */
 static void write_pick(const struct map *m, const struct pick *p, int k,
                        struct table *out)
 {
@@ -866,8 +877,8 @@ static void write_pick(const struct map *m, const struct pick *p, int k,
     table_print(out, " %.4g %.4g\n", p->deciding, p->horizon);
 }
 
-/* Compares points by cost for qsort, so a plot can join the points of the
-   front by a line. */
+/* Compares points by cost for qsort, so that a plot can join the points of
+   the front by a line. */
 static int cheaper(const void *one, const void *other)
 {
     const struct point *a = one, *b = other;
@@ -876,8 +887,7 @@ static int cheaper(const void *one, const void *other)
                : (a->error > b->error) - (a->error < b->error);
 }
 
-/* Writes the points with errors below OFF scales. Larger errors are
-   useless. */
+/* Writes the points with errors below OFF, in units of truth.scale. */
 static void write_points(const struct map *m, struct table *out)
 {
     enum { OFF = 30 };
@@ -891,8 +901,8 @@ static void write_points(const struct map *m, struct table *out)
     }
 }
 
-/* A run that measures the price of one kind of work. It does many units of
-   that kind and few of the others. */
+/* A run that measures the price of one unit of work. It does much work of
+   that kind and little of any other. */
 struct price_run {
     const char *name, *key;
     double value;
@@ -901,16 +911,17 @@ struct price_run {
     uint64_t rows;
 };
 
-/* The runs that measure the price list. A run takes from 0.5 ms to some
-   hundredths of a second: long enough for a clock that counts microseconds
-   and short enough to measure every unit six times. Each scene is chosen
-   for its kind of work. The bodies of the choreography have 276 pairs. Most
-   springs of a short beam do not form bands. In a row of a hundred balls
-   hardly any pair comes close; in a gas many do. Radau's paths are
-   polynomials of degree nine: sixty disks need many such curves, and on a
-   line most curves have a root. Two balls have one gap and thirty have 29.
-   A collision of four disks needs few examinations and a collision of
-   ninety many. */
+/* The runs that measure the price list. A run takes from 0.5 ms to a few
+   hundredths of a second: long enough for a clock with a resolution of a
+   microsecond, and short enough to measure every unit six times.
+
+   Each scene does much of one kind of work. The choreography has 276 pairs.
+   Most springs of a short beam do not form bands. In a row of a hundred
+   balls hardly any pair comes close; in a gas many do. The paths of radau15
+   are polynomials of degree nine, and sixty disks need many of these
+   curves; on a line most curves have a root. Two balls have one gap and
+   thirty have 29. A collision of four disks examines few pairs and a
+   collision of ninety examines many. */
 static const struct price_run price_runs[MODELS_UNITS] = {
     [MODELS_EVALUATION] = {"sun-earth", NULL, 0, "kahan-li8:1000", 10, 10},
     [MODELS_BODY] = {"ring", "particles", 500, "kahan-li8:40", 1, 10},
@@ -933,10 +944,10 @@ static const struct price_run price_runs[MODELS_UNITS] = {
     [MODELS_MODE] = {"cantilever", "nx", 12, "modes", 1, 2},
     [MODELS_ROW] = {"cradle", "balls", 2, "relabel", 1, 20000},
 };
-/* Carries out the run. Returns its processor time, s, and sets work[] to
-   the units of work done. The time includes the start, which is most of the
-   work for `modes`. `alone` switches gravity off, so the bodies of a ring
-   move freely. */
+/* Performs the run. Returns its processor time, s, and sets work[] to the
+   number of units of each kind. Includes the time for starting, which
+   accounts for most of the work of `modes`. If `alone`, gravity is off, so
+   the bodies of a ring move freely. */
 static double time_run(const struct price_run *b, bool alone,
                        double work[MODELS_UNITS])
 {
@@ -962,8 +973,8 @@ static double time_run(const struct price_run *b, bool alone,
     return seconds;
 }
 
-/* Returns the cost of a unit, ns, assuming the listed prices for the other
-   units of the run. */
+/* Returns the cost of a unit, ns. For the other units of the run, assumes
+   the prices of the list. */
 static double price_in(const struct price_run *b, enum models_unit unit)
 {
     double work[MODELS_UNITS];
@@ -973,8 +984,8 @@ static double price_in(const struct price_run *b, enum models_unit unit)
     return (seconds - models_cost(work)) / units * 1e9;
 }
 
-/* Complete runs that test the predicted cost. With many bodies the start
-   and the rows contribute to it. */
+/* Complete runs, which test the predicted cost. If there are many bodies,
+   starting the run and computing the rows add to the cost. */
 static const struct price_run whole_runs[] = {
     {"gas", "particles", 100, "disks", 1e-4, 16},
     {"gas", "particles", 100, "disks", 0.5, 16},
@@ -987,7 +998,7 @@ static const struct price_run whole_runs[] = {
     {"ring", "particles", 100, "leapfrog:3", 25, 16},
     {0}};
 
-/* Fills the map of a scene. Sorting is the last step, because it
+/* Fills the map of a scene. Sorts the points last, because sorting
    invalidates pointers to points. */
 static void make_map(struct map *m, const struct subject *t)
 {
@@ -1003,9 +1014,9 @@ static void make_map(struct map *m, const struct subject *t)
     qsort(m->point, m->points, sizeof m->point[0], cheaper);
 }
 
-/* Returns whether the chooser was right to refuse: no point on the map
-   meets the tolerance, and the finest run meets it up to the horizon of the
-   pick, if that is within the run. */
+/* Returns whether the chooser was right to refuse. No point on the map may
+   meet the tolerance. If the predicted horizon is within the run, the
+   finest plain plan must also meet the tolerance up to the horizon. */
 static bool is_refusal_right(struct map *m, const struct pick *p,
                              double tolerance)
 {
@@ -1033,11 +1044,11 @@ static int judge(struct map *m, const struct pick *p, double tolerance)
     return best && p->point.cost > 1.13 * best->cost ? 2 : 0;
 }
 
-/* Maps all scenes, or only the scene of --scene, so several machines can
-   share the work. `make atlas` joins their tables into the same bytes that
-   one run would write: it adds the counts of the last lines and takes the
-   largest error of the truth. The picks of a scene are followed by all its
-   points. */
+/* Maps all scenes, or only the scene given by --scene, so that several
+   machines can share the work. For each scene, writes its picks and then
+   all its points. `make atlas` joins the tables so that the bytes are the
+   same as from a single run: it adds the counts of the last lines and takes
+   the largest error of the truth. */
 static void study_atlas(struct study *s)
 {
     static struct map m;

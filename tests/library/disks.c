@@ -380,16 +380,6 @@ TEST(test_lattice, "lattices hold the closest packing")
     UNIT_NEAR(disks_packing(&d), acos(-1) / (2 * sqrt(3)), 1e-10);
     d.box[0] = 3.99;
     UNIT_TRUE(!disks_place_lattice(&d));
-    disks_free(&d);
-    /* 3^3 cells of face-centred cubes: packing .7405 */
-    UNIT_MUST(disks_create(&d, 3, 108));
-    d.boundary = DISKS_PERIODIC;
-    for (size_t k = 0; k < 3; ++k)
-        d.box[k] = 3 * sqrt(2) * (1 + 1e-12);
-    for (size_t i = 0; i < 108; ++i)
-        d.disk[i].radius = 0.5;
-    UNIT_TRUE(disks_place_lattice(&d) && disks_fit(&d, &a, &b));
-    UNIT_NEAR(disks_packing(&d), acos(-1) / (3 * sqrt(2)), 1e-10);
 }
 
 /* One big disk among small ones goes to the middle, up to packing .7. */

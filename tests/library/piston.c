@@ -189,20 +189,6 @@ TEST(test_reversal, "the leapfrog runs backwards")
     UNIT_NEAR(s.v, 0.8, 1e-12);
 }
 
-/* The time of a whole swing by steps agrees with the quadrature. The
-   leapfrog's error is of the order (w dt)^2/24 = 4e-7 of the period. */
-TEST(test_steps_and_quadrature, "steps and quadrature agree")
-{
-    const double dt = 0.01, period = period_at(&heavy_gas, 1);
-    struct piston_state s = {6, 1};
-    const size_t steps = (size_t)(period / dt);
-    for (size_t i = 0; i < steps; ++i)
-        UNIT_TRUE(piston_step(&heavy_gas, &s, dt));
-    UNIT_TRUE(piston_step(&heavy_gas, &s, period - (double)steps * dt));
-    UNIT_NEAR(s.x, 6, 1e-4);
-    UNIT_NEAR(s.v, 1, 1e-4);
-}
-
 TEST(test_sound, "sound slows the piston as the formula says")
 {
     const double w = piston_frequency_acoustic(&heavy_gas);

@@ -60,29 +60,6 @@ TEST(test_edges, "edges and what is outside")
     free(h);
 }
 
-/* The scatter of a bin over 2000 histograms is what each of them says of
-   itself; the square of a standard deviation from 2000 is good to
-   sqrt(2/2000) = 3.2 %. */
-TEST(test_error_bars, "error bars are the scatter of histograms")
-{
-    enum { TIMES = 2000, SAMPLES = 400 };
-    SEEDED(r, 31);
-    double sum = 0, square = 0, claimed = 0;
-    for (int k = 0; k < TIMES; ++k) {
-        struct statistics_histogram *h =
-            statistics_histogram_create(0, 1, 8);
-        for (int i = 0; i < SAMPLES; ++i)
-            statistics_histogram_add(h, random_uniform(&r));
-        const double density = statistics_histogram_density(h, 2);
-        sum += density / TIMES;
-        square += density * density / TIMES;
-        claimed += pow(statistics_histogram_error(h, 2, 1), 2) / TIMES;
-        free(h);
-    }
-    UNIT_NEAR((square - sum * sum) / claimed, 1, 4 * 0.032);
-    UNIT_NEAR(sum, 1, 4 * sqrt(claimed / TIMES));
-}
-
 /* Nine of ten samples in one bin: p = 0.9. Four of four: p(1 - p) is that
    of 1/n with n = 4, or n = 2 if two are worth one. */
 TEST(test_full_and_empty_bins, "full and empty bins have an error")
@@ -197,38 +174,6 @@ TEST(test_gaussian_between, "Gaussian probabilities near and far")
                statistics_gaussian_between(0, 2, -0.04, 0));
 }
 
-/* The variance of a block of B samples, times B: g - (g^2 - 1)(1 - phi^B)
-   / (2 B). Averaged over the levels of 200 series. */
-TEST(test_levels, "every level of blocks against the exact one")
-{
-    enum { TIMES = 200, SAMPLES = 4096, LEVELS = 9 };
-    const double phi = 0.9, g = inefficiency(phi);
-    double square[LEVELS] = {0}, spread[LEVELS] = {0};
-    SEEDED(r, 34);
-    struct statistics_blocking b;
-    for (int t = 0; t < TIMES; ++t) {
-        correlated(&r, phi, SAMPLES, x);
-        UNIT_TRUE(statistics_blocking(SAMPLES, x, &b));
-        for (int k = 0; k < LEVELS; ++k) {
-            const double s = pow(b.level[k].error, 2) * SAMPLES;
-            square[k] += s / TIMES;
-            spread[k] += s * s / TIMES;
-        }
-    }
-    for (int k = 0; k < LEVELS; ++k) {
-        const double length = pow(2, k);
-        /* the mean of the whole series is subtracted: g / n blocks */
-        const double expected =
-            g - (g * g - 1) * (1 - pow(phi, length)) / (2 * length) -
-            length * g / SAMPLES;
-        const double corrected =
-            expected / (1 - length / SAMPLES); /* n - 1 below the line */
-        const double error =
-            sqrt((spread[k] - square[k] * square[k]) / TIMES);
-        UNIT_NEAR(square[k], corrected, 4 * error);
-    }
-}
-
 /* The error that is chosen, for series of five correlations, against the
    exact one: blocks and sums of correlations by four of their own
    uncertainties, and the blocks' bias of a quarter of it. */
@@ -311,31 +256,6 @@ TEST(test_no_plateau, "too short a run says so")
     UNIT_EQUAL(b.inefficiency, 1);
 }
 
-/* Uniform numbers: sd 1/sqrt(12), kurtosis 1.8. The errors: of the variance
-   sqrt((1/80 - 1/144) / n), of the kurtosis from the eighth moment. */
-TEST(test_description, "mean, spread, kurtosis and their errors")
-{
-    SEEDED(r, 38);
-    struct statistics_description d;
-    for (int i = 0; i < MOST; ++i)
-        x[i] = random_uniform(&r);
-    UNIT_TRUE(statistics_describe(MOST, x, false, &d));
-    const double variance_error = sqrt((1.0 / 80 - 1.0 / 144) / MOST);
-    UNIT_NEAR(d.sd_error, variance_error * sqrt(3), 0.01 * d.sd_error);
-    UNIT_NEAR(d.sd, sqrt(1.0 / 12), 4 * d.sd_error);
-    UNIT_NEAR(d.mean, 0.5, 4 * d.mean_error);
-    UNIT_NEAR(d.kurtosis, 1.8, 4 * d.kurtosis_error);
-    /* The kurtosis is off by the mean of u^4/v^2 - 2 k u^2/v, with
-       u = x - 1/2, v = <u^2>, <u^p> = 1/(2^p (p + 1)). */
-    const double v = 1.0 / 12, k = 1.8, u2 = v, u4 = 1.0 / 80,
-                 u6 = 1.0 / 448, u8 = 1.0 / 2304;
-    const double square =
-        u8 / pow(v, 4) - 4 * k * u6 / pow(v, 3) + 4 * k * k * u4 / (v * v);
-    const double mean = u4 / (v * v) - 2 * k * u2 / v;
-    UNIT_NEAR(d.kurtosis_error, sqrt((square - mean * mean) / MOST),
-              0.01 * d.kurtosis_error);
-}
-
 /* The squares of a series of flips +-a, a slow: the mean looks perfect. */
 TEST(test_squares_count, "the slow squares of a fast series count")
 {
@@ -352,34 +272,6 @@ TEST(test_squares_count, "the slow squares of a fast series count")
     correlated(&r, 0.9, MOST, x);
     UNIT_TRUE(statistics_describe(MOST, x, true, &d));
     UNIT_NEAR(d.inefficiency, 19, 4 * 19 * 2 / sqrt(2 * 255));
-}
-
-/* Independent columns of 25 cells: chi-square is 16 +- sqrt(32). A parabola
-   has no correlation and no independence. */
-TEST(test_dependence, "dependence with and without correlation")
-{
-    enum { SAMPLES = 100000 };
-    SEEDED(r, 40);
-    struct statistics_dependence d;
-    for (int i = 0; i < SAMPLES; ++i) {
-        x[i] = random_normal(&r);
-        y[i] = random_normal(&r);
-    }
-    UNIT_TRUE(statistics_dependence(SAMPLES, x, y, 5, false, &d));
-    UNIT_TRUE(d.degrees == 16);
-    UNIT_NEAR(d.chi2, 16, 4 * sqrt(32));
-    UNIT_NEAR(d.correlation, 0, 4 * d.error);
-    UNIT_NEAR(d.error, 1 / sqrt(SAMPLES), 0.02 * d.error);
-    for (int i = 0; i < SAMPLES; ++i)
-        y[i] = x[i] * x[i];
-    UNIT_TRUE(statistics_dependence(SAMPLES, x, y, 5, false, &d));
-    UNIT_NEAR(d.correlation, 0, 4 * d.error);
-    UNIT_TRUE(d.chi2 > 10000);
-    for (int i = 0; i < SAMPLES; ++i)
-        y[i] = -3 * x[i];
-    UNIT_TRUE(statistics_dependence(SAMPLES, x, y, 5, false, &d));
-    UNIT_NEAR(d.correlation, -1, 1e-4); /* n - 1 below the line */
-    UNIT_NEAR(d.chi2, 4.0 * SAMPLES, 1e-6);
 }
 
 /* By hand: five blocks, the mean of every cell 2, variances 1, 1 and 0 and

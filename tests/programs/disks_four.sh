@@ -54,12 +54,6 @@ holds 'collisions to wall hits: 0.7766' awk '
                 s["law_chi2_probability_vx"] > 1e-4) }' "$work/v"
 }
 
-# Both engines, one table.
-$d --engine pairs --every 0.5 --until 50 -o "$work/pairs"
-$d --engine auto --every 0.5 --until 50 -o "$work/auto"
-holds 'the engine does not show in the table' \
-    cmp "$work/pairs" "$work/auto"
-
 # The whole program of the chapter: it compiles as it stands, and until a
 # rounding has grown (e^(3.6 t), 5 s) it goes where disks goes; then its
 # places have the same density.
@@ -92,4 +86,4 @@ holds 'disks0: the density of direct sampling' awk '
             if (d * d > worst * worst) worst = d }
         print worst; exit !(worst * worst < 0.025 ^ 2) }' \
     plots/data/disks4_r0.15_unitbox.dat "$work/rows"
-echo 1..11
+echo 1..10

@@ -55,10 +55,6 @@ for method in direct markov; do
     near "four disks, $method: virial" Z_virial 1.88928 0.00013
     profile "four disks, $method: the density" "$work/$method"
 done
-build/bin/disks --disks 4 --radius 0.15 --box 1,1 --every 0.01 \
-    --samples 1e6 --measure positions -o "$work/dynamics"
-profile 'four disks, dynamics: the density' "$work/dynamics"
-
 # All densities are normalised; a box of unequal sides, in space.
 $s --box 1.3,0.9,1.1 --radius 0.2 --samples 2e4 --bins 40 -o "$work/table" \
     --summary "$work/s"
@@ -181,4 +177,4 @@ holds 'a run that is cut short has a table' \
     test "$(grep -c '^[0-9]' "$work/table.cut")" -eq 100
 holds 'but no summary, and fails' \
     test "$status" -eq 1 -a ! -e "$work/none"
-echo 1..33
+echo 1..32

@@ -32,12 +32,6 @@ near 'small swing with added mass' period_small_added 39.73835 5e-6
 near 'small swing with sound' period_acoustic 39.77915 5e-6
 near 'true swing, bare' period_large 37.23662 5e-6
 near 'true swing with added mass' period_large_added 39.29878 5e-6
-$p --method rk4 --every 20 --until 20 -o "$work/a"
-$p --step 0.0005 --every 20 --until 20 -o "$work/b"
-# Leapfrog: (w dt)^2/24 = 1e-9 of 6 m; both gain by a factor of ten.
-holds 'two methods, one place' awk '!/^#/ { x[NR == FNR] = $2 }
-    END { d = x[0] - x[1]; print d; exit !(d * d < 1e-14) }' \
-    "$work/a" "$work/b"
 
 # Ways to a period: the finest of each agree.
 $p --study cost --velocity 0.1 -o "$work/cost"
@@ -48,15 +42,6 @@ holds 'steps and quadrature agree to 1e-8, unequal steps do not' awk '
     END { print leap, rk4, exact, coarse
         exit !((leap / exact - 1) ^ 2 < 1e-16 && (rk4 / exact - 1) ^ 2 < 1e-20 &&
             (coarse / exact - 1) ^ 2 > 1e-7) }' "$work/cost"
-
-holds 'halving the longest step divides the errors by 4 and by 16' awk '
-    $2 == 1 && $3 == 1 && NF == 5 { one[$1] = $4 }
-    $2 == 1 && $3 == 0.5 { half[$1] = $4 }
-    $1 == "quadrature" && $2 == 1 { exact = $4 }
-    END { a = (one["leapfrog"] - exact) / (half["leapfrog"] - exact)
-        b = (one["rk4"] - exact) / (half["rk4"] - exact)
-        print a, b; exit !(a > 3.8 && a < 4.2 && b > 14 && b < 18) }' \
-    "$work/cost"
 
 # A table made by hand: period 20, decay time 50, shares 1/3 + 0.4 exp(-t/50),
 # but 0.1 more before 30 s, and no more decay after 305 s: the fit must
@@ -149,4 +134,4 @@ near 'adiabatic: period' period 39.44 0.29
 near 'adiabatic: added mass, small swing' period 39.738 0.596
 near 'adiabatic: added mass, true swing' period 39.299 0.589
 near 'adiabatic: sound' period 39.779 0.597
-echo 1..41
+echo 1..39

@@ -241,17 +241,6 @@ done
 refuses 2 'kernel: means nothing without gravity of more than 32' \
     $step "$w/fall" --kernel tree
 
-# Contacts.
-$scene cradle -o "$w/cradle"
-for rule in all approaching; do
-    for shift in radius mass back; do
-        $step "$w/cradle" --until 1 --rule $rule --shift $shift --order deepest \
-            --observe energy,momentum,collisions -o "$w/a" --summary "$w/s" ||
-            not_ok "--rule $rule" 'it fails'
-        near "$rule, $shift: the energy" "$(key "$w/s" energy_error)" 0 1e-12
-    done
-done
-
 # Blow-ups: what came before stays, one line, status 1.
 $scene double-pendulum -o "$w/pendulum"
 refuses 1 'blew up after t = [0-9.]* (energy -0.8568, now [0-9.e+]*): try' \
@@ -329,14 +318,6 @@ printf 'pos 0 0 0 0 0 0 0\npos 1 1 0 0 1 0 0\ns 0 1 0\nsl 0 1 0\ndt 1\n' \
 refuses 2 'body 0 has no mass' $step "$w/light"
 printf 'pos 0 0 0 0 1 0 0\ngrav 0 0 x\n' >"$w/bad"
 refuses 2 'bad:2: ' $step "$w/bad"
-
-# A contact needs mass, a wall needs contacts.
-printf 'pos 0 0 0 0 0 0 1\npos 1 1 1 1 1 0 1\nvel 1 -1 0 0\ncontact\ndt 1\n' \
-    >"$w/light"
-refuses 2 'body 0 has no mass' $step "$w/light"
-printf 'pos 0 .5 .5 .5 1 0 .1\nbox 0 1 0 1 0 1\nwalls hard open open\ndt 1\n' \
-    >"$w/walls"
-refuses 2 'walls but no line contact' $step "$w/walls"
 
 # An adaptive method meets its contacts too: a ball that falls from 1 m by
 # 2 m/s^2 is back there after 2 s, and after 20. Its 2 m/s at the floor are
@@ -469,45 +450,8 @@ fi
 sed 's/^dt .*/dt 0.1/' "$w/pendulum" >"$w/wild"
 build/bin/orbit "$w/wild" >"$w/a" 2>"$w/told"
 holds 'and a run that blew up' test $? -eq 1
-# What contacts after steps cannot see (found by trials of the second
-# edition, where all of these ended whole, with note none).
-cat >"$w/points" <<'E2'
-pos 0 0 0 0 1 0 0
-pos 1 1 0 0 1 0 0
-vel 0 1 0 0
-vfix 0 1 0 0
-vfix 1 1 0 0
-contact
-dt 0.01
-E2
-refuses 2 'body 0 and another on its line are points' $step "$w/points"
-refuses 2 'body 0 and another on its line are points' $step "$w/points" \
-    --contact located
-sed 's/^contact/linear 100/' "$w/points" >"$w/soft"
-refuses 2 'body 0 and another on its line are points' $step "$w/soft"
-sed 's/^vel 0.*/vel 0 1 1 0/; /^vfix/d' "$w/points" >"$w/plane"
-holds 'points in a plane hardly ever meet' $step "$w/plane" -o /dev/null
-cat >"$w/fat" <<'E2'
-pos 0 0.15 0.1 0 1 0 0.15
-pos 1 0.7 0.1 0 1 0 0.15
-vel 0 1 0.1 0
-vel 1 -1 0 0
-box 0 1 0 0.2 0 0
-walls hard hard open
-contact
-dt 0.001
-E2
-for contact in contact 'linear 100'; do
-    for wall in hard periodic; do
-        sed "s/^contact/$contact/; s/^walls.*/walls hard $wall open/" \
-            "$w/fat" >"$w/thick"
-        refuses 2 'body 0, of radius 0.15, is thicker than the box' \
-            $step "$w/thick"
-    done
-done
-sed 's/0\.2 0 0/0.3 0 0/; s/ 0\.1 0 1/ 0.15 0 1/; s/^vel 0.*/vel 0 1 0 0/' "$w/fat" >"$w/thick"
-$step "$w/thick" --contact located -O y:0 -o "$w/t" 2>"$w/told"
-holds 'a body as thick as its box is let in' test ! -s "$w/told"
+# What contacts after steps cannot see is told, or refused (tests/library/motion.c);
+# found by trials of the second edition, where it ended whole, with note none.
 cat >"$w/fast" <<'E2'
 pos 0 -1 0 0 1 0 0.013
 pos 1 1 0 0 1 0 0.013
@@ -532,4 +476,4 @@ $step "$w/over" --until 3 -o /dev/null -S "$w/s" 2>"$w/told"
 holds 'who overlaps at the start is told' \
     grep -q 'at the start bodies overlapped.* by 0.006,' "$w/told"
 holds 'in the summary, too' grep -qx 'note overlap' "$w/s"
-echo "1..$((200 + 14 * own - fewer))"
+echo "1..$((183 + 14 * own - fewer))"

@@ -202,24 +202,6 @@ TEST(test_ring_speeds, "speeds in a ring have their closed form")
     UNIT_TRUE(isinf(celestial_ring_pull(1, 2, 2.5, 2.5)));
 }
 
-/* The closed form against a sum over 4e5 pieces of a ring, softened
-   little: 1e-4 at a place between. */
-TEST(test_ring_sum, "which is what a sum over it gives")
-{
-    const double r = 1.7;
-    double sum = 0, mass = 0;
-    for (int i = 0; i < 400; ++i)
-        for (int j = 0; j < 1000; ++j) {
-            const double s = 2 + (i + 0.5) * 0.5 / 400;
-            const double turn = 2 * KEPLER_PI * (j + 0.5) / 1000;
-            const double dx = s * cos(turn) - r, dy = s * sin(turn);
-            const double d2 = dx * dx + dy * dy;
-            mass += s;
-            sum -= s * dx / (d2 * sqrt(d2));
-        }
-    UNIT_NEAR(celestial_ring_pull(1, 2, 2.5, r) / (sum / mass), 1, 1e-4);
-}
-
 TEST(test_ring, "a ring is uniform and repeats itself")
 {
     FREED(scene) s, again;

@@ -9,44 +9,6 @@
 
 #include <float.h>
 
-enum quantity { WALL_X, WALL_Y, WALL_Z, PAIR, QUANTITIES };
-
-/* What a run says of contacts. */
-struct told {
-    double mean[QUANTITIES], error[QUANTITIES];
-};
-
-/* Samples configurations, direct (step 0) or by a chain. */
-static struct told run(struct sampling *s, double step, size_t samples)
-{
-    struct told told = {0};
-    FREED(means) m;
-    SEEDED(r, 1);
-    UNIT_TRUE(means_create(&m, QUANTITIES));
-    UNIT_TRUE(step == 0 || sampling_start(s, &r));
-    for (size_t n = 0; n < samples; ++n) {
-        while (step == 0 && sampling_throw(s, &r) < s->disks.count)
-            ;
-        for (size_t k = 0; step > 0 && k < s->disks.count; ++k)
-            sampling_try(s, step, &r);
-        const size_t i = n % s->large;
-        for (size_t k = 0; k < s->disks.dimensions; ++k)
-            if (s->disks.boundary == DISKS_WALLS)
-                means_add(&m, k, sampling_wall_density(s, i, k));
-        for (size_t j = 0; j < s->large; ++j)
-            if (j != i)
-                means_add(&m, PAIR,
-                          sampling_pair_density(s, i, j) /
-                              (double)(s->large - 1));
-        means_next(&m);
-    }
-    for (size_t q = 0; q < QUANTITIES; ++q) {
-        told.mean[q] = means_mean(&m, q);
-        told.error[q] = means_error(&m, q);
-    }
-    return told;
-}
-
 static void box(struct sampling *s, size_t dimensions,
                 enum disks_boundary boundary, const double sides[],
                 size_t count, double radius)
@@ -56,29 +18,6 @@ static void box(struct sampling *s, size_t dimensions,
 }
 
 static const double unit[] = {1, 1, 1};
-
-/* (6.5, eq:two-sides) in boxes of unequal sides, in the plane and in space,
-   for both samplers. */
-TEST(test_virial, "walls and pairs agree on the pressure")
-{
-    const double sides[] = {1.3, 0.9, 1.1};
-    for (size_t dimensions = 2; dimensions <= 3; ++dimensions)
-        for (double step = 0; step < 0.3; step += 0.2) {
-            const double r = 0.13, D = (double)dimensions;
-            FREED(sampling) s;
-            box(&s, dimensions, DISKS_WALLS, sides, 5, r);
-            const struct told t = run(&s, step, 200000);
-            double walls = 0, error = 0;
-            for (size_t k = 0; k < dimensions; ++k) {
-                walls += (sides[k] - 2 * r) * t.mean[k] / D;
-                error += (sides[k] - 2 * r) * t.error[k] / D;
-            }
-            const double factor = 4 * 2 * r / (2 * D);
-            UNIT_NEAR(walls, 1 + factor * t.mean[PAIR],
-                      4 * (error + factor * t.error[PAIR]));
-            UNIT_TRUE(error < 0.02 * walls);
-        }
-}
 
 /* R = 1, d = 0.2: computed with 12 digits and by 2e7 random points. */
 TEST(test_overlaps, "lenses and segments")
@@ -229,57 +168,6 @@ TEST(test_guess, "hopeless throws are known beforehand")
     box(&s, 2, DISKS_WALLS, sides, 30, 0.15);
     const double guess = sampling_log_acceptance(&s, 100000, &r);
     UNIT_TRUE(guess < -25 && guess > -60);
-}
-
-/* Chains of two disks in a periodic box of side 1: Z - 1, its error, and
-   the share of the samples in which they are nearer than 0.4. */
-static void run_chains(size_t dimensions, double told[3])
-{
-    FREED(sampling) s;
-    FREED(means) m;
-    SEEDED(r, 1);
-    box(&s, dimensions, DISKS_PERIODIC, unit, 2, 0.15);
-    UNIT_TRUE(means_create(&m, 2) && sampling_start(&s, &r));
-    for (size_t n = 0; n < 200000; ++n) {
-        const double length = random_between(&r, 0.5, 1.5);
-        double gained = 0, apart[DISKS_AXES], square = 0;
-        sampling_chain(&s, random_below(&r, dimensions), length, &r,
-                       &gained);
-        disks_separation(&s.disks, s.disks.disk[0].position,
-                         s.disks.disk[1].position, apart);
-        for (size_t k = 0; k < dimensions; ++k)
-            square += apart[k] * apart[k];
-        UNIT_TRUE(square > 0.3 * 0.3 - 1e-14);
-        means_add(&m, 0, gained / length);
-        means_add(&m, 1, square < 0.4 * 0.4);
-        means_next(&m);
-    }
-    told[0] = means_mean(&m, 0);
-    told[1] = means_error(&m, 0);
-    told[2] =
-        (means_mean(&m, 1) -
-         (dimensions == 2 ? acos(-1) * (0.16 - 0.09) / (1 - acos(-1) * 0.09)
-                          : 4 * acos(-1) / 3 * (0.064 - 0.027) /
-                                (1 - 4 * acos(-1) / 3 * 0.027))) /
-        means_error(&m, 1);
-}
-
-/* The other's room is the box less a circle of twice the radius, and its
-   edge says the pressure: (6.10, eq:chain-pressure). */
-TEST(test_chains, "chains of two disks know the closed forms")
-{
-    const double pi = acos(-1), s = 0.3;
-    double told[3];
-    run_chains(2, told);
-    UNIT_NEAR(told[0], pi * s * s / 2 / (1 - pi * s * s), 4 * told[1]);
-    UNIT_TRUE(told[1] < 0.002);
-    UNIT_NEAR(told[2], 0, 4);
-    run_chains(3, told);
-    UNIT_NEAR(told[0],
-              2 * pi / 3 * s * s * s / (1 - 4 * pi / 3 * s * s * s),
-              4 * told[1]);
-    UNIT_TRUE(told[1] < 0.002);
-    UNIT_NEAR(told[2], 0, 4);
 }
 
 /* Disks stay apart, the touches and the jumps say the same pressure, and a

@@ -377,83 +377,23 @@ TEST(test_areas, "symplectic methods keep areas")
     each_method(check_areas);
 }
 
-/* All of a run that a resumed one needs. */
-struct kept {
-    double x[2], v[2], carry[4], acceleration[2];
-};
-
-static void keep(const struct stepping *s, struct kept *k)
-{
-    memcpy(k->x, s->x, sizeof k->x);
-    memcpy(k->v, s->v, sizeof k->v);
-    memcpy(k->carry, s->carry, sizeof k->carry);
-    memcpy(k->acceleration, s->acceleration, sizeof k->acceleration);
-}
-
-/* 200 steps: cut as asked, resumed after step 77 if that is wanted. */
-static struct kept run_in_pieces(const struct stepping_method *m,
-                                 struct stepping_forces f, bool compensated,
-                                 uint64_t piece, bool resumed)
-{
-    double x[] = {0.5, 0.1}, v[] = {0.1, 1.5};
-    struct stepping s;
-    struct kept k = {{0}, {0}, {0}, {0}};
-    begin(&s, m, f, 0.03, x, v);
-    s.compensated = compensated;
-    for (uint64_t done = 0; done < 200; done += piece) {
-        stepping_run(&s, piece < 200 - done ? piece : 200 - done);
-        if (resumed && s.steps == 77) {
-            keep(&s, &k);
-            stepping_free(&s);
-            memcpy(x, k.x, sizeof x);
-            memcpy(v, k.v, sizeof v);
-            begin(&s, m, f, 0.03, x, v);
-            s.compensated = compensated;
-            stepping_resume(&s, 77, compensated ? k.carry : NULL,
-                            f.damped ? k.acceleration : NULL);
-        }
-    }
-    UNIT_EQUAL(stepping_time(&s), 200 * 0.03);
-    keep(&s, &k);
-    stepping_free(&s);
-    if (!f.damped)
-        memset(k.acceleration, 0, sizeof k.acceleration);
-    return k;
-}
-
-TEST(test_cuts, "neither cuts nor resuming change a bit")
-{
-    for (const struct stepping_method *m = fixed_row(stepping_methods);
-         m->name; m = fixed_row(m + 1))
-        for (int way = 0; way < 4; ++way) {
-            const struct stepping_forces f =
-                way & 1 ? rough_forces : orbit_forces;
-            const bool compensated = way & 2;
-            const struct kept whole =
-                run_in_pieces(m, f, compensated, 200, false);
-            static const uint64_t pieces[] = {1, 7, 64, 150};
-            for (int k = 0; k < 4; ++k) {
-                const struct kept cut =
-                    run_in_pieces(m, f, compensated, pieces[k], false);
-                UNIT_TRUE(!memcmp(&cut, &whole, sizeof whole));
-            }
-            const struct kept cut =
-                run_in_pieces(m, f, compensated, 11, true);
-            UNIT_TRUE(!memcmp(&cut, &whole, sizeof whole));
-        }
-}
-
 TEST(test_leapfrog_is_a_splitting,
      "leapfrog's own code is that of a splitting")
 {
     static const double kick[] = {0.5, 0.5};
     struct stepping_method general = *stepping_find("leapfrog");
     general.kick = kick;
-    const struct kept a = run_in_pieces(stepping_find("leapfrog"),
-                                        orbit_forces, false, 200, false);
-    const struct kept b =
-        run_in_pieces(&general, orbit_forces, false, 200, false);
-    UNIT_TRUE(!memcmp(&a, &b, sizeof a));
+    double x[2][2], v[2][2];
+    for (int k = 0; k < 2; ++k) {
+        FREED(stepping) s;
+        PUT(x[k], 0.5, 0.1);
+        PUT(v[k], 0.1, 1.5);
+        begin(&s, k ? &general : stepping_find("leapfrog"), orbit_forces,
+              0.03, x[k], v[k]);
+        stepping_run(&s, 200);
+    }
+    UNIT_TRUE(!memcmp(x[0], x[1], sizeof x[0]) &&
+              !memcmp(v[0], v[1], sizeof v[0]));
 }
 
 /* As many pendulums as *what says. */

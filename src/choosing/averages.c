@@ -1,4 +1,4 @@
-/* Computes time averages from an exact law or from a run by events. */
+/* Computes time averages from an exact law or from an event-driven run. */
 #include "choosing/averages.h"
 
 #include "box/blocks.h"
@@ -109,11 +109,11 @@ static void add_up(struct search *h)
     }
 }
 
-/* Returns the mean position of a body at equilibrium, m. For a disk between
-   four walls this is the centre of the box, by symmetry. On a line all
-   states are equally likely, so on average k/(n + 1) of the free length is
-   to the left of the k-th of n bodies. The radius of this body and the
-   lengths of the bodies to its left are added. */
+/* Returns the mean position of a body at equilibrium, m. By symmetry, a
+   disk between four walls is on average at the centre of the box. On a line
+   all states are equally likely, so the mean length of the gaps to the left
+   of the k-th of n bodies is k/(n + 1) of the length of all gaps. To this
+   are added the diameters of the bodies to its left and its own radius. */
 static double settled_place(const struct search *h, size_t body)
 {
     const size_t axis = h->q->quantity.axis;
@@ -130,8 +130,8 @@ static double settled_place(const struct search *h, size_t body)
            (h->box[0] - 2 * h->radii) * (double)rank / (double)(h->n + 1);
 }
 
-/* Returns the scale of the requested quantity: errors are divided by it.
-   value is the mean of the quantity. */
+/* Returns the number by which errors of the requested quantity are divided.
+   `value` is the mean of the quantity. */
 static double scale_of(const struct search *h, double value)
 {
     const struct averages_quantity *q = &h->q->quantity;
@@ -140,12 +140,14 @@ static double scale_of(const struct search *h, double value)
     return q->kind == AVERAGES_PLACE ? h->box[q->axis - h->axis] : value;
 }
 
-/* Fills in *h. Returns NULL, or the reason why no average is known, without
-   a run. Scenes with forces, losses or fixed bodies are refused because
-   their equilibria are not known here. A mean position is refused if it
-   depends on the start for ever. This is so for a single disk, for fewer
-   than three bodies on a line, and for equal masses on a line, which only
-   exchange their velocities. */
+/* Fills in *h from the scene. Returns NULL, or why the average cannot be
+   computed.
+
+   Scenes with forces, losses or fixed bodies are refused, since this file
+   does not know their equilibria. A mean position is refused if it depends
+   on the initial state however long the run is. This is the case for a
+   single disk, for fewer than three bodies on a line, and for equal masses
+   on a line, which only exchange their velocities. */
 static const char *survey(struct search *h)
 {
     const struct scene *s = h->s;
@@ -193,16 +195,16 @@ static const char *survey(struct search *h)
     return NULL;
 }
 
-/* Rounds x up to two digits. A value that a refusal suggests must be large
-   enough as printed. */
+/* Rounds x up to two significant digits, so that a number suggested in a
+   refusal is large enough as printed. */
 static double round_up(double x)
 {
     const double unit = pow(10, floor(log10(x)) - 1);
     return ceil(x / unit) * unit;
 }
 
-/* Computes the answer from the kinetic energy of the whole scene, which
-   elastic contacts conserve. It includes the drift and all three axes. */
+/* Computes the answer from the total kinetic energy, which elastic contacts
+   conserve. The total includes the drift and all three axes. */
 static void answer_conserved(const struct search *h)
 {
     struct averages_found *f = h->f;
@@ -212,8 +214,8 @@ static void answer_conserved(const struct search *h)
         energy += h->s->mass[i % h->n] * v * v / 2;
         free += h->s->freedom[i];
     }
-    /* The temperature excludes the energy of a drift. A difference as small
-       as the rounding error of the sum is not a drift. */
+    /* The temperature excludes the energy of a drift. A difference within
+       the rounding error of the sum does not count as a drift. */
     const bool drifts =
         h->periodic &&
         energy - h->energy > DBL_EPSILON * (double)h->n * energy;
@@ -224,11 +226,11 @@ static void answer_conserved(const struct search *h)
     snprintf(f->text, AVERAGES_TEXT, "elastic contacts change neither");
 }
 
-/* Computes the answer from Tonks's law, and a proven bound on the
-   difference between a run and the law (12.16, eq:averages-bound). On a
-   line NkT is 2K, so by the virial theorem Z is V divided by the free
-   length. V is the length open to the centres: the box minus the radii of
-   the two outer bodies. */
+/* Computes the answer from Tonks's law, with a proven bound on the
+   deviation of a run from this law (12.16, eq:averages-bound). On a line
+   NkT is 2K, so by the virial theorem Z is V divided by the length of all
+   gaps. V is the length accessible to the centres: the box minus the radii
+   of the two outer bodies. */
 static void answer_tonks(const struct search *h)
 {
     struct averages_found *f = h->f;
@@ -251,18 +253,18 @@ static void answer_tonks(const struct search *h)
                  round_up(f->error * h->q->until / h->q->tolerance));
 }
 
-/* Largest number of bodies whose mean positions are compared with
-   equilibrium: the requested body and up to seven others. */
+/* Largest number of bodies whose mean positions are compared with their
+   equilibrium values: the requested body and up to seven others. */
 enum { WITNESSES = 8 };
 
-/* A run by events, and the results of its last evaluation. */
+/* An event-driven run, and the results of its last evaluation. */
 struct measurement {
     const struct search *h;
     struct models_run run;
     struct blocks blocks;
     size_t columns, places, body[WITNESSES];
-    double most, interval; /* samples in the averaging time; seconds between
-                              samples */
+    double most, interval; /* number of samples in the averaging time; time
+                              between samples, s */
     double virial;         /* virial up to the last sample, J s */
     bool over;             /* whether the run has ended */
     const char *why;       /* why the run is not at equilibrium, or NULL */
@@ -276,12 +278,13 @@ static double cost(const struct measurement *w)
     return models_cost(w->run.work);
 }
 
-/* Returns the number of samples in the averaging time T. A pressure sample
-   contains the whole virial since the last sample, so the interval may be a
-   quarter of the flight time from one body to the next. A position is
-   sampled at an instant, so the interval is a sixteenth of the flight time
-   through the box. At least 256 samples are taken, to have enough
-   blocks. */
+/* Returns the number of samples in the averaging time T. It is at least
+   256, to have enough blocks.
+
+   A position is sampled only at an instant, so the interval between samples
+   is short: a sixteenth of the flight time through the box. A pressure
+   sample contains the virial of the whole interval, so its interval is a
+   quarter of the flight time from one body to the next. */
 static double samples_of(const struct search *h)
 {
     const struct averages_quantity *q = &h->q->quantity;
@@ -294,10 +297,10 @@ static double samples_of(const struct search *h)
     return fmax(256, ceil(T / way * sqrt(kT / mass)));
 }
 
-/* Selects the bodies whose mean positions are compared with equilibrium.
-   The first is the requested body. On a line any other bodies follow. In
-   the plane only disks of the same mass and radius follow, as they relax
-   equally fast. */
+/* Selects the bodies whose mean positions are compared with their
+   equilibrium values: first the requested body, then others. On a line
+   these can be any bodies. In the plane they are disks of the same mass and
+   radius, since these relax equally fast. */
 static void choose_witnesses(struct measurement *w)
 {
     const struct scene *s = w->h->s;
@@ -314,7 +317,7 @@ static void choose_witnesses(struct measurement *w)
 
 /* Begins a run of bodies on a line or of disks in the plane. Returns NULL,
    or why it fails. A sample has a column for each position, or a single
-   column for the pressure. The last column is the result of
+   column for the pressure, and a last column for the result of
    `relaxation`. */
 static const char *begin_measurement(struct measurement *w,
                                      const struct search *h)
@@ -336,11 +339,12 @@ static const char *begin_measurement(struct measurement *w,
 }
 
 /* Returns a number, computed from the velocities, whose mean is 1 at
-   equilibrium. All states of equal energy are then equally likely. In the
-   plane the motion along each axis has half of the energy. On a line let
-   e_i be the fraction of the energy that body i has. The square roots of
-   all e_i are the coordinates of a random point on the unit sphere in n
-   dimensions, so the mean of the sum of e_i^2 is 3/(n + 2). */
+   equilibrium, where all states of equal energy are equally likely.
+
+   In the plane, half of the energy belongs to the motion along each axis.
+   On a line, let e_i be the fraction of the energy that body i has. The
+   square roots of all e_i are the coordinates of a random point on the unit
+   sphere in n dimensions, so the mean of the sum of e_i^2 is 3/(n + 2). */
 static double relaxation(const struct search *h, const double velocity[])
 {
     double sum = 0;
@@ -356,10 +360,10 @@ static double relaxation(const struct search *h, const double velocity[])
     return sum * (double)(h->n + 2) / 3;
 }
 
-/* Takes the next sample. Returns false if the run ends. Counts the work of
-   moving every body to the time of the sample. In a periodic box the centre
-   of mass has the energy of one body, so the sum in (7.5, eq:virial) has
-   the factor (N - 1)/N. */
+/* Takes the next sample and adds the work of moving every body to the time
+   of the sample. Returns false if the run ends. In a periodic box the
+   excluded motion of the centre of mass has the energy of one body, so the
+   sum in (7.5, eq:virial) has the factor (N - 1)/N. */
 static bool sample(struct measurement *w, double value[])
 {
     const struct search *h = w->h;
@@ -390,9 +394,10 @@ static struct blocks_average part(const struct measurement *w,
     return blocks_average_of(to - from, x);
 }
 
-/* Returns the distance of mean positions from equilibrium, m. This is the
-   distance of the requested body or, if larger, the root mean square over
-   all selected bodies: a single body may be right by chance. */
+/* Returns how far mean positions are from their equilibrium values, m: the
+   deviation of the requested body or, if larger, the root mean square over
+   all selected bodies. The deviation of a single body may be small by
+   chance. */
 static double distance_from_law(const struct measurement *w, size_t from)
 {
     double x[BLOCKS_MOST] = {0}, squares = 0, own = 0;
@@ -407,8 +412,8 @@ static double distance_from_law(const struct measurement *w, size_t from)
 
 /* Returns whether the velocities have relaxed, or false if memory runs out.
    The mean of `relaxation` must be 1 within its error. On a line a heavy
-   body relaxes very slowly, so the estimate of that error must also have a
-   plateau. */
+   body relaxes very slowly, so the block estimate of this error must also
+   have a plateau. */
 static bool has_relaxed(const struct measurement *w, size_t from)
 {
     struct statistics_blocking b;
@@ -420,12 +425,13 @@ static bool has_relaxed(const struct measurement *w, size_t from)
            fabs(off) <= 5 * b.error + 1e-9;
 }
 
-/* Evaluates the last three quarters of the run, as the first quarter still
-   depends on the start. The error is reliable if its block estimate has a
-   plateau, the mean does not drift, and positions and velocities are at
-   equilibrium. Twice the uncertainty of the error estimate is added to it:
-   a run that stops when its error is small enough tends to stop when the
-   estimate is too small by chance. Returns false if memory runs out. */
+/* Evaluates the last three quarters of the run; the first quarter still
+   depends on the start. Returns false if memory runs out.
+
+   The error is reliable if its block estimate has a plateau, the mean does
+   not drift, and positions and velocities are at equilibrium. Twice the
+   uncertainty of the block estimate is added to the error. Without this, a
+   run would tend to stop when the estimate is too small by chance. */
 static bool judge(struct measurement *w)
 {
     const size_t n = w->blocks.count, from = (n + 3) / 4;
@@ -466,9 +472,12 @@ static void conclude(struct averages_found *f, const struct measurement *w)
 }
 
 /* Returns the factor by which the run must become longer to reach the error
-   e. The scatter of a run of length T is part of e^2. If this part is more
-   than half, T is too short and the result is INFINITY. For a run that is
-   not at equilibrium the factor is finite and at least 2. */
+   e.
+
+   Even a run of length T has an error, since the mean over T varies from
+   run to run. If its square is more than half of e^2, T is too short and
+   the result is INFINITY. For a run that is not at equilibrium the result
+   is finite and at least 2. */
 static double longer_by(const struct measurement *w, double e)
 {
     const double two = 2 * w->se / scale_of(w->h, w->mean);
@@ -480,8 +489,8 @@ static double longer_by(const struct measurement *w, double e)
                                : fmax(1.25, square / (e * e - scatter));
 }
 
-/* Continues the run to `to` samples, or to the end of T or of the budget,
-   and evaluates it. Returns false if memory runs out. */
+/* Continues the run up to `to` samples, or to the end of T or of the
+   budget, and evaluates it. Returns false if memory runs out. */
 static bool advance(struct measurement *w, double to)
 {
     double value[WITNESSES + 1];
@@ -494,13 +503,15 @@ static bool advance(struct measurement *w, double to)
     return judge(w);
 }
 
-/* Continues the run until the error is small enough, or cannot become so
-   within the budget. A run that is not at equilibrium is doubled. A run at
-   equilibrium is extended to the predicted length, to need few evaluations.
-   A run is refused only after it has cost a two-hundredth of the budget.
-   Predicted costs are rough and errors are overestimated, so a run at
-   equilibrium may have a predicted cost of up to 1.5 times the budget.
-   Returns false if memory runs out. */
+/* Continues the run until the error is small enough, or until it is clear
+   that the budget does not suffice. Returns false if memory runs out.
+
+   A run that is not at equilibrium is doubled. A run at equilibrium is
+   extended to the predicted length, so that few evaluations are needed.
+   Predicted costs are rough and errors are overestimated. So a run at
+   equilibrium continues even if its predicted cost is up to 1.5 times the
+   budget, and no run is given up before it has cost a two-hundredth of the
+   budget. */
 static bool go_on_until_sure(struct averages_found *f,
                              struct measurement *w)
 {
@@ -524,10 +535,10 @@ static bool go_on_until_sure(struct averages_found *f,
     return true;
 }
 
-/* Writes why a run at equilibrium gives no answer: T is too short if
-   `brief`, or the run is too expensive. Suggests the smallest error that T
-   and the budget allow. Predicted costs are rough, so three times the
-   predicted cost must be within the budget. */
+/* Writes why a run at equilibrium gives no answer: because T is too short
+   (if `brief`), or because the run is too expensive (otherwise). Suggests
+   the smallest error that T and the budget allow. As predicted costs are
+   rough, the suggestion leaves a factor of three in cost. */
 static void refuse_settled(char *to, const struct measurement *w,
                            double price, bool brief)
 {
@@ -549,9 +560,9 @@ static void refuse_settled(char *to, const struct measurement *w,
              fits < 0.25 ? "; %.2g fits" : "; no tolerance fits", fits);
 }
 
-/* Writes why a run by events gives no answer. A run that is not at
+/* Writes why an event-driven run gives no answer. A run that is not at
    equilibrium may never reach it, and its mean depends on the start, so the
-   message suggests to ask for the rows of a run instead. */
+   message suggests requesting the rows of a run instead. */
 static void refuse(char *to, const struct measurement *w)
 {
     const struct averages_request *q = w->h->q;
@@ -572,8 +583,8 @@ static void refuse(char *to, const struct measurement *w)
              (double)w->run.rows * w->interval, w->why, more);
 }
 
-/* Computes the answer from a run by events. Returns false if memory runs
-   out. */
+/* Computes the answer from an event-driven run. Returns false if memory
+   runs out. */
 static bool measure(const struct search *h)
 {
     struct averages_found *f = h->f;
@@ -596,8 +607,8 @@ static bool measure(const struct search *h)
 }
 
 /* Computes the answer by the method that suits the quantity and the scene.
-   Refuses if another method was requested by name. Returns false if memory
-   runs out. */
+   Writes a refusal if another method was requested by name. Returns false
+   if memory runs out. */
 static bool answer(const struct search *h)
 {
     const enum averages_kind kind = h->q->quantity.kind;

@@ -9,11 +9,11 @@
 #include <stdint.h>
 
 enum averages_kind {
-    AVERAGES_PRESSURE,   /* Z = PV/(NkT); V: volume open to the centres */
+    AVERAGES_PRESSURE,   /* PV/(NkT); V: volume accessible to centres */
     AVERAGES_PLACE,      /* mean position along an axis, m */
     AVERAGES_KINETIC,    /* kinetic energy, J */
-    AVERAGES_TEMPERATURE /* kT = 2 K / (free coordinates), J; K excludes the
-                            drift in a periodic box */
+    AVERAGES_TEMPERATURE /* kT = 2 K / (number of free coordinates), J; K
+                            excludes the drift in a periodic box */
 };
 
 struct averages_quantity {
@@ -34,18 +34,18 @@ struct averages_request {
 enum averages_sure {
     AVERAGES_EXACT,    /* rounding errors only */
     AVERAGES_BOUND,    /* a proven bound */
-    AVERAGES_ESTIMATE, /* two standard errors, measured */
+    AVERAGES_ESTIMATE, /* an estimate: two standard errors */
     AVERAGES_OUT       /* no answer */
 };
 enum { AVERAGES_TEXT = 200, AVERAGES_REFUSAL = 400 };
 enum { AVERAGES_BUDGET = 60 }; /* default cost limit, s */
 
 struct averages_found {
-    const char *way; /* "conserved", "tonks", "events"; or NULL */
+    const char *way; /* "conserved", "tonks" or "events"; NULL: none */
     enum averages_sure sure;
     double value, error;      /* error: a fraction of the scale */
     double scale;             /* max(1, Z), length of the box, or value */
-    double time, cost;        /* simulated time, s; cost, s */
+    double time, cost;        /* simulated time, s; cost of the run, s */
     char text[AVERAGES_TEXT]; /* how the answer was found */
     char refusal[AVERAGES_REFUSAL]; /* empty unless refused */
 };

@@ -8,15 +8,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double first_limit = 0.1; /* cost limit of a first attempt,
-                                          s */
+/* Cost limit of a first attempt, s. */
+static const double first_limit = 0.1;
 
-/* Returns the predicted cost, s, of one of two twins that were stopped at
-   the cost limit. r is the slower twin, and its cost is extrapolated from
-   the rows that it has reached. If r has reached no row, the first row is
-   divided into sixteen shorter rows, then the first of these again, until a
-   row is reached. If the twins differ in a shorter row, the result is
-   INFINITY. */
+/* Predicts the cost, s, of one of two twins that were stopped at the cost
+   limit. r is the slower twin; its cost is extrapolated from the rows that
+   it has reached.
+
+   If r has reached no row, the twins are run again over the first sixteenth
+   of the first row, then over a sixteenth of that, and so on, until they
+   reach a row. Returns INFINITY if they differ in such a shorter row. */
 static double price_of_twin(const struct task *t, const struct record *r)
 {
     double cost = r->cost, part = 1;
@@ -36,8 +37,9 @@ static double price_of_twin(const struct task *t, const struct record *r)
                        : INFINITY;
 }
 
-/* Stores the result of an exact run a and its twin b in the candidate k:
-   the error of a, or that the runs differ, or how a run ended early. */
+/* Stores the result of an exact run a and its twin b in the candidate k.
+   The result is the error of a if both runs are complete, or else a text:
+   the runs differ, or the reason why one of them ended early. */
 static void judge_twins(const struct task *t, struct choose_candidate *k,
                         struct record *a, struct record *b, bool parted)
 {
@@ -52,11 +54,13 @@ static void judge_twins(const struct task *t, struct choose_candidate *k,
         task_explain(k, task_ending(a->end != MODELS_DONE ? a : b));
 }
 
-/* Tries a model without steps, which has only rounding errors. The first
-   attempt has a small cost limit. If this is exceeded, and a full run may
-   be within the budget, the model is run again. If a run by events and its
-   twin differ, the scene has a horizon. If runs of a formula differ, only
-   the formula is inaccurate. */
+/* Tries a model without time steps, which has only rounding errors.
+
+   The first attempt has a small cost limit. If it exceeds this limit, and a
+   full run may be within the budget, the model is run again. If an
+   event-driven run and its twin differ, the motion is unpredictable from
+   then on. If two runs of a formula differ, only the formula is
+   inaccurate. */
 static void try_exact(const struct task *t, const struct models_model *m)
 {
     struct record a = {0}, b = {0};
@@ -87,12 +91,14 @@ static int by_price(const void *a, const void *b)
     return one->price < other->price ? -1 : one->price > other->price;
 }
 
-/* Adds the ladder of a method (its runs with finer and finer steps) and
-   makes the first run, which predicts the cost of a run within the
-   tolerance. If the reference uses this method, its coarser run serves as
-   the first run at no cost, and its two runs show how the cost rises. For
-   adaptive methods the cost rises slowly: with an order of about seven, a
-   tenth of the error needs only 40 % more steps. */
+/* Adds a method to the list of ladders, and makes the first run of its
+   ladder. A ladder is the series of a method's runs with finer and finer
+   steps. The first run predicts the cost of a run within the tolerance.
+
+   If the coarser reference run used this method, it serves as the first
+   run, and the two reference runs show how the cost rises with finer steps.
+   For adaptive methods the cost rises slowly: their order is about seven,
+   so a tenth of the error needs only 40 % more steps. */
 static void add_ladder(const struct task *t, struct ladder ladder[],
                        size_t *count, const struct models_model *m,
                        unsigned cuts)
@@ -120,10 +126,10 @@ static void add_ladder(const struct task *t, struct ladder ladder[],
             log2(f->run.cost / f->coarser.cost) /
             (rung_fineness(&f->run.plan) - rung_fineness(&f->coarser.plan));
     } else {
-        /* An adaptive method has an error of at least ten times the
+        /* The error of an adaptive method is at least ten times the
            tolerance of its steps, so finer steps must follow. The method
-           may still win if this run costs at most a quarter of the best
-           run. */
+           can still win if this run costs at most a quarter of the best run
+           so far. */
         const double may =
             l->rise < 1 ? task_best_cost(t) / 4 : task_best_cost(t);
         climb_note(t, l, rung_try(t, l, l->foot, may, k));
@@ -131,15 +137,14 @@ static void add_ladder(const struct task *t, struct ladder ladder[],
     l->price = climb_price(t, l);
 }
 
-/* Leapfrog is tried with each of these simplifications. Other methods are
-   tried without any: the error of a simplification does not depend on the
+/* The simplifications with which leapfrog is tried. Other methods are tried
+   without any, because the error of a simplification does not depend on the
    order of the method, and only leapfrog supports rods. */
 static const unsigned left_out[] = {0, MODELS_NO_LIGHT, MODELS_RODS};
 enum { LEFT_OUT = sizeof left_out / sizeof *left_out };
 
-/* Adds the ladders of model m if its method takes part in the race. Of
-   adaptive methods and methods with equal steps, only the requested kind is
-   added. */
+/* Adds the ladders of model m if it is a stepping method that the chooser
+   compares, and if its kind (adaptive or not) is the requested one. */
 static void add_model(const struct task *t, struct ladder ladder[],
                       size_t *count, const struct models_model *m,
                       bool adaptive)
@@ -153,9 +158,10 @@ static void add_model(const struct task *t, struct ladder ladder[],
             add_ladder(t, ladder, count, m, left_out[j]);
 }
 
-/* Tries all adaptive methods, or all methods with equal steps. Runs the
-   lowest rung of each ladder first. Then runs finer rungs, ladder by
-   ladder, while a rung may be cheaper than the best run so far. */
+/* Tries all adaptive methods, or all methods with equal steps. Makes the
+   run with the longest useful steps for each method first. Then tries finer
+   steps, method by method, while a run may be cheaper than the best run so
+   far. */
 static void race(const struct task *t, bool adaptive)
 {
     struct ladder ladder[STEPPING_MOST + LEFT_OUT];
@@ -185,8 +191,8 @@ static void try_approximate(const struct task *t)
     }
 }
 
-/* Tries the requested plan without changes. If its error exceeds the
-   tolerance, the refusal states that error. */
+/* Tries only the requested plan. If its error exceeds the tolerance, the
+   refusal states that error. */
 static void try_only(const struct task *t)
 {
     const struct models_plan *only = t->q->only;
@@ -226,18 +232,20 @@ static void compare(const struct task *t)
     race(t, true);
 }
 
-/* Two references that differ by less than tolerance/seldom need no further
-   test. If their errors were as large as the tolerance, they would agree so
-   well by chance only once in pi/2 seldom = 630 cases (P_1 of one twin in
-   the book). This is no worse than the chance that is_near_floor is
-   wrong. */
+/* If two reference runs differ by less than tolerance/seldom, no further
+   test is needed. If their errors were as large as the tolerance, they
+   would agree so well only once in pi/2 seldom = 630 cases (P_1 of one twin
+   in the book). This is about as rare as a wrong result of
+   is_near_floor. */
 static const double seldom = 400;
 
 /* Returns whether a twin of the chosen run differs from it by more than a
-   300th of the tolerance. Suppose that rounding errors could exceed the
-   tolerance. A smaller difference would then be a coincidence, in less than
-   one of a hundred cases. The agreement of the two references to a
-   twentieth of the tolerance would be another, in one of a dozen cases.
+   300th of the tolerance. If not, rounding errors are taken to be below the
+   tolerance.
+
+   If they were not, two coincidences would be needed. The small difference
+   from the twin has a probability of less than 1/100. The agreement of the
+   two references to a twentieth of the tolerance has a probability of 1/12.
    Both together are rare enough. */
 static bool is_near_floor(const struct task *t)
 {
@@ -250,10 +258,10 @@ static bool is_near_floor(const struct task *t)
     return 300 * far > t->q->tolerance;
 }
 
-/* Compares all candidates with the reference. If rounding errors are near
-   the tolerance, further twins of the reference bound its error. If this
-   bound puts the chosen run outside the tolerance, all candidates are
-   compared again. */
+/* Compares all candidates with the reference. If rounding errors may be
+   near the tolerance, bounds the error of the reference by further twins.
+   If this larger bound puts the chosen run outside the tolerance, compares
+   all candidates again. */
 static void compare_surely(const struct task *t)
 {
     struct choose_choice *c = t->c;
@@ -275,7 +283,7 @@ static void compare_surely(const struct task *t)
         return;
     c->candidates = candidates;
     c->points = points;
-    if (!f->coarser.value) { /* its rows were freed with the answer */
+    if (!f->coarser.value) { /* rows were moved to the answer and freed */
         const struct record_setup o =
             task_setup(t, f->coarser.plan, INFINITY);
         task_run(t, &f->coarser, &o);
@@ -285,8 +293,9 @@ static void compare_surely(const struct task *t)
 
 /* Finds the answer. Exact models are tried first, as they need no
    reference. An exact run within the tolerance is chosen at once: the
-   search for a cheaper run would cost more than it could save. In a scene
-   with only collisions, a horizon found in a run by events is final. */
+   search for a cheaper run would cost more than it could save. If an exact
+   model finds that the motion becomes unpredictable, no model with steps is
+   tried in a scene with only collisions. */
 static void decide(const struct task *t)
 {
     const struct models_plan *only = t->q->only;
@@ -298,14 +307,14 @@ static void decide(const struct task *t)
     const bool falls = a->gravity || a->springs || a->weight || a->friction;
     if (t->c->run.value && t->c->horizon < INFINITY &&
         t->c->run.plan.model->family == MODELS_EVENTS)
-        record_free(&t->c->run); /* another model has shown a horizon */
+        record_free(&t->c->run); /* another model has found the motion
+                                    unpredictable */
     if (!t->c->run.value && (t->c->horizon == INFINITY || falls) &&
         task_budget(t) > 0 && reference_find(t, t->f))
         compare_surely(t);
 }
 
-/* Marks the answer as refused. Writes a reason unless there is one
-   already. */
+/* Marks the answer as refused, and writes a reason unless there is one. */
 static void refuse(const struct task *t)
 {
     struct choose_choice *c = t->c;
@@ -354,7 +363,7 @@ static bool overlaps(const struct task *t)
 enum { PAIRS_MOST = 2000 };
 
 /* Records the closest pair of bodies if their distance is below the
-   tolerance because a single distant body makes the scale so large. */
+   tolerance only because a distant body makes the scale so large. */
 static void look_for_hidden(const struct task *t)
 {
     const struct scene *s = t->q->scene;
@@ -403,7 +412,7 @@ void choose_free(struct choose_choice *c)
     *c = (struct choose_choice){0};
 }
 
-/* Names of orders. No method with equal steps has an order above eight. */
+/* Names of orders of methods with equal steps, which are at most eight. */
 static const char *const order_in_words[] = {"",      "first",   "second",
                                              "third", "fourth",  "fifth",
                                              "sixth", "seventh", "eighth"};

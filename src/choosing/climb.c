@@ -1,20 +1,20 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 2238706270 of the lines below */
-/* Tries finer and finer steps of one method while they may be cheaper. */
+/* checksum 3033106385 of the lines below */
+/* Tries finer and finer steps of one method while these may be cheaper. */
 #include "choosing/task.h"
 
 #include <math.h>
 
-static const double lost = 0.1; /* an error above this fraction of the scale
-                                   makes a run useless */
+static const double lost = 0.1; /* fraction of the scale; a run with a
+                                   larger error is useless */
 
 static bool is_lost(double error)
 {
     return error > lost;
 }
 
-/* Returns whether finer steps do not help. `error` is the error of the
-   newest rung, and l->best is the rung before. */
+/* Returns whether finer steps have not reduced the error. `error` is the
+   error of the newest run, and l->best is the run before it. */
 static bool is_vain(const struct ladder *l, double error)
 {
     const double before = l->best.error;
@@ -23,9 +23,10 @@ static bool is_vain(const struct ladder *l, double error)
                               fabs(error - before) < 0.01 * error;
 }
 
-/* Returns whether the last error is too large to extrapolate from. Much
-   finer steps are then tried next. With simplifications a large error is no
-   reason for finer steps, as it may be caused by the simplifications. */
+/* Returns whether the last error is too large for an extrapolation. Much
+   finer steps are then tried next. If the scene was simplified, the result
+   is false for any finite error: the simplification may be its cause, and
+   finer steps would not help. */
 static bool is_blind(const struct ladder *l)
 {
     const double error = l->best.error;
@@ -53,14 +54,15 @@ static double order_of_method(const struct ladder *l)
     return m->adaptive ? 1 : m->order;
 }
 
-/* Returns the number of octaves by which the error must fall, or INFINITY
-   if the error is unknown. */
+/* Returns the number of factors of two by which the last error exceeds the
+   tolerance, or INFINITY if the error is unknown. */
 static double excess(const struct task *t, const struct ladder *l)
 {
     return log2(l->best.error / t->q->tolerance);
 }
 
-/* Returns the predicted cost, s, of a rung `more` octaves finer. */
+/* Returns the predicted cost, s, of a run whose steps are finer by a factor
+   of 2^more. */
 static double price_of(const struct ladder *l, double more)
 {
     return l->best.cost * exp2(l->rise * more);
@@ -82,12 +84,12 @@ double climb_price(const struct task *t, const struct ladder *l)
                               : INFINITY;
 }
 
-/* Returns the next rung that is worth a run. Its model is NULL if there is
-   no such rung. */
+/* Returns the next plan of the ladder that is worth a run. Its model is
+   NULL if there is none. */
 static struct models_plan next_rung(const struct task *t,
                                     const struct ladder *l)
 {
-    const double one = 0.125; /* spacing of rungs, octaves */
+    const double one = 0.125; /* finest spacing of plans, octaves */
     const double may = fmin(0.98 * task_best_cost(t), task_budget(t));
     const double now = rung_fineness(&l->best.plan);
     const double more = octaves_up(t, l);
@@ -108,8 +110,8 @@ static struct models_plan next_rung(const struct task *t,
 }
 
 /* Stores the predicted cost of a run within the tolerance, if the last
-   error allows a prediction. Stores why such a run was not tried, unless
-   the last run has stored a reason. */
+   error is small enough for a prediction. Also stores why no such run was
+   made, unless the last run has already stored a reason. */
 static void foresee(const struct task *t, const struct ladder *l)
 {
     struct choose_candidate *k = l->candidate;

@@ -7,14 +7,15 @@
 #include <stdlib.h>
 
 /* Write x = n log 2 + r. Then e^x is 2^n e^r, and the power of two is
-   exact. Fourteen terms of the series suffice for e^r, as the next is
-   r^15/15! <= 1e-19. n log 2 is subtracted in two parts. n has at most 11
-   bits and the first part of log 2 has 33, so their product is exact. Its
-   difference from x is exact, too, as the two numbers are nearly equal.
+   exact. For e^r fourteen terms of the series suffice, as the next is
+   r^15/15! <= 1e-19.
+
+   To keep r accurate, log 2 is split into two parts, the first of 33 bits.
+   As n has at most 11 bits, the product of n and the first part is exact.
+   Its difference from x is also exact, as the two numbers are nearly equal.
    Only the small second part is rounded. */
 double closed_exp(double x)
 {
-    /* log 2 in two parts, the first of 33 bits */
     const double part[] = {0x1.62e42feep-1, 0x1.a39ef35793c76p-33};
     const double n = floor(x / 0.69314718055994531 + 0.5);
     const double r = x - n * part[0] - n * part[1];
@@ -26,9 +27,9 @@ double closed_exp(double x)
     return ldexp(sum, (int)n);
 }
 
-/* Returns phi_2 = (e^-z - 1 + z) / z^2 for z from 0 to 1. The formula would
-   lose all digits if z is small, so the series is summed. phi_1 and e^-z
-   follow from phi_2 without such a loss. */
+/* Returns phi_2 = (e^-z - 1 + z) / z^2 for z from 0 to 1. For small z this
+   formula would lose all digits, so a series is summed. phi_1 and e^-z can
+   be computed from phi_2 without such a loss. */
 static double phi2(double z)
 {
     double sum = 1;
@@ -39,7 +40,7 @@ static double phi2(double z)
 
 void closed_fly(double t, double rate, double g, double *x, double *v)
 {
-    if (rate == 0) { /* a few operations instead of sixty */
+    if (rate == 0) { /* saves the exponential */
         *x += (*v + g / 2 * t) * t;
         *v += g * t;
         return;
@@ -65,12 +66,14 @@ static double series(double z, int first)
     return sum;
 }
 
-/* For |z| <= 1 a single series covers weak and strong friction, as it
-   contains only squares (12.5, eq:models-swing). For z > 1 a sine and a
-   cosine are used, after reducing the angle to one turn. For z < -1 half
-   the sum and half the difference of two decaying exponentials are used. A
-   growing exponential times a small factor could be infinity times 0. The
-   smaller rate is computed as a quotient, as a difference could cancel. */
+/* For |z| <= 1 a single series in z covers weak and strong friction (12.5,
+   eq:models-swing). For z > 1 a sine and a cosine are used, after the angle
+   has been reduced to one turn.
+
+   For z < -1 half the sum and half the difference of two decaying
+   exponentials are used. A growing exponential times a small factor could
+   become infinity times 0. The rate of the slower exponential is computed
+   as a quotient, because a difference could lose digits. */
 void closed_oscillate(double t, double square, double rate, double *y,
                       double *v)
 {
@@ -99,8 +102,8 @@ struct point {
     double x, v;
 };
 
-/* Compares two points for qsort: by position, then by velocity. Of two
-   points that have just met, the left one is slower. */
+/* Compares two points for qsort: by position, then by velocity. If two
+   points have just met, the slower one is on the left. */
 static int by_place(const void *one, const void *other)
 {
     const struct point *a = one, *b = other;
@@ -109,9 +112,9 @@ static int by_place(const void *one, const void *other)
     return (a->v > b->v) - (a->v < b->v);
 }
 
-/* Returns the point between two walls that corresponds to a point at u with
-   velocity v on a circle of length 2 width. The circle leads from the lower
-   wall to the upper wall and back. */
+/* Maps a point on a circle of length 2 width, at u with velocity v, to the
+   corresponding point between two walls. The first half of the circle leads
+   from the lower wall to the upper wall, and the second half back. */
 static struct point unfold(double low, double width, double u, double v)
 {
     u -= 2 * width * floor(u / (2 * width));
@@ -122,8 +125,8 @@ static struct point unfold(double low, double width, double u, double v)
     return (struct point){low + u, u == width ? -fabs(v) : v};
 }
 
-/* Reflects a freely moved point at the walls. A single wall reflects a
-   point at most once. */
+/* Reflects a point at the walls after it has moved freely. A single wall
+   reflects it at most once. */
 static struct point fold(double low, double high, struct point p)
 {
     const bool left = low > -INFINITY, right = high < INFINITY;
@@ -136,8 +139,9 @@ static struct point fold(double low, double high, struct point p)
     return p;
 }
 
-/* Moves the points freely, reflects them at the walls, and sorts them. The
-   cost depends neither on t nor on the number of collisions. */
+/* Moves all points as if they did not collide, reflects them at the walls,
+   and sorts them. The cost depends neither on t nor on the number of
+   collisions. */
 bool closed_relabel(double low, double high, size_t n, double x[],
                     double v[], double t)
 {
@@ -155,11 +159,12 @@ bool closed_relabel(double low, double high, size_t n, double x[],
     return true;
 }
 
-/* Returns the number of whole turns by which the faster of two points on a
-   circle is ahead of the slower. way and v are the differences of their
-   positions and velocities. A line with fewer than two walls is an infinite
-   circle: the result is -1 while the faster point is behind, and 0
-   afterwards. */
+/* Returns by how many whole turns the faster of two points on a circle is
+   ahead of the slower one. way and v are the differences of their positions
+   and velocities.
+
+   If there are fewer than two walls, the line counts as an infinite circle:
+   the result is -1 while the faster point is behind, and 0 after that. */
 static double turns_ahead(double way, double v, double circle)
 {
     if (v == 0)
@@ -170,8 +175,9 @@ static double turns_ahead(double way, double v, double circle)
 }
 
 /* Returns the sum of turns_ahead over all pairs of points at the time t, s.
-   With `images` it includes the pairs of a point and a mirror image, which
-   is at -x with velocity -v. */
+   With `images`, also counts pairs of a point and the mirror image of a
+   point. The mirror image of (x, v) is at -x with velocity -v, where x is
+   measured from the wall. */
 static double count_until(size_t n, const double x[], const double v[],
                           double t, double wall, double circle, bool images)
 {

@@ -21,17 +21,17 @@ void closed_fly(double t, double rate, double g, double *x, double *v);
 void closed_oscillate(double t, double square, double rate, double *y,
                       double *v);
 
-/* Moves equal points on a line for the time t (s) between elastic walls at
-   low and high (m). Without a wall, low is -INFINITY or high is INFINITY. x
-   and v are in order from left to right, before and after. Returns false if
-   memory runs out. */
+/* Moves points of equal mass on a line for the time t (s) between elastic
+   walls at low and high (m). If there is no wall, low is -INFINITY or high
+   is INFINITY. x and v are ordered from left to right, before and after.
+   Returns false if memory runs out. */
 bool closed_relabel(double low, double high, size_t n, double x[],
                     double v[], double t);
 
 /* Returns the number of collisions of the points with each other and with
-   the walls up to the time t (s). Contacts at the start are not counted.
-   The result is at most UINT64_MAX. The cost is of the order of n^2.
-   Source: (12.6, eq:closed-meetings). */
+   the walls up to the time t (s). Contacts at the start are not counted. If
+   the number is too large, returns UINT64_MAX. The cost is of the order of
+   n^2. Source: (12.6, eq:closed-meetings). */
 uint64_t closed_meetings(double low, double high, size_t n,
                          const double x[], const double v[], double t);
 

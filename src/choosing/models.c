@@ -7,18 +7,25 @@
 #include <string.h>
 
 /* The price list, measured on a server with a fourth-generation AMD EPYC
-   (vectors of eight numbers), gcc 12 and the flags of plain make. No unit
-   occurs alone. `bonk-studies --study prices` runs a scene with much of one
-   unit and little of the others, subtracts the cost of the others by the
-   list, and divides. A few rounds of this converge. Then the prices, and
-   the factors that turn passes, examined pairs and springs into units, were
-   fitted to more than two hundred scenes, each computed by all models that
-   can. Predicted costs are rarely wrong by more than a factor of 1.5. Costs
-   do not add up exactly: work that overlaps in the processor costs less,
-   and the addresses chosen by the linker matter. A nanosecond is about
-   three cycles. Gravity of a pair needs a root and a division, more than
-   thirty cycles in sequence, but its price is twenty cycles, as several
-   pairs overlap. The collision of two disks cannot overlap with others. */
+   processor (vectors of eight numbers), with gcc 12 and the default flags
+   of the makefile.
+
+   No unit of work occurs alone. So `bonk-studies --study prices` runs a
+   scene with much of one unit and little of the others, subtracts the cost
+   of the others according to the list, and divides by the number of units.
+   After a few rounds of this the prices converge. Then they were fitted to
+   more than two hundred scenes, each computed by all suitable models,
+   together with the factors that turn passes, examined pairs and springs
+   into units.
+
+   Predicted costs are rarely wrong by more than a factor of 1.5. Costs do
+   not add up exactly: operations that overlap in the processor cost less,
+   and the memory addresses chosen by the linker matter.
+
+   A nanosecond is about three cycles. The gravity of a single pair takes
+   more than thirty cycles for a root and a division, but its price is only
+   twenty cycles, because several pairs overlap. Collisions of two disks
+   cannot overlap. */
 const struct models_price models_prices[MODELS_UNITS] = {
     [MODELS_EVALUATION] = {"evaluation", "call of the forces", 18},
     [MODELS_BODY] = {"body", "body in a call of the forces", 3},
@@ -51,17 +58,16 @@ double models_cost(const double work[MODELS_UNITS])
 
 const char models_no_memory[] = "there is no memory";
 
-/* Error messages for unsupported interactions, in the order of the BEARS_
-   bits. Only the first that applies is shown, so the most useful come
-   first. */
+/* Why a scene is refused, in the order of the BEARS_ bits. Only the first
+   reason that applies is shown, so the most useful come first. */
 enum { ACTS = 6 };
 static const char *const unsupported[ACTS] = {
     "it knows no rods", "it does not ask who pulls",
     "springs act",      "the bodies attract each other",
     "bodies may meet",  "there is friction"};
 
-/* Returns NULL if the model can compute the scene. Otherwise returns an
-   interaction that it does not support, or a reason of its own. */
+/* Returns NULL if the model can compute the scene, or why it cannot: an
+   interaction that it does not support, or the result of its `refuses`. */
 static const char *refusal(const struct models_run *r)
 {
     const struct models_model *m = r->plan.model;
@@ -89,9 +95,10 @@ void models_count_sorting(struct models_run *r, size_t n, double times)
     r->work[MODELS_ORDER] += times * (double)n * bits;
 }
 
-/* The models without steps, roughly by cost: formulas, then events. The
-   stepping methods follow them. To add a model without steps, define its
-   row next to its functions and add a line here. */
+/* The models without time steps, roughly by cost: formulas, then
+   event-driven models. The stepping methods follow them in the table. To
+   add a model without steps, define its row next to its functions and add a
+   line here. */
 static const struct models_model *const stepless[] = {
     &models_free,  &models_kepler, &models_oscillator, &models_relabel,
     &models_modes, &models_line,   &models_disks};
@@ -134,16 +141,16 @@ void models_write(const struct models_plan *p, char text[MODELS_TEXT])
                                      models_cut_names[k]);
 }
 
-/* Returns the name of model k or, if cuts, of simplification k; NULL after
-   the last. */
+/* Returns the name of simplification k (if `cuts`) or of model k
+   (otherwise), or NULL after the last. */
 static const char *name_of(size_t k, bool cuts)
 {
     return cuts ? models_cut_names[k] : models_all()[k].name;
 }
 
-/* Writes an error: the word found (at most 40 characters) and what was
-   expected. If `what` is NULL, that is a list of all simplifications (cuts)
-   or all models. Returns false. */
+/* Writes an error with the word found (at most 40 characters) and what was
+   expected. If `what` is NULL, that is a list of all simplifications (if
+   `cuts`) or of all models (otherwise). Returns false. */
 static bool complain(char message[MODELS_MESSAGE], const char *word,
                      const char *what, bool cuts)
 {
@@ -156,7 +163,7 @@ static bool complain(char message[MODELS_MESSAGE], const char *word,
     return false;
 }
 
-/* Reads the number after the colon of a plan. Returns NULL, or what was
+/* Parses the number after the colon of a plan. Returns NULL, or what was
    expected there. */
 static const char *read_number(struct models_plan *p, const char *text)
 {
@@ -179,8 +186,8 @@ static const char *read_number(struct models_plan *p, const char *text)
     return NULL;
 }
 
-/* Ends a word at the first mark. Returns the text after the mark, or NULL
-   if there is no mark. */
+/* Ends a word at its first `mark`. Returns the text after the mark, or NULL
+   if the word contains no mark. */
 static char *end_word(char *word, char mark)
 {
     char *const at = strchr(word, mark);
@@ -258,7 +265,7 @@ bool models_begin(struct models_run *r, const struct models_plan *p,
         else if (p->model->begin)
             *why = p->model->begin(r);
     }
-    if (*why) { /* models_end clears the run: keep its work */
+    if (*why) { /* models_end clears the run, so save its work */
         double work[MODELS_UNITS];
         memcpy(work, r->work, sizeof work);
         models_end(r);
@@ -267,8 +274,8 @@ bool models_begin(struct models_run *r, const struct models_plan *p,
     return !*why;
 }
 
-/* The time of a row is a product, since a sum would accumulate rounding
-   errors. */
+/* The time of a row is computed as a product, since adding up intervals
+   would accumulate rounding errors. */
 enum models_end models_row(struct models_run *r)
 {
     r->elapsed = (double)(r->rows + 1) * r->every;

@@ -43,8 +43,10 @@ mistake_of() {
     case $mistake in *[!a-z0-9-]*) mistake= ;; esac
 }
 
+# Its author is told of this mistake, and of no other.
 recognised() { # MISTAKE
-    says 1 failed --strict && grep -q -F "[$1]" "$out/said"
+    says 1 failed --strict && [ "$(grep -c '^  hint ' "$out/said")" -eq 1 ] &&
+        [ "$(grep -o '\[[a-z][a-z0-9-]\{2,\}\]$' "$out/said")" = "[$1]" ]
 }
 
 # A wrong answer whose value several mistakes share, or that none explains:

@@ -136,11 +136,12 @@ static void test_mean(void)
                 .expected = 3.5, .tolerance = 1e-11,
                 .because = "the roundings of thousands of additions",
                 .question = question,
-                .mistakes = {
-                    {"rest-left-out", mean < 2.6 ? mean : 3.5, left_out},
-                    {"sum-for-mean", 3.5 * (double)n,
-                     "This is the sum of all values. How many are "
-                     "there?"}}))
+                .mistakes = {{"rest-left-out",
+                              mean >= 1.0 && mean < 2.6 ? mean : 3.5,
+                              left_out},
+                             {"sum-for-mean", 3.5 * (double)n,
+                              "This is the sum of all values. How many are "
+                              "there?"}}))
             return;
     }
 }
@@ -210,7 +211,9 @@ static bool check_kind(enum kind kind, const char *question)
              "Twice what was asked for: within this the truth lies in 95 "
              "of 100 cases. Which promise does ONE standard error make?"},
             {"scatter-of-block-means",
-             if_so(kind == NO_MEMORY && got > 2.5 && !as_values, got),
+             if_so(kind == NO_MEMORY && got > 2.5 && got < INFINITY &&
+                       !as_values,
+                   got),
              "Is this how far one block's mean scatters? There are many "
              "blocks. How far does the mean of them all?"},
             {"blocks-too-short", if_so(short_of, got),
@@ -281,7 +284,7 @@ static bool check_share(double got, double low, double high, double reach,
                 : "Your error bars are honest, and too long. What did you "
                   "add to be safe?",
         .mistakes = {
-            {"few-blocks", few ? got : middle,
+            {"few-blocks", few && got > 0.0 ? got : middle,
              "On average the errors are right, but they scatter: with so "
              "few blocks an error is often much too small by chance. What "
              "do more and shorter blocks cost, and what do they give?"}});

@@ -84,7 +84,7 @@ static bool check_force(const struct pair *p, double got, int k,
         .unit = "N", .input = input(p), .expected = right,
         .tolerance = tolerance(p), .because = because, .question = question,
         .mistakes = {
-            {"no-axis", CHECK_NAN,
+            {"no-axis", r > 0.0 ? NAN : CHECK_NAN,
              "Not a number: is every place filled in, and what do you "
              "divide by when the two are at the same place?"},
             {"whole-velocity", whole,
@@ -154,7 +154,7 @@ static bool check_heat(const struct pair *p, double got,
             {"force-for-power", sqrt(p->c * p->heat),
              "This is the size of the force. What is missing on the way to "
              "a power?"},
-            {"no-axis", CHECK_NAN,
+            {"no-axis", dot(s.x, s.x) > 0.0 ? NAN : CHECK_NAN,
              "Not a number: what do you divide by when the two are at the "
              "same place?"}});
 }

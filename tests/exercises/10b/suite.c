@@ -139,7 +139,7 @@ static struct check_mistake not_a_number(const struct known *k)
             "same: what do you divide by, and what is the limit?"};
     if (ratio(&k->o) * own_frequency(&k->o) * k->t < 500.0)
         return (struct check_mistake){
-            "root-of-a-negative", CHECK_NAN,
+            "root-of-a-negative", ratio(&k->o) > 1.0 ? CHECK_NAN : NAN,
             "Not a number: is there a root of a negative number in it? "
             "With much damping it does not swing. Which functions take the "
             "place of the cosine and the sine?"};

@@ -165,7 +165,7 @@ static bool check_same(const struct job *j, const char *question)
     const double got = answer(j, &end);
     const enum fault f = fault(j);
     const double size = fabs(j->x) + fabs(j->v) + fabs(j->w.g);
-    const bool all = !isnan(got) && (f == NONE || f == TWO || f == SAME);
+    const bool all = isfinite(got) && (f == NONE || f == TWO || f == SAME);
     return CHECK_NEAR(
         got, .quantity = "how far the two runs are apart", .unit = "m",
         .input = input(j), .expected = 0.0, .tolerance = 1e-10 * size,

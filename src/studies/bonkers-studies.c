@@ -15,7 +15,8 @@
 #define PROGRAM "bonkers-studies"
 
 static struct {
-    uint64_t most; /* maximum collisions; in study_speed, particles */
+    uint64_t most; /* maximum number of collisions; in study_speed, of
+                      particles */
     double until;
 } own = {.most = 1000000, .until = 10};
 
@@ -34,12 +35,12 @@ static void begin_or_exit(struct bonkers *b,
     start_free(&start);
 }
 
-/* struct line is a small engine that examines all gaps and computes in the
-   compiler's widest floating-point type. It either gives the true motion or
-   rounds every result to a lower precision. The rounded results are exactly
-   those of hardware with that precision: the widest type has more than
-   twice the digits of a float plus two, so rounding twice gives the same
-   float as rounding once. */
+/* A small engine that examines all gaps. It computes in the compiler's
+   widest floating-point type. It either keeps this precision, which gives
+   the true motion, or rounds every result to a lower one. Results rounded
+   to float are exactly those of single-precision hardware: if float has p
+   digits, the widest type has more than 2 p + 2, and rounding first to the
+   widest type and then to float gives the same as rounding once. */
 enum { LINE_BODIES = 32 }; /* maximum number of bodies in a line */
 
 enum line_kind {
@@ -56,8 +57,8 @@ struct line {
 };
 
 /* Rounds a result to the precision of the line. All results pass through
-   this function. Apart from the choice of the collision formula, the
-   precision matters nowhere else. */
+   this function. The precision has no other effect, except on the choice of
+   the collision formula. */
 static quad rounded(const struct line *l, quad value)
 {
     return l->kind == LINE_SINGLE   ? (quad)(float)value
@@ -152,10 +153,10 @@ static double line_energy(const struct line *l)
     return (double)(sum / 2);
 }
 
-/* Returns the collisions per second, measured over at least 0.05 s. The two
-   slow engines stop after a number of collisions. Stopping them at a time
-   would require one more search for the next collision, which takes as long
-   as a collision if there are a million bodies. */
+/* Returns the number of collisions per second, measured over at least 0.05
+   s. The two slow engines run for a number of collisions instead of a time.
+   With a million bodies, finding out that the next collision is too late
+   takes as long as a collision. */
 static double speed_of(struct bonkers *b)
 {
     const double n = (double)b->gaps, portion = fmax(4, 1e5 / n);
@@ -173,10 +174,11 @@ static double speed_of(struct bonkers *b)
     return (double)(b->collisions - before) / seconds;
 }
 
-/* Sets speed[e] to the median speed of engine e in collisions per second.
-   Sets speed[0] to the percentage of collisions that the slab engine did
-   twice. All engines run the same gas. They take turns, because the clock
-   rate of a processor changes. The first round is a warm-up. */
+/* Runs the same gas with all engines. Sets speed[e] to the median speed of
+   engine e in collisions per second, and speed[0] to the percentage of
+   collisions that the slab engine computed twice. The engines take turns,
+   because the clock rate of a processor changes. The first round is a
+   warm-up. */
 static void compare_engines(struct study *s, size_t movers,
                             double speed[BONKERS_ENGINES])
 {
@@ -199,7 +201,8 @@ static const size_t sizes[] = {4,    10,    30,     100,
                                1000, 10000, 100000, 1000000};
 enum { SIZES = sizeof sizes / sizeof sizes[0] };
 
-/* Writes the results that require a run with a million particles. */
+/* Writes the results that require the speeds for all sizes, up to a million
+   particles. */
 static void note_large(struct table *summary,
                        double speed[SIZES][BONKERS_ENGINES])
 {
@@ -244,11 +247,11 @@ static void study_speed(struct study *s)
         note_large(s->summary, speed);
 }
 
-/* Writes how often g - q is exactly halfway between two doubles, and how
-   often such a tie is rounded up, for random velocities of two masses
-   (section "A coin that is not fair"). The widest type stores the exact
-   difference. In a tie, the rounding error of `rest` is half the distance
-   to the next double. */
+/* Writes the percentage of random collisions in which the exact difference
+   g - q is halfway between two doubles, and the percentage of these ties
+   that are rounded up (section "A coin that is not fair"). The widest type
+   stores the exact difference. A tie is recognized by the rounding error of
+   `rest`, which is half the distance to the next double. */
 static void throw_coins(struct table *summary, const char *name,
                         double mass1, double mass2)
 {
@@ -271,7 +274,9 @@ static void throw_coins(struct table *summary, const char *name,
     table_keyed(summary, ties > 0 ? 100.0 * up / ties : 0, "up_%s", name);
 }
 
-enum { SINGLE_MOST = 200000 }; /* most collisions of the slow line */
+enum {
+    SINGLE_MOST = 200000
+}; /* maximum number of collisions of the slow line */
 
 /* Returns the smallest of the numbers 1, 2, 5, 10, ... that is greater than
    n. They are almost evenly spaced on a logarithmic axis. */
@@ -287,11 +292,12 @@ static uint64_t next_stop(uint64_t n)
 
 /* Measures the energy error in three runs: START_MIXED in double precision,
    three bodies whose energy drifts from the beginning, and START_MIXED in
-   single precision. In double precision the initial energy comes from the
-   same function as the later ones, so the error starts at zero. The
-   single-precision run is compared with the same initial energy. Its error
-   starts at 1e-8, because its initial state is rounded. This slow run stops
-   after SINGLE_MOST collisions. */
+   single precision, which is slow and stops after SINGLE_MOST collisions.
+
+   The errors in double precision start at zero, because the initial energy
+   comes from the same function as the later ones. The single-precision run
+   is compared with the same initial energy. Its error starts at 1e-8,
+   because its initial state is rounded. */
 static void study_drift(struct study *s)
 {
     const struct start_request request = {.kind = START_MIXED};
@@ -336,9 +342,9 @@ static void study_drift(struct study *s)
 }
 
 /* Runs n collisions, reverses all velocities and runs for the same time
-   again. Returns the largest distance from the start, m, which would be
-   zero without rounding. A second run from the same request supplies the
-   start, because equal requests give bit-identical bodies. */
+   again. Returns the largest distance of a body from its initial position,
+   m, which would be zero without rounding. The initial positions are those
+   of `start`: equal requests give bit-identical bodies. */
 static double miss(enum bonkers_engine engine, uint64_t n)
 {
     const struct start_request request = {.kind = START_MIXED};
@@ -348,7 +354,8 @@ static double miss(enum bonkers_engine engine, uint64_t n)
     begin_or_exit(&start, &request, engine);
     bonkers_run(&b, INFINITY, n);
     const double t = b.now;
-    /* Reversal is correct only if all bodies are at the same time. */
+    /* Move all bodies to the present time, so that the reversal is
+       correct. */
     bonkers_settle(&b);
     for (size_t i = 0; i <= b.gaps; ++i)
         b.body[i].v = -b.body[i].v;
@@ -363,7 +370,7 @@ static double miss(enum bonkers_engine engine, uint64_t n)
 }
 
 /* Returns the result of `miss` for a struct line. A line moves all bodies
-   at every collision, so their velocities can be reversed at once. */
+   at every collision, so they need not be moved before the reversal. */
 static double line_miss(enum line_kind kind, uint64_t n)
 {
     const struct start_request request = {.kind = START_MIXED};
@@ -383,8 +390,8 @@ static double line_miss(enum line_kind kind, uint64_t n)
     return worst;
 }
 
-/* Measures how far from its start a reversed run ends. The slow lines,
-   which round every operation, run fewer collisions. */
+/* Measures how far from its initial state a reversed run ends. struct line
+   is slow, because it rounds every operation, and runs fewer collisions. */
 static void study_reverse(struct study *s)
 {
     progress_begin(&s->progress, PROGRAM, own.most, "collisions");
@@ -426,9 +433,8 @@ static void walk(struct bonkers_body body[], size_t gaps, uint64_t steps,
     }
 }
 
-/* Returns the root mean square distance of the moving bodies from their
-   true positions, m. Each body is first moved from its own time to the time
-   of the true line. */
+/* Returns the root mean square distance, m, of the moving bodies from their
+   true positions. First moves each body to the time of `truth`. */
 static double distance(const struct line *truth,
                        const struct bonkers_body body[])
 {
@@ -442,9 +448,9 @@ static double distance(const struct line *truth,
     return sqrt(sum / (double)(truth->gaps - 1));
 }
 
-/* Returns the processor time of one time-stepped run until the time
-   `until`, s. Stores its final state in body[]. One run may be too short to
-   time, so it is repeated for at least 0.02 s. */
+/* Returns the mean processor time, s, of a time-stepped run until the time
+   `until`. Stores the final state in body[]. Repeats the run for at least
+   0.02 s, because a single run may be too short for the clock. */
 static double time_walk(double until, const struct bonkers *b, double dt,
                         struct bonkers_body body[])
 {
@@ -462,8 +468,8 @@ static double time_walk(double until, const struct bonkers *b, double dt,
     return seconds / times;
 }
 
-/* Does the same as time_walk for an event-driven run. A run changes the
-   bodies, so each repetition makes a new start, which is not timed. */
+/* Does the same as time_walk for an event-driven run. Each repetition needs
+   new bodies, because a run changes them. Making them is not timed. */
 static double time_events(double until, const struct start_request *request,
                           struct bonkers_body body[], uint64_t *collisions)
 {
@@ -490,8 +496,9 @@ static void name_steps(struct table *out)
                   {"error", "m", "root mean square error of positions"});
 }
 
-/* Writes a row for the event-driven run, marked by dt = 0, and then rows
-   for time steps that are halved until they are less than 1e-6 s. */
+/* Writes a row for the event-driven run, which has dt = 0, and then a row
+   for each time step. The steps are halved until they are less than 1e-6
+   s. */
 static void study_steps(struct study *s)
 {
     const struct start_request request = {.kind = START_MIXED};
@@ -704,9 +711,10 @@ static void study_bounce(struct study *s)
     }
 }
 
-/* Returns the number of collisions after an end body of a row of n bodies
-   at rest is given the speed 1 m/s. The masses are random from 1 to 5 kg,
-   and `gap` is the distance between neighbours, m. */
+/* Returns the number of collisions in a row of n bodies at rest after its
+   first body, or its last if `right`, has started towards the others at 1
+   m/s. The masses are random, from 1 to 5 kg, and `gap` is the distance
+   between neighbours, m. */
 static uint64_t strike(size_t n, uint64_t seed, double gap, bool right)
 {
     struct bonkers b;

@@ -21,9 +21,9 @@ static struct {
          .collisions = 1000000,
          .digits = 5};
 
-/* Returns the first collision count after n at which the drift is written.
-   The counts are 1, 2 and 5 times powers of ten from 1000 on, last / 10,
-   and `last`, where the run ends. */
+/* Returns the next collision count after n at which the drift is written.
+   The counts are 1000, 2000, 5000, 10000, ..., and also last / 10 and
+   `last`, where the run ends. */
 static uint64_t next_stop(uint64_t n, uint64_t last)
 {
     static const uint64_t steps[] = {1, 2, 5};
@@ -40,10 +40,8 @@ struct rounding {
 };
 
 /* Compares a collision in the given form with (1.5, eq:difference) in
-   113-bit arithmetic and adds its errors to *all. The errors of energy and
-   momentum follow from the velocity errors: if v has the error dv, the
-   momentum m v has the error m dv and the energy has the error m (v + dv/2)
-   dv. */
+   113-bit arithmetic and adds its errors to *all. An error dv of a velocity
+   v causes the momentum error m dv and the energy error m (v + dv/2) dv. */
 static void measure_rounding(struct rounding *all, int form, double u1,
                              double u2, double im1, double im2)
 {
@@ -113,17 +111,18 @@ static void study_rounding(struct study *s)
     }
 }
 
-/* The drift is measured with four bodies in a row between two walls. Random
-   numbers, the same for every form, choose the next gap to close. */
+/* The drift is measured with four bodies in a row between two walls. The
+   next gap to close is random, but the same random numbers are used for
+   every form. */
 enum { MOVERS = 4, BODIES = MOVERS + 2 };
 
 static const double row_im[BODIES] = {0,         1 / 11.23, 1 / 21.23,
                                       1 / 31.23, 1 / 41.23, 0};
 
 /* Returns the index of a random gap whose two bodies approach each other.
-   The loop ends, because some gap always closes. Otherwise the velocities
-   would increase from left to right between two walls at rest. Then all
-   would be zero, but the four bodies never stop at the same time. */
+   There always is such a gap. Otherwise no velocity would exceed the
+   velocity to its right. As both walls are at rest, all velocities would
+   then be zero, but the four bodies have energy. */
 static uint64_t row_draw(struct random *r, const double v[BODIES])
 {
     for (;;) {
@@ -142,8 +141,9 @@ static quad row_energy(const double v[BODIES])
 }
 
 /* Returns the energy that the difference form gains in a collision of gap
-   i: 2 delta d^2 / (a + b), where the form's two fractions add up to 1 +
-   delta (1.11, eq:bias). The sum over a run predicts the drift. */
+   i, because its two fractions add up to 1 + delta instead of 1. The energy
+   is 2 delta d^2 / (a + b) (1.11, eq:bias). The sum over a run predicts the
+   drift. */
 static double row_bias(uint64_t i, const double v[BODIES])
 {
     const double a = row_im[i], b = row_im[i + 1], sum = a + b;
@@ -272,8 +272,9 @@ static void study_galperin(struct study *s)
     table_real(s->summary, "count_float", row[COLLIDE_FORMS + 2]);
 }
 /* Writes velocities before and after a collision, for random states of
-   energy 1/2 in which the bodies approach each other. Each state is drawn
-   as a random direction in the plane of sqrt(m1) u1 and sqrt(m2) u2. */
+   energy 1/2 in which the bodies approach each other. Each state is a
+   random direction in the plane with the coordinates sqrt(m1) u1 and
+   sqrt(m2) u2. */
 static void study_map(struct study *s)
 {
     const double im[] = {1, 0.25};
@@ -317,8 +318,8 @@ static double time_form(const struct bench *b, int form, uint64_t passes)
 }
 
 /* Measures the time of a collision in each form. The forms take turns, so a
-   temporary slowdown of the machine affects all of them. Round -1 is the
-   warm-up: round 0 overwrites its time. */
+   temporary slowdown of the machine affects all of them. Round -1 is a
+   warm-up, and its time is overwritten by round 0. */
 static void study_cost(struct study *s)
 {
     static struct bench b;

@@ -13,8 +13,9 @@
 #define PROGRAM "disks-speed"
 
 enum {
-    SIZES = 16,        /* maximum number of rows in a table */
-    PAIRS_MOST = 10000 /* most disks for the all-pairs engine */
+    SIZES = 16, /* maximum number of rows in a table */
+    PAIRS_MOST =
+        10000 /* maximum number of disks for the all-pairs engine */
 };
 
 /* Settings from the command line. */
@@ -33,9 +34,8 @@ static struct {
 
 /* Returns whether the lattice must be melted before the timing. A crystal
    would be faster than a fluid, because its disks keep their neighbours.
-   Above the freezing density the disks stay on their lattice. With
-   --collisions they also stay there, because the run is too short to melt a
-   dense lattice. */
+   There is no melting above the freezing density, or with --collisions,
+   because the run is then too short to melt a dense lattice. */
 static bool is_fluid(void)
 {
     return own.packing <= (own.dimensions == 2 ? 0.70 : 0.494) &&
@@ -111,10 +111,10 @@ static void run_collisions(struct engines *e, bool fast, uint64_t more)
     }
 }
 
-/* Returns the collisions per second of one round. A round has
-   own.collisions collisions if that is set. Otherwise it runs portions
-   until 0.2 s have passed. The slower all-pairs engine gets smaller
-   portions. */
+/* Returns the number of collisions per second in one round. A round has
+   own.collisions collisions, if that is not zero. Otherwise it runs
+   portions until 0.2 s have passed. The portions of the all-pairs engine
+   are smaller, because it is slower. */
 static double speed_of(struct engines *e, bool fast)
 {
     const struct disks *d = fast ? &e->disks : &e->pairs;
@@ -160,9 +160,9 @@ static double bytes_each(const struct cells *c)
            (cell * (double)c->cells + days) / (double)d->count;
 }
 
-/* Writes the table head. The columns `stale` and `renewed` show,
-   independently of the clock, that the work per collision does not depend
-   on N. */
+/* Writes the table head. The columns `stale` and `renewed` count stale
+   events and new neighbour lists per collision. They show, without a clock,
+   that the work per collision does not depend on N. */
 static void write_head(struct table *t)
 {
     static const char *const asked[] = {"one by one", "four at a time",
@@ -183,9 +183,9 @@ static void write_head(struct table *t)
                   {"renewed", "", "lists made anew for a collision"});
 }
 
-/* Measures the speed gained by each optimization of the chapter by removing
-   them one after another. First the neighbours are examined one at a time
-   instead of several at once. Then the calendar gets a single day of
+/* Measures the speed gained by each optimization of the chapter, by
+   removing one after another. First the neighbours are examined one at a
+   time instead of several at once. Then the calendar gets a single day of
    infinite length, so every search scans all events, as in the all-pairs
    engine. */
 static void write_steps(struct engines *e, struct table *out)
@@ -263,7 +263,7 @@ static void make_cells(struct engines *e)
 }
 
 /* Returns the new radius of disk i, m, which fills nine tenths of the gap
-   to its nearest neighbour. If the disks filled the whole gap, thousands
+   to its nearest neighbour. If it filled the whole gap, thousands of disks
    would touch and collide at the same time, and no calendar day would be
    short enough for so many events. */
 static double grown_radius(const struct cells *c, size_t i)
@@ -285,8 +285,9 @@ static double grown_radius(const struct cells *c, size_t i)
 }
 
 /* Grows all disks. Returns whether every disk has reached its final size.
-   Call only with new neighbour lists: disks that are not in each other's
-   lists are then at least two skins apart. */
+   The neighbour lists must be new: disks that are not in each other's lists
+   are then at least two skins apart. They cannot overlap afterwards,
+   because no radius grows by a whole skin. */
 static bool grow(struct engines *e)
 {
     bool whole = true;
@@ -300,11 +301,12 @@ static bool grow(struct engines *e)
 
 /* Runs until the initial state has no influence. Uses the engine with cells
    for both engines, because their results are bit-identical and the
-   all-pairs engine would take an hour. Small disks alternately grow and
-   move. When they reach full size, they are too close together: at packing
-   0.70, Z is 11.1 and falls to the fluid's value of 10.3 within some
-   hundred collisions per disk. The final three million collisions allow for
-   this. */
+   all-pairs engine would take an hour.
+
+   Small disks alternately grow and move. When they reach full size, they
+   are still too close together: at packing 0.70, Z is 11.1 and takes
+   several hundred collisions per disk to fall to the fluid's value of 10.3.
+   Therefore three million collisions follow. */
 static void warm_up(struct engines *e)
 {
     const uint64_t n = e->disks.count;
@@ -321,8 +323,8 @@ static void warm_up(struct engines *e)
 }
 
 /* Returns the number of tiles along each axis, or 1 for a box without
-   tiles. Melting a million disks would take minutes, so some thousands are
-   melted and then copied side by side. */
+   tiles. Melting a million disks would take minutes, so only a few thousand
+   are melted, as a tile that is then copied side by side. */
 static size_t tiles_along(size_t count)
 {
     size_t along = 1;
@@ -335,9 +337,9 @@ static size_t tiles_along(size_t count)
     return along;
 }
 
-/* Replaces the disks by copies arranged side by side. Each copy gets its
-   own random velocities, so after five collisions per disk no two tiles are
-   alike. */
+/* Replaces the disks by copies of them, arranged side by side. Each copy
+   gets its own random velocities, so no two tiles are alike after five
+   collisions per disk. */
 static void lay_tiles(struct engines *e, size_t along, size_t count)
 {
     struct disks tile = e->disks, *d = &e->disks;

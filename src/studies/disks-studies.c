@@ -120,11 +120,13 @@ static void write_place(struct study *s, struct loop *l)
     TABLE_ROW(s->out, l->d.now, place[0], place[1]);
 }
 
-/* Writes the path of the first disk until 1.5 s in three blocks: at the
-   events (0), at the ticks of the clock (1), and at the records of the
-   article's loop (2). All blocks begin with the same state, one second
-   after a lattice start. A block has at most a thousand rows: for a few
-   seeds the article's loop reverses an overlapping pair endlessly and its
+/* Writes the path of the first disk until 1.5 s in three blocks. Block 0
+   has a row for each event, block 1 for each tick of the clock, and block 2
+   for each record of the article's loop. All blocks begin with the same
+   state, one second after a start on a lattice.
+
+   A block has at most a thousand rows, because the article's loop does not
+   end for a few seeds: it reverses an overlapping pair endlessly and its
    clock stops. */
 static void study_timeline(struct study *s)
 {
@@ -155,10 +157,10 @@ static void study_timeline(struct study *s)
 }
 
 /* Runs for the time t, reverses all velocities and runs for t again.
-   Returns the largest distance from the start, m, which would be zero
-   without rounding. Adds the number of collisions before the reversal to
-   *collisions. The disks are moved to the present before the reversal.
-   Without this move the way back would begin at other positions. */
+   Returns the largest difference from an initial coordinate, m, which would
+   be zero without rounding. Adds the number of collisions before the
+   reversal to *collisions. All disks are moved to the present time before
+   the reversal; otherwise the way back would begin at other positions. */
 static double miss(struct disks *d, double t, double *collisions)
 {
     struct disk start[4];
@@ -202,7 +204,7 @@ static double median_miss(const struct study *s, double e, double t,
 }
 
 /* Writes the results for the energies 1 J and 4 J side by side. At 4 J the
-   speed is doubled and everything takes half the time. */
+   speeds are doubled, so everything takes half the time. */
 static void study_reverse(struct study *s)
 {
     double one[16], four[16], n = 0, other;
@@ -238,9 +240,10 @@ static void throw_pair(struct random *r, double gap, double miss,
     apart[2] = 0;
 }
 
-/* Computes the errors of the contact time: *book for the textbook's root
-   and *ours for the stable root. Returns the error of the disks' distance
-   at the time of the stable root, or -1 if the disks do not collide. */
+/* Computes the contact time of two disks with sigma = 1 from the textbook's
+   root and from the stable root. Sets *book and *ours to their errors.
+   Returns the error of the distance between the disks at the time from the
+   stable root, or -1 if the disks do not collide. */
 static double contact_errors(const double x[], const double v[],
                              double *book, double *ours)
 {
@@ -260,15 +263,16 @@ static double contact_errors(const double x[], const double v[],
     return fabs((double)(quad_root(dx * dx + dy * dy) - 1));
 }
 
-/* Kinds of pairs: grazing, with a gap, and with a gap and exact
-   positions. */
+/* Kinds of pairs: grazing, with a gap, and with a gap and positions that
+   are exact in double precision. */
 enum { GRAZE, GAP, EXACT, KINDS };
 
-/* Draws random pairs of one kind and raises worst[] to the largest errors.
-   For grazing pairs these are the errors of the stable root and of the
-   distance at that time. For the other kinds they are the time errors of
-   the textbook's and of the stable root, divided by the gap, which is about
-   equal to the time. */
+/* Draws random pairs of one kind and raises worst[] to their largest
+   errors. For grazing pairs these are the time error of the stable root and
+   the error of the distance at that time. For the other kinds they are the
+   time errors of the textbook's root and of the stable root, divided by the
+   gap. This approximates the relative error, because time and gap are about
+   equal. */
 static void worst_of(int kind, double size, struct random *r,
                      double worst[])
 {
@@ -293,8 +297,10 @@ static void worst_of(int kind, double size, struct random *r,
     }
 }
 
-/* Writes the errors for sizes that are powers of two. The summary gets the
-   errors at 2^-40 for grazing pairs and at 2^-26 for pairs with a gap. */
+/* Writes the errors for the sizes 1/2, 1/4, ..., 2^-50. The size is the
+   gap, or for grazing pairs the difference of sigma and the impact
+   parameter. The summary gets the errors at 2^-40 for grazing pairs and at
+   2^-26 for the others. */
 static void study_contact(struct study *s)
 {
     static const char *const keys[] = {"time", "place",      "book",
@@ -332,9 +338,9 @@ static bool collapses(struct disks *d, size_t n, double restitution,
     return disks_run(d, INFINITY, 100 * n) == DISKS_COLLAPSE;
 }
 
-/* Writes the fraction of starts that collapse for each restitution, then
-   the final state of one run. The disks in the collapse are those whose
-   last collision is at the present time. */
+/* Writes the fraction of runs that collapse, for each coefficient of
+   restitution. Then writes the final state of one run. The disks in the
+   collapse are those that collide at the final time. */
 static void study_collapse(struct study *s)
 {
     static const size_t sizes[] = {10, 30, 100};
@@ -423,9 +429,9 @@ static void study_speed(struct study *s)
 }
 
 /* Returns Z = P V/(N kT) of a run of `collisions` collisions and adds its
-   processor time to *seconds. Ending the run at a collision causes a bias
-   of about one event, which is below the noise even in the shortest
-   runs. */
+   processor time to *seconds. The result is biased by about one event,
+   because the run ends at a collision. This bias is below the noise even in
+   the shortest runs. */
 static double pressure_of(uint64_t collisions, uint64_t seed, bool plan,
                           double *seconds)
 {
@@ -451,10 +457,10 @@ enum { RUNS = 32 };
 
 static const double reference = 2.69889; /* direct sampling, +- 0.00031 */
 
-/* Fills row[1] to row[4] with the times of both engines, the error and the
-   bias for runs of row[0] collisions. Returns the number of runs in which
-   the engines disagree. A single different bit would eventually change
-   Z. */
+/* Sets row[1] to row[4] to the mean times of both engines and to the error
+   and the bias of Z, for runs of row[0] collisions. Returns the number of
+   runs in which Z differs between the engines. A difference of a single bit
+   anywhere in a run would eventually change Z. */
 static double find_errors(uint64_t seed, double row[5])
 {
     const uint64_t count = (uint64_t)row[0];

@@ -92,8 +92,8 @@ static double length(const double x[3])
 
 /* Measures the Earth's period and the drift of the centre of mass in the
    paper's example, with the paper's time step. The period is interpolated:
-   an Earth at height y above the axis with speed v_y crossed the axis y /
-   v_y earlier. */
+   when the Earth is at height y above the axis and has the speed v_y, it
+   crossed the axis y / v_y ago. */
 static void measure_year(struct study *s)
 {
     struct sky k;
@@ -116,9 +116,9 @@ static void measure_year(struct study *s)
     end_sky(&k);
 }
 
-/* Writes five years of the Earth's motion in steps of two days, from the
-   closed form and from two methods. Compares the errors of the methods with
-   theory. */
+/* Writes five years of the Earth's motion, in steps of two days, computed
+   by the closed form and by two methods. Compares the errors of the methods
+   with theory. */
 static void study_sun_earth(struct study *s)
 {
     struct sky k[2];
@@ -199,8 +199,8 @@ static double orbit_error(double e, const char *method, double evaluations)
     return error;
 }
 
-/* Writes the errors of three methods after one orbit of 1e4 evaluations,
-   against the eccentricity, and then a path. */
+/* Writes the errors of three methods against the eccentricity, each after
+   one orbit of 1e4 evaluations. Then writes the path of an orbit. */
 static void study_eccentric(struct study *s)
 {
     static const char *const methods[] = {"leapfrog", "rk4", "kahan-li8"};
@@ -279,9 +279,9 @@ enum { FALLS = 3 };
 static const char *const fall_columns[2 * FALLS] = {"dE_l", "dE_k", "dE_s",
                                                     "dx_l", "dx_k", "dx_s"};
 
-/* Writes the errors of flights past the Sun. Each row divides the
-   perihelion distance by 10^(1/4). kahan-li8 has 17 stages, so its steps
-   are 17 times as long as those of leapfrog. */
+/* Writes the errors of flights past the Sun. From one row to the next the
+   perihelion distance is divided by 10^(1/4). kahan-li8 has 17 stages, so
+   its steps are made 17 times as long as those of leapfrog. */
 static void study_encounter(struct study *s)
 {
     const double dt = 0.01;
@@ -320,8 +320,8 @@ static double eccentricity_of(const struct scene *s, size_t i)
     return e;
 }
 
-/* Returns the relative energy change of all eight planets in a century of
-   leapfrog, with Jupiter's mass multiplied by `jupiter`. */
+/* Returns the relative energy change of all eight planets in a century,
+   computed by leapfrog with Jupiter's mass multiplied by `jupiter`. */
 static double century_with_jupiter(double jupiter)
 {
     struct sky k;
@@ -386,8 +386,8 @@ static void write_paths(struct study *s, double distance, double days)
 }
 
 /* Writes two paths of a planet of Kepler-16. The summary gets the initial
-   velocities and the error of the planet's position after 400 days,
-   compared with a position computed in quadruple precision. */
+   velocities, and the planet's position error after 400 days, compared with
+   a computation in quadruple precision. */
 static void study_circumbinary(struct study *s)
 {
     struct sky k;
@@ -409,11 +409,11 @@ static void study_circumbinary(struct study *s)
 static const double binary = 0.2243, binary_period = 41.0808939256;
 
 /* Returns how many of 8 massless planets survive for `periods` periods of
-   the stars. The planets start at different phases and at `distance`. A
-   planet that comes within 0.05 of the centre or beyond 5 does not survive.
-   The unit of length is the distance between the stars. Leapfrog with 100
-   steps per period is accurate enough. Only every tenth step is
-   examined. */
+   the stars. The planets start at the same distance from the centre but at
+   different phases. They die if they come within 0.05 of the centre or go
+   beyond 5. The unit of length is the distance between the stars. Leapfrog
+   with 100 steps per period is accurate enough, and only every tenth step
+   is examined. */
 static int survivors(double distance, double periods)
 {
     int alive = 0;
@@ -435,9 +435,9 @@ static int survivors(double distance, double periods)
     return alive;
 }
 
-/* Writes the number of survivors against the distance, in increments of
-   0.04 times the distance between the stars. Finds the distance above which
-   all planets survive. */
+/* Writes the number of survivors against the initial distance, in
+   increments of 0.04 times the distance between the stars. Finds the
+   distance above which all planets survive. */
 static void study_survival(struct study *s)
 {
     const double periods = duration(1000);
@@ -460,8 +460,8 @@ static void study_survival(struct study *s)
 
 /* Sets *energy to the largest relative energy error in `periods` periods of
    the stars, with `evaluations` evaluations per period. Sets *place to the
-   error of the planet's position after 400 days, AU, compared with a
-   position computed in quadruple precision. */
+   planet's position error after 400 days, AU, compared with a computation
+   in quadruple precision. */
 static void precision(const char *method, double evaluations,
                       double periods, double *energy, double *place)
 {
@@ -556,8 +556,8 @@ static const char *const along[] = {"leapfrog", "kahan-li8",
 enum { ALONG = sizeof along / sizeof *along };
 
 /* Writes the error against the time between two kicks and then against the
-   masses. Leaves out errors of 1 and more, where a method lost the
-   orbits. */
+   masses of the planets. In the first block, leaves out errors of 1 and
+   more, which mean that the orbits have been lost. */
 static void study_ellipses(struct study *s)
 {
     TABLE_COLUMNS(s->out, {"d", "d", "from kick to kick"},
@@ -586,8 +586,8 @@ static void study_ellipses(struct study *s)
     }
 }
 
-/* Measures the processor time and the energy error of 1e4 periods of the
-   two suns with their planet, for a table in plots/data. */
+/* Measures the processor time and the energy error for 1e4 periods of two
+   stars with a planet. The result is one of the tables in plots/data. */
 static void study_two_suns(struct study *s)
 {
     static const struct {
@@ -614,9 +614,9 @@ static void study_two_suns(struct study *s)
     }
 }
 
-/* Returns the difference between the largest and the smallest distance from
-   the centre. The bodies start on a circle of radius 1, so at first only
-   rounding errors disturb them. */
+/* Returns the difference between the largest and the smallest distance of a
+   body from the centre. The bodies start on a circle of radius 1, so the
+   difference grows from rounding errors. */
 static double deviation(const struct scene *s)
 {
     double least = INFINITY, most = 0;
@@ -630,12 +630,14 @@ static double deviation(const struct scene *s)
 
 enum { PARTS_OF_ORBIT = 20 };
 
-/* The results of a choreography that breaks up. The growth rate is the
-   slope of the logarithm of the deviation between 1e-12 and 1e-4. */
+/* The results of a choreography that breaks up. The deviation is the
+   difference between the largest and the smallest radius. The growth rate
+   is the slope of its logarithm between 1e-12 and 1e-4. */
 struct broken {
     double orbits;       /* orbits until the radii differ by 0.1 */
     double rate;         /* growth rate / angular velocity */
-    double early, first; /* orbits and deviation, last below 1e-12 */
+    double early, first; /* number of orbits, and deviation, when the
+                            deviation was last below 1e-12 */
 };
 
 /* Runs a choreography until its radii differ by 0.1 or twenty orbits have
@@ -693,7 +695,7 @@ static void study_choreography(struct study *s)
 
 static const double eight_period = 6.32591398292621167758900033397;
 
-/* Returns the largest change of a coordinate after one period of the
+/* Returns the largest change of a coordinate in one period of the
    figure-eight, which would be zero without errors. */
 static double closure(const char *method, double steps, bool compensated)
 {
@@ -794,8 +796,8 @@ static double dispersion(const struct scene *s, size_t particles)
 }
 
 /* Returns the root mean square radial velocity in units of the circular
-   velocity. The particles start on circles, so this measures how much they
-   disturb each other. */
+   velocity. It measures how much the particles disturb each other, because
+   they start on circles. */
 static double stirring(const struct scene *s, size_t particles)
 {
     double sum = 0;
@@ -812,9 +814,9 @@ static double stirring(const struct scene *s, size_t particles)
 enum { PARTICLES = 3072 };
 
 /* Runs a ring. Writes all its bodies and three numbers that describe the
-   quality of the run. Uses the fastest kernel for the 3000 bodies unless
-   --kernel names another. So the table may differ between processors, and
-   its header names the kernel. */
+   quality of the run. Unless --kernel names another, uses the fastest
+   kernel for 3000 bodies. This kernel depends on the processor, and so may
+   the table, whose header names the kernel. */
 static void study_ring(struct study *s)
 {
     const double period = 2 * KEPLER_PI / CELESTIAL_K * 2.25 * sqrt(2.25);
@@ -851,9 +853,9 @@ static void study_ring(struct study *s)
 }
 
 /* Returns the angle, rad, by which softening turns an ellipse of
-   eccentricity e in one orbit. The aphelion, where r v is zero, is between
-   two steps. The path there is nearly straight, so the position is
-   extrapolated back along the velocity. */
+   eccentricity e in one orbit. Stops after the first step beyond aphelion,
+   where r . v changes sign. The path is nearly straight there, so the
+   position at aphelion is extrapolated back along the velocity. */
 static double precession(double e, double softening)
 {
     struct sky k;
@@ -871,7 +873,8 @@ static double precession(double e, double softening)
         before = now;
         now = x[0] * v[0] + x[1] * v[1];
     } while (!(before > 0 && now <= 0));
-    const double fraction = now / (now - before); /* of the last step */
+    const double fraction =
+        now / (now - before); /* fraction of the last step */
     for (size_t i = 0; i < 3; ++i)
         x[i] = x[i] - fraction * k.stepping.dt * v[i];
     end_sky(&k);
@@ -893,10 +896,10 @@ static void study_softening(struct study *s)
     }
 }
 
-/* Adds to sum[], in single precision, the x and y accelerations of body i
-   caused by the bodies first to last - 1. Positions are in double
-   precision, because only the sum is being tested. If compensation is not
-   NULL, makes a compensated sum. */
+/* Adds to sum[] the x and y accelerations of body i caused by the bodies
+   from first to last - 1, in single precision. Positions are in double
+   precision, because only the sum is being tested. Uses compensated
+   summation if compensation is not NULL. */
 static void add_single(const struct scene *s, size_t i, size_t first,
                        size_t last, float sum[2], float compensation[2])
 {
@@ -919,10 +922,11 @@ static void add_single(const struct scene *s, size_t i, size_t first,
     }
 }
 
-/* Accelerations of a body along x and y: due to the planet (body 0), due to
-   the ring, and the rounding error of the ring's part in a model of a
-   single-precision sum. The model rounds each term to a multiple of the
-   spacing of single-precision numbers near the planet's acceleration. */
+/* Accelerations of a body along x and y: planet[] is due to the planet
+   (body 0), and ring[] is due to the ring. lost[] is the rounding error of
+   the ring's terms in a model of single-precision summation. The model
+   rounds each term to a multiple of the spacing of single-precision numbers
+   near the planet's acceleration. */
 struct pulls {
     double planet[2], ring[2], lost[2];
 };
@@ -958,9 +962,9 @@ static struct pulls pulls_at(const struct scene *s, size_t i)
 enum { FIRST, LAST, CARRIED, ORDERS };
 
 /* Sets row[] to the number of particles of a ring and the root mean square
-   errors of their acceleration for the three sums and for the model.
-   Samples about 250 particles. The unit is the acceleration due to the
-   ring. */
+   errors of their acceleration, for the three ways to sum and for the
+   model. Samples about 250 particles. The unit is the root mean square
+   acceleration due to the ring. */
 static void compare_singly(const struct scene *s, double row[2 + ORDERS])
 {
     const size_t every = s->bodies > 256 ? s->bodies / 256 : 1;
@@ -985,8 +989,8 @@ static void compare_singly(const struct scene *s, double row[2 + ORDERS])
         row[1 + k] = sqrt(error[k] / size);
 }
 
-/* Sets a[] to accelerations summed in single precision, to test whether the
-   energy shows their errors. */
+/* Sets a[] to accelerations summed in single precision. Their errors may or
+   may not show in the energy. */
 static void accelerate_single(void *what, const double x[],
                               const double v[], double a[])
 {
@@ -1002,8 +1006,8 @@ static void accelerate_single(void *what, const double x[],
     }
 }
 
-/* Begins a run of a ring. The mass of the ring does not depend on its
-   number of particles. */
+/* Begins a run of a ring whose mass does not depend on its number of
+   particles. */
 static void begin_single(struct sky *k, double particles)
 {
     const double step = 2 * KEPLER_PI / CELESTIAL_K * 3.375 / 200;
@@ -1059,10 +1063,11 @@ static void study_single(struct study *s)
 #ifdef VECTOR_AVX512
 #include <immintrin.h>
 
-/* Performs 20 n operations in each of four lanes, to measure the peak speed
-   of the machine. Ten independent chains of fused multiply-adds keep all
-   units busy. The chains stay in registers only if the inner loop is
-   unrolled, as by VECTOR_LONG, which sets gcc's optimization level 3. */
+/* Performs 20 n floating-point operations in each of four lanes, to measure
+   the peak speed of the machine. Ten independent chains of fused
+   multiply-adds keep all execution units busy. The chains stay in registers
+   only if the inner loop is unrolled. This requires VECTOR_LONG, which sets
+   gcc's optimization level 3. */
 VECTOR_LONG
 __attribute__((target("avx2,fma"))) static double peak4(uint64_t n)
 {
@@ -1078,7 +1083,7 @@ __attribute__((target("avx2,fma"))) static double peak4(uint64_t n)
     return _mm256_cvtsd_f64(a[0]);
 }
 
-/* Does the same as peak4 in eight lanes. */
+/* Does the same as peak4 with eight lanes. */
 VECTOR_LONG
 __attribute__((target("avx512f"))) static double peak8(uint64_t n)
 {
@@ -1120,10 +1125,10 @@ static double peak1(uint64_t n)
     return sum;
 }
 
-/* A kernel is compared with a loop of pure multiply-adds in `lanes` lanes.
-   `operations` is the kernel's number of operations per pair. A fused
-   multiply-add counts as two operations, and a root, quotient or estimate
-   as one. */
+/* The measure of a kernel's speed: a loop of pure multiply-adds in `lanes`
+   lanes. `operations` is the kernel's number of operations per pair. A
+   fused multiply-add counts as two operations, and a root, quotient or
+   estimate as one. */
 struct yardstick {
     double operations, lanes;
     double (*peak)(uint64_t n);
@@ -1142,7 +1147,7 @@ static struct yardstick yardstick(enum gravity_kernel kernel)
 }
 
 /* Returns the operations per second of the loop. The result is volatile,
-   because the compiler would otherwise remove the loop. */
+   because otherwise the compiler would remove the loop. */
 static double measure_peak(const struct yardstick *y)
 {
     const uint64_t n = 5000000;
@@ -1152,8 +1157,8 @@ static double measure_peak(const struct yardstick *y)
     return (double)n * 20 * y->lanes / (bench_seconds() - begin);
 }
 
-/* Returns the ordered pairs per second of a kernel, repeated for 0.1 s of
-   the clock `seconds`. */
+/* Returns the number of ordered pairs per second of a kernel. Repeats the
+   kernel for 0.1 s of the clock `seconds`. */
 static double measure_pairs(struct gravity *g, double (*seconds)(void),
                             const double x[], double a[])
 {
@@ -1166,9 +1171,9 @@ static double measure_pairs(struct gravity *g, double (*seconds)(void),
     return runs * n * (n - 1) / (seconds() - begin);
 }
 
-/* Returns the largest error of the x accelerations of every 37th body,
-   compared with a long double sum, in units of the sum of the terms'
-   absolute values. */
+/* Returns the largest error of the x acceleration over every 37th body,
+   compared with a long double sum. The error is divided by the sum of the
+   absolute values of the terms. */
 static double kernel_error(struct gravity *g, const double x[], double a[])
 {
     const size_t n = g->bodies;
@@ -1249,8 +1254,8 @@ static void measure_kernel(struct study *s, struct sky *k, double a[],
                 100 * v[1] * y.operations / v[0], error);
 }
 
-/* Measures all kernels of this machine that sum over pairs, on a ring, and
-   then the leapfrog step of two bodies. */
+/* Measures all kernels of this machine that sum over pairs, using a ring.
+   Then measures the leapfrog step of two bodies. */
 static void study_speed(struct study *s)
 {
     struct sky k;
@@ -1280,8 +1285,8 @@ static void study_speed(struct study *s)
 }
 
 /* Writes the pairs per second with one thread and with two, for rings of 63
-   to 4095 particles, and the median ratio of the rounds. A slow moment of
-   the machine spoils only one ratio. */
+   to 4095 particles. Also writes the median ratio of the rounds, so that a
+   temporary slowdown of the machine affects only one ratio. */
 static void study_threads(struct study *s)
 {
     bench_machine(s->out);
@@ -1334,9 +1339,9 @@ static double time_forces(struct sky *k, int way, double a[])
     return (bench_seconds() - begin) * 1e3;
 }
 
-/* Sets ring[] to the acceleration of body i due to the ring alone: a[]
-   minus the planet's part. Relative to the planet's part, the error of any
-   tree would look small. */
+/* Sets ring[] to the acceleration of body i due to the ring alone, that is,
+   a[] without the planet's part. The planet's part is so large that,
+   relative to it, the error of any tree would look small. */
 static void without_planet(const struct sky *k, size_t i, const double a[],
                            double ring[3])
 {
@@ -1351,9 +1356,9 @@ static void without_planet(const struct sky *k, size_t i, const double a[],
                   s->k2 * s->mass[0] / (r2 * sqrt(r2)) * d[c];
 }
 
-/* Returns the root mean square error of the tree's accelerations a[]
-   compared with the direct sum b[], in units of the root mean square
-   acceleration due to the ring. */
+/* Returns the root mean square difference of the tree's accelerations a[]
+   from the direct sum b[], in units of the root mean square acceleration
+   due to the ring. */
 static double tree_error(const struct sky *k, const double a[],
                          const double b[])
 {

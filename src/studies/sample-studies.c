@@ -14,7 +14,7 @@
 
 enum {
     LIST = 16, /* maximum length of an option's list */
-    BINS = 14, /* bins for a coordinate of a disk's centre */
+    BINS = 14, /* number of bins for a coordinate of a disk's centre */
     HALF = BINS / 2,
     WALLS = BINS, /* index of the left side of (6.5, eq:two-sides) */
     PAIRS,        /* index of the right side of (6.5) */
@@ -95,8 +95,8 @@ static void count_contacts(struct means *m, const struct sampling *p)
     means_add(m, PAIRS, pairs);
 }
 
-/* Adds a sample of the density of the coordinates and of both sides of
-   (6.5). Each coordinate is weighted so that the mean of a bin is its
+/* Adds a sample of both sides of (6.5) and of the density of the
+   coordinates. The weight of a coordinate makes the mean of each bin a
    density. */
 static void count_places(struct means *m, const struct sampling *p)
 {
@@ -114,11 +114,11 @@ enum way { THROWN, KEPT, CHAIN, MOVED, WAYS };
 static const char *const way_names[WAYS] = {"thrown", "kept", "chain",
                                             "moved"};
 
-/* Takes samples in one of four ways, two of which are wrong. If a disk does
-   not fit, THROWN places all disks again. KEPT places only that disk again,
-   as disks_place_random does, which is wrong. CHAIN takes a sample after
-   every trial move. MOVED takes one only after accepted moves, which is
-   wrong. */
+/* Takes samples in one of four ways. THROWN and KEPT place disks at random.
+   If a disk does not fit, THROWN places all disks again. KEPT places only
+   that disk again, as disks_place_random does, which is wrong. CHAIN and
+   MOVED run a Markov chain. CHAIN takes a sample after every trial move,
+   and MOVED only after accepted moves, which is wrong. */
 static void take(enum way way, struct means *m, struct sampling *p,
                  double step, struct random *r)
 {
@@ -137,8 +137,8 @@ static void take(enum way way, struct means *m, struct sampling *p,
                 count_places(m, p);
 }
 
-/* Writes the error in per cent of the density `wrong` relative to `right`,
-   in bins b and BINS - 1 - b together. */
+/* Writes the error of the density `wrong` relative to `right`, in per cent,
+   for bin b and its mirror image BINS - 1 - b together. */
 static void write_bias(struct study *s, const char *key,
                        const struct means *wrong, const struct means *right,
                        size_t b)
@@ -181,7 +181,8 @@ static void write_mistakes(struct study *s, const struct means means[])
 }
 
 /* Compares two wrong ways of sampling with the right ones. Each way first
-   runs a chain of a thousand sweeps, to forget the previous one. */
+   runs a chain of a thousand sweeps, so that its start is independent of
+   the way before it. */
 static void study_mistakes(struct study *s)
 {
     struct means means[WAYS];
@@ -205,9 +206,9 @@ static void study_mistakes(struct study *s)
     sampling_free(&p);
 }
 
-/* Runs a chain. After sweep n, stores the x coordinate of disk 1 in x[n]
-   and the fraction of coordinates in the outermost bins in edge[n]. Returns
-   the fraction of accepted moves. */
+/* Runs a chain. After each sweep n, stores the x coordinate of disk 1 in
+   x[n] and the fraction of coordinates in the outermost bins in edge[n].
+   Returns the fraction of accepted moves. */
 static double run_chain(struct sampling *p, double step, uint64_t sweeps,
                         double x[], double edge[], struct random *r)
 {
@@ -237,8 +238,8 @@ static double inefficiency(size_t n, const double x[])
     return b.inefficiency;
 }
 
-/* Runs chain k, for the k-th combination of radius and step. x has space
-   for two series. The keys of the results end in k + 1. */
+/* Runs chain k, which has the k-th combination of radius and step. x has
+   room for two series. The keys of the results end in k + 1. */
 static void study_chain(struct study *s, size_t k, double x[],
                         struct random *r)
 {
@@ -278,9 +279,9 @@ static void study_memory(struct study *s)
     free(x);
 }
 
-/* Measures the fraction of random configurations without overlaps. Draws
-   configurations until own.samples of them have no overlaps, or PATIENCE
-   have been drawn. */
+/* Measures the fraction of random configurations that have no overlaps.
+   Stops after own.samples configurations without overlaps, or after
+   PATIENCE configurations in total. */
 static void study_acceptance(struct study *s)
 {
     struct random r;
@@ -400,9 +401,9 @@ static void run_method(enum method method, struct sampling *p, double step,
 
 /* Measures the error of each method against processor time: the root mean
    square of SEEDS runs, after one warm-up run. The reference is a much
-   longer run of dynamics. Direct sampling is correct by construction, and
-   its error decreases steadily up to the longest time. So the reference
-   must be correct, too. */
+   longer run of dynamics. It must be correct, because direct sampling,
+   which is correct by construction, approaches it steadily up to the
+   longest time. */
 static void study_cost(struct study *s)
 {
     struct random r;
@@ -439,9 +440,9 @@ static void study_cost(struct study *s)
     }
 }
 
-/* Methods that measure the pressure of 64 disks in a periodic box: a Markov
+/* Methods that measure the pressure of 64 disks in a periodic box. A Markov
    chain uses the densities at contact, dynamics uses collisions, and event
-   chains use neither. */
+   chains use the distances gained at contacts. */
 enum gauging { SLIDES, COLLISIONS, CHAINS, GAUGINGS };
 static const char *const gauging_names[GAUGINGS] = {"markov", "dynamics",
                                                     "chains"};
@@ -474,8 +475,8 @@ static void begin_gauge(struct gauge *g, enum gauging way, double packing,
         end_without_memory();
 }
 
-/* Makes a sweep. Returns Z - 1, estimated from the contact densities of one
-   disk with three others, as in the program `sample`. */
+/* Makes a sweep. Returns an estimate of Z - 1 from the contact densities of
+   one disk with three others, as in the program `sample`. */
 static double slide(struct gauge *g)
 {
     const size_t n = g->p.disks.count, i = g->samples % n;
@@ -489,8 +490,8 @@ static double slide(struct gauge *g)
     return sum * (double)(n - 1) * g->p.disks.disk[0].radius / 2;
 }
 
-/* Returns the estimate of Z - 1 from an event chain of about five
-   diameters. */
+/* Returns an estimate of Z - 1 from an event chain about five diameters
+   long. */
 static double follow_chain(struct gauge *g, size_t axis)
 {
     const double length =
@@ -500,8 +501,8 @@ static double follow_chain(struct gauge *g, size_t axis)
     return gained / length;
 }
 
-/* Returns Z - 1 from the run so far. For dynamics the estimate uses the
-   virial of all collisions since the start (7.5, eq:virial). */
+/* Returns Z - 1 from the samples so far. Dynamics uses the virial of all
+   collisions since the start instead (7.5, eq:virial). */
 static double gauge_value(struct gauge *g, enum gauging way)
 {
     const struct disks *d = &g->p.disks;
@@ -523,8 +524,8 @@ static void take_one(struct gauge *g, enum gauging way)
 
 enum { MARKS = 5, GAUGES = 16 };
 
-/* Runs a measurement and adds its squared error, divided by GAUGES, to
-   square[t] at each of the MARKS times. */
+/* Runs a measurement of Z - 1. At each of the MARKS times adds its squared
+   error, divided by GAUGES, to square[t]. */
 static void measure_gauge(enum gauging way, double packing, double step,
                           double truth, struct random *r,
                           double square[MARKS])

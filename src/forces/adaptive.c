@@ -13,14 +13,13 @@ enum { STAGES = 7, MOST_ROUNDS = 12 };
 
 /* Weights computed from a method's coefficients, for a step of length 1. */
 struct adaptive_weights {
-    /* For an embedded pair: c holds the row sums of the matrix a. a2,
-       error2 and dense2 are a, error and dense times a. */
+    /* For an embedded pair: c[i] is the sum of row i of the matrix a. a2,
+       error2 and dense2 are the products of a, error and dense with a. */
     double c[STAGES], a2[STAGES][STAGES];
     double error2[STAGES], dense2[STAGES];
-    /* For Radau's method: if g_(k+1) is 1 and the other coefficients are 0,
-       x[i][k] is the displacement at node i + 1 divided by the square of
-       the node, and v[i][k] is the change of velocity divided by the
-       node. */
+    /* For Radau's method: what the coefficient g_(k+1) = 1 contributes at
+       node i + 1, whose time is c. The displacement is c^2 x[i][k], the
+       change of velocity c v[i][k]. */
     double x[STAGES][STAGES], v[STAGES][STAGES];
     double gap[STAGES][STAGES]; /* 1 / (c_(i+1) - c_j) */
     double last[STAGES];        /* 1 / (1 - c_(j+1)) */
@@ -38,11 +37,11 @@ static double power_of(double z, int n)
     return power;
 }
 
-/* Returns the n-th root of z > 0, with a relative error of a few millionths
-   at most. Newton's method uses only + - * /, so the result is the same on
-   every machine. The last bit of a library function depends on the machine
-   and would change all later steps. The iteration starts above the root and
-   decreases towards it. */
+/* Returns the n-th root of z > 0, with a relative error of at most a few
+   millionths. Newton's method uses only + - * /, so the result is the same
+   on every machine. The last bit of a library function depends on the
+   machine and would change all later steps. The iteration starts above the
+   root and decreases towards it. */
 static double root(double z, int n)
 {
     double y = z > 1 ? z : 1, down;
@@ -58,8 +57,8 @@ static double root(double z, int n)
 #define MOST 5.0
 
 /* Returns the ratio of the next step to the last one: (8.16, eq:stretch).
-   `error` is the error of the last step in units of the allowed error. It
-   grows with the n-th power of the step. */
+   `error` is the error of the last step divided by the allowed error. It is
+   proportional to the n-th power of the step length. */
 static double stretch(double error, int n)
 {
     if (error <= power_of(SAFETY / MOST, n))
@@ -82,9 +81,9 @@ static bool is_free(const struct adaptive *s)
     return s->tolerance > 0;
 }
 
-/* Computes to = from + by as a compensated sum. `carry` has the rounding
-   errors so far, and `owed` gets the new ones. If steps are few and large,
-   these sums are the main source of rounding errors. */
+/* Computes to = from + by as a compensated sum: `carry` has the old
+   rounding errors, and `owed` receives the new ones. With few, large steps,
+   these sums would otherwise be the main source of rounding errors. */
 static void add(double *restrict to, double *restrict owed,
                 const double *restrict from, const double *restrict carry,
                 const double *restrict by, size_t n)
@@ -97,8 +96,8 @@ static void add(double *restrict to, double *restrict owed,
 }
 
 /* Computes the end of a trial step from the changes in place[] and speed[].
-   The result overwrites s->from, the beginning of the last step. It is not
-   needed when a time after the last step is requested. */
+   Writes it over s->from, the beginning of the last step: the requested
+   time is after that step, so its beginning is no longer needed. */
 static void arrive(struct adaptive *s)
 {
     const size_t n = s->forces.size;
@@ -147,9 +146,9 @@ static void move_to_stage(struct adaptive *s, size_t i, double h)
     }
 }
 
-/* Returns the estimated relative error of a trial step, (8.15,
-   eq:embedded), of the positions or of the velocities, whichever is
-   larger. */
+/* Returns the estimated relative error of a trial step: (8.15,
+   eq:embedded). It is the error of the positions or that of the velocities,
+   whichever is larger. */
 static double error_of_pair(const struct adaptive *s, double h)
 {
     const size_t n = s->forces.size, stages = s->method->stages;
@@ -163,9 +162,9 @@ static double error_of_pair(const struct adaptive *s, double h)
     return larger(dx == 0 ? 0 : h * h * dx / x, dv == 0 ? 0 : h * dv / v);
 }
 
-/* Tries a step of length h and returns its error in units of the tolerance.
-   The first stage is the end of the last step. The last stage is the end of
-   the new step. */
+/* Tries a step of length h and returns its error divided by the tolerance.
+   The first stage is the beginning of the step, already computed as the end
+   of the last step. The last stage is the end of the step. */
 static double try_pair(struct adaptive *s, double h)
 {
     const size_t n = s->forces.size, last = s->method->stages - 1;
@@ -212,11 +211,13 @@ static void look_in_pair(const struct adaptive *s, double r, double x[],
     }
 }
 
-/* Returns node c_i as a fraction of the step. c_0 is 0, and the method
-   lists c_1 to c_7. Radau's method writes the acceleration in a step as a_0
-   + sum g_k N_k(s), k = 1 to 7, where s is the fraction of the step. N_k =
-   s (s - c_1) ... (s - c_(k-1)) is a Newton polynomial. It is zero at all
-   nodes before node k, so the force at node k determines g_k without
+/* Returns node c_i as a fraction of the step. c_0 is 0; the method lists
+   c_1 to c_7.
+
+   Radau's method writes the acceleration during a step as a_0 + sum g_k
+   N_k(s), k = 1 to 7, where s is the fraction of the step. The Newton
+   polynomial N_k = s (s - c_1) ... (s - c_(k-1)) is zero at all nodes
+   before node k. The force at node k therefore determines g_k without
    changing the values at earlier nodes. */
 static double node(const struct adaptive *s, size_t i)
 {
@@ -259,9 +260,9 @@ static double product_of_gaps(const struct adaptive *s, size_t i)
     return product;
 }
 
-/* Computes the weights of Radau's method. Each N_k is integrated once and
-   twice from 0 to each node. A term s^(m+1) becomes s^(m+2) / (m+2) and
-   then s^(m+3) / ((m+2) (m+3)). */
+/* Computes the weights of Radau's method by integrating each N_k once and
+   twice from 0 to each node. The two integrals of s^(m+1) are s^(m+2) /
+   (m+2) and s^(m+3) / ((m+2) (m+3)). */
 static void measure_radau(struct adaptive *s)
 {
     struct adaptive_weights *const w = s->weights;
@@ -285,20 +286,20 @@ static void measure_radau(struct adaptive *s)
         w->amplified += 1 / product_of_gaps(s, i);
 }
 
-/* Returns the displacement of a body in the time `part`. v and a are the
-   velocity and the acceleration at the beginning. change * part^2 is the
-   change of the acceleration, integrated twice. Small terms are summed
-   first. Using a rounded constant c^2/2 would cause the same error in all
-   steps. */
+/* Returns the displacement of a body during the time `part`. v and a are
+   its velocity and acceleration at the beginning. change * part^2 is the
+   change of the acceleration, integrated twice. Small terms are added
+   first. A rounded constant c^2 / 2 is avoided because it would cause the
+   same error in all steps. */
 static inline double way(double part, double v, double a, double change)
 {
     return part * (v + part * (a / 2 + change));
 }
 
 /* Computes the displacements and the changes of velocity in a part of a
-   step from the coefficients g. When one coordinate was computed after the
-   other, a run of a membrane of 81 nodes spent nine tenths of its time in
-   these sums. With vector code a step takes less than half the time. */
+   step from the coefficients g. Scalar code spent nine tenths of the run of
+   an 81-node membrane in these sums. Vector code more than halves the time
+   of a step. */
 VECTOR_LOOP static void lead(double *restrict place, double *restrict speed,
                              const double *restrict g,
                              const struct adaptive_state *start,
@@ -325,9 +326,9 @@ static void move_to_node(struct adaptive *s, size_t i, double h)
          s->weights->v[i], h * node(s, i + 1), s->forces.size);
 }
 
-/* Sets by = from + (owed + by). `owed` has the rounding errors of the
-   compensated sums. Without them all forces of a step would be computed at
-   rounded positions. */
+/* Sets by = from + (owed + by), where `owed` has the rounding errors of the
+   compensated sums. Without `owed`, all forces of a step would be computed
+   at rounded positions. */
 VECTOR_LOOP static void start_from(double *restrict by,
                                    const double *restrict from,
                                    const double *restrict owed, size_t n)
@@ -420,19 +421,20 @@ static void guess_force(struct adaptive *s, double h)
 #define RADAU_SCALE 50 /* found by experiment, not derived */
 
 /* Returns whether the iteration may end: the change of g_7 is less than the
-   tolerance or has stopped decreasing. A seventh difference amplifies
-   changes of the force about a thousand times, so a change below 1e-11 is
-   due to rounding. */
+   tolerance or has stopped decreasing. The seventh difference amplifies
+   rounding errors of the force about a thousandfold, so any change below
+   1e-11 counts as rounding. */
 static bool settled(const struct adaptive *s, double change, double last)
 {
     return change <= 1e-11 + s->tolerance || !(change < last);
 }
 
-/* Sets *to to from + by + small, and *owed to the rounding error. `small`
-   is the contribution of the second parts of the weights. It is less than
-   the last digit of the sum and would be lost in every step, so it is first
-   added to the rounding error of from + by. The formula for this error is
-   exact whichever term is larger. */
+/* Sets *to = from + by + small, and *owed to its rounding error. `small`
+   contains the old rounding error and the contribution of the second
+   doubles of the weights (methods.c). It is less than the last digit of the
+   sum and would be lost in every step, so it is first added to the rounding
+   error of from + by. The formula for this error is exact whichever term is
+   larger. */
 static void add_tail(double *to, double *owed, double from, double by,
                      double small)
 {
@@ -442,10 +444,10 @@ static void add_tail(double *to, double *owed, double from, double by,
     *owed = small - (*to - sum);
 }
 
-/* Computes the end of the whole step from the weighted sums of the forces.
-   With a tolerance of 1e-14, a step of the circumbinary planet then changes
-   its energy by about 1e-19 on average. The random part of the change,
-   1.5e-16, is due to the rounding of the forces. */
+/* Computes the state at the end of the whole step from the weighted sums of
+   the forces. For the circumbinary planet with a tolerance of 1e-14, the
+   energy then changes by only about 1e-19 per step on average. The rounding
+   of the forces adds a random change of 1.5e-16 per step. */
 static void move_to_end(struct adaptive *s, double h)
 {
     const struct adaptive_state *const p = &s->to, *const q = &s->from;
@@ -466,20 +468,20 @@ static void move_to_end(struct adaptive *s, double h)
     }
 }
 
-/* Returns the acceleration by which a difference is divided: the largest at
-   the start of the step. If that is almost zero, as in the middle of an
-   oscillation, returns the largest along the step. */
+/* Returns the scale of the accelerations in a step: the largest at its
+   start or, if this is almost zero, as in the middle of an oscillation, the
+   largest along the step. */
 static double scale_of(double start, double along)
 {
     const double scale = start > 1e-6 * along ? start : along;
     return scale > 0 ? scale : 1;
 }
 
-/* Returns the largest g_8, for which the end of the step is an eighth node.
-   Without g_8, step control may miss a jump of the force after the seventh
-   node, at 0.977 of the step. The force of a spring jumps when its ends
-   pass through each other, and about one of fifty such jumps was missed. In
-   a smooth step g_8 is smaller than g_7. */
+/* Returns the largest g_8, the coefficient obtained by using the end of the
+   step as an eighth node. In a smooth step it is smaller than g_7. Without
+   g_8, step control may miss a jump of the force after the seventh node,
+   which is at 0.977 of the step. The force of a spring jumps when its ends
+   pass through each other; about one in fifty such jumps was missed. */
 static double beyond(struct adaptive *s)
 {
     const size_t n = s->forces.size;
@@ -491,9 +493,9 @@ static double beyond(struct adaptive *s)
     return largest(d, n);
 }
 
-/* Tries a step of length h, usually in three iterations. Returns the error
-   in units of the largest error that the tolerance allows. If the tolerance
-   is 0, the value has no meaning. */
+/* Tries a step of length h, usually in three iterations. Returns its error
+   divided by the largest error that the tolerance allows. If the tolerance
+   is 0, the result has no meaning. */
 static double try_radau(struct adaptive *s, double h)
 {
     const size_t n = s->forces.size, last = STAGES - 1;
@@ -519,18 +521,24 @@ static double try_radau(struct adaptive *s, double h)
     return (off - s->noise) / scale / (RADAU_SCALE * sqrt(s->tolerance));
 }
 
-/* Measures the contribution of rounding to g_8, at every sixteenth step.
+/* At every sixteenth step, measures how much rounding errors contribute to
+   g_8 (see beyond).
+
    The force of a stiff spring that is hardly stretched is its stiffness
-   times the difference of two positions. With 5e7 N/m and a total
-   acceleration of 10 m/s^2, the last bit of a position makes 1e-9 of the
-   force, and seven differences amplify this a thousand times. Shorter steps
-   do not reduce this error, so step control would shorten them without end.
+   times a small difference of two positions. With 5e7 N/m and a total
+   acceleration of 10 m/s^2, a change in the last bit of a position changes
+   the force by 1e-9 of its value, and the seven differences amplify this a
+   thousandfold. Shorter steps do not reduce this noise, so step control
+   would shorten them endlessly.
+
    The forces are therefore computed once more, with the last bits of
-   positions and velocities changed up and down in turn. This costs less
-   than half a per cent of all evaluations. The noise is an acceleration,
-   not a fraction of the total acceleration. For a body at rest on its
-   spring the fraction would be large. The steps would then be too long, and
-   the body would oscillate. */
+   positions and velocities changed alternately up and down. This costs less
+   than half a per cent of all evaluations.
+
+   The noise is stored as an acceleration, not as a fraction of the total
+   acceleration. For a body at rest on its spring, that fraction would be
+   large, so the steps would become too long and the body would
+   oscillate. */
 static void measure_noise(struct adaptive *s)
 {
     const size_t n = s->forces.size;
@@ -547,11 +555,11 @@ static void measure_noise(struct adaptive *s)
                largest_difference(s->difference, s->to.a, n);
 }
 
-/* Returns whether a step that exceeds the tolerance may be accepted because
-   it cannot be shorter. Its forces must change the velocities by at most
-   1e-9 of the largest velocity. A force then jumps here, and the step may
-   cross the jump. Where two bodies fall into each other, the change is
-   larger, and the run ends. */
+/* Returns whether a step of the shortest possible length h may be accepted
+   although it exceeds the tolerance. This is so if its forces change the
+   velocities by at most 1e-9 of the largest velocity: the force then jumps
+   here, and the step may cross the jump. Where two bodies fall into each
+   other, the change is larger, and the run ends. */
 static bool is_edge(const struct adaptive *s, double h)
 {
     const size_t n = s->forces.size;
@@ -586,9 +594,9 @@ static void swap(double **a, double **b)
     *b = other;
 }
 
-/* Accepts a trial step of length h as the last step. The time is a
-   compensated sum, too: otherwise rounding errors would add up in many
-   short steps near a star. */
+/* Accepts a trial step of length h as the last step. The time, too, is a
+   compensated sum. Otherwise the rounding errors of many short steps near a
+   star would add up. */
 static void accept(struct adaptive *s, double h)
 {
     const struct adaptive_state end = s->from;
@@ -609,9 +617,10 @@ static void accept(struct adaptive *s, double h)
         s->shortest = h;
 }
 
-/* Limits the next step to `most`, s. Neither this limit nor the first step
-   depends on the tolerance, so two runs with different tolerances might
-   take equal steps. If they are to be compared, one of them sets slack. */
+/* Limits the next step to `most` (in s). Neither this limit nor the first
+   step depends on the tolerance, so runs with different tolerances might
+   take equal steps. If two such runs are to be compared, set s->slack in
+   one of them. */
 static void bound(struct adaptive *s, double most)
 {
     s->next = fmin(s->next, (1 - s->slack) * most);
@@ -645,9 +654,9 @@ static bool step(struct adaptive *s)
     }
 }
 
-/* Returns a guess, s, for the first step, to be adapted by step control: a
-   hundredth of the smallest of x/v, sqrt(x/a) and v/a, where x, v and a are
-   the largest coordinate, velocity and acceleration. */
+/* Returns a guess of the first step (in s), which step control will adapt.
+   It is a hundredth of the smallest of x/v, sqrt(x/a) and v/a, where x, v
+   and a are the largest coordinate, velocity and acceleration. */
 static double first_length(const struct adaptive *s)
 {
     const size_t n = s->forces.size;
@@ -733,9 +742,9 @@ static double *pass(double *note, double *own, size_t n, bool back)
 
 /* Copies the arrays of the state to note or, if back is true, from note.
    Both ends of the last step are copied, since the next requested time may
-   lie within the step. A pair also needs its stages. Radau's method also
-   needs its polynomial and the guess of it, to guess the next
-   polynomial. */
+   lie within this step. An embedded pair also needs its stages. Radau's
+   method also needs its polynomial and the last guess of it, from which it
+   guesses the next polynomial. */
 static void pass_lists(const struct adaptive *s, double *note, bool back)
 {
     const size_t n = s->forces.size, all = n * s->method->stages;
@@ -844,9 +853,9 @@ bool adaptive_step(struct adaptive *s, double most)
 }
 
 /* Writes the control points q[] of the path of coordinate i along a step of
-   Radau's method. The path is a sum of powers of the fraction u of the
-   step. u^m contributes to the control points j >= m, with the weight
-   binomial(j, m) / binomial(9, m). */
+   Radau's method. The path is a polynomial in u, the fraction of the step.
+   Its term with u^m contributes to the control points j >= m with the
+   weight binomial(j, m) / binomial(9, m). */
 static void path_of_radau(const struct adaptive *s, size_t i, double q[])
 {
     enum { DEGREE = ADAPTIVE_DEGREE };
@@ -871,9 +880,9 @@ static void path_of_radau(const struct adaptive *s, size_t i, double q[])
 }
 
 /* Writes the control points q[] of the path of coordinate i along a step of
-   an embedded pair: (8.17, eq:dense). The path is Hermite's cubic, raised
-   to degree 4. The weights for dense output correct its middle control
-   point. */
+   an embedded pair: (8.17, eq:dense). The path is the cubic Hermite
+   polynomial, written with degree 4. The weights for dense output correct
+   its middle control point. */
 static void path_of_pair(const struct adaptive *s, size_t i, double q[])
 {
     const double h = s->h, *weights = s->weights->dense2;
@@ -937,8 +946,8 @@ void adaptive_again(struct adaptive *s, double h, double x[], double v[])
 }
 
 /* Starts again from x and v, but keeps the proposed length of the next
-   step. After a jump in velocity, the force of the last step cannot be
-   extrapolated. */
+   step. The force of the last step is not used for a guess, since it cannot
+   be extrapolated across a jump in velocity. */
 void adaptive_turn(struct adaptive *s, const double x[], const double v[])
 {
     const double t = s->t, next = s->next;

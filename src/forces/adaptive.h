@@ -27,7 +27,7 @@ struct adaptive {
     uint64_t before;        /* number of steps taken before start */
     double past, past_owed; /* t and owed before the last step, s */
     double whole;           /* length of the step described by b, s */
-    bool begun; /* false: the forces at the start are not yet computed */
+    bool begun;             /* whether the forces at the start are known */
     struct adaptive_state from, to; /* beginning and end of the last step */
     double noise;          /* effect of rounding errors on g_8, m/s^2 */
     double *place, *speed, /* [size] displacement or state at a stage */
@@ -42,15 +42,15 @@ struct adaptive {
     struct adaptive_weights *weights;
     double *work;
     /* ---- may be set */
-    /* NULL, or a function that returns the length, s, of the longest step
-       allowed from the state x, v, a */
+    /* NULL, or a function that returns the longest step (in s) allowed from
+       the state x, v, a */
     double (*longest)(void *with, const double x[], const double v[],
                       const double a[]);
     void *with;
-    double slack;  /* fraction by which the first step and limited steps are
+    double slack;  /* fraction by which first and limited steps are
                       shortened */
-    uint64_t most; /* limit of evaluations, after which steps fail; 0:
-                      none */
+    uint64_t most; /* steps fail after this number of evaluations; 0: no
+                      limit */
 };
 
 /* Creates the data for runs by the adaptive method m with the forces f.
@@ -59,20 +59,23 @@ struct adaptive {
 struct adaptive *adaptive_create(const struct stepping_method *m,
                                  struct stepping_forces f);
 
-/* Begins a run at the time t, s, with positions x, m, and velocities v,
-   m/s. In each step an embedded pair keeps the estimated error of a
+/* Begins a run at the time t (in s), with positions x (in m) and velocities
+   v (in m/s).
+
+   In each step, an embedded pair keeps the estimated error of every
    coordinate below `tolerance` times the largest coordinate, and likewise
    for velocities. For Radau's method `tolerance` does not bound the error:
    g_7 and g_8, divided by the largest acceleration, are kept below 50 times
-   the square root of `tolerance`. With tolerance 0 all steps have the
-   length dt, s. */
+   the square root of `tolerance`. If `tolerance` is 0, all steps have the
+   length dt (in s). */
 void adaptive_begin(struct adaptive *s, double tolerance, double dt,
                     double t, const double x[], const double v[]);
 
-/* Takes steps until one ends at or after the time t, s, and writes the
-   state at t into x and v. The requested times do not affect the steps.
+/* Takes steps until one ends at or after the time t (in s), and writes the
+   state at t into x and v. The choice of t does not affect the steps.
    Returns false, with x and v unchanged, if even the shortest step that
-   changes the time exceeds the tolerance, or after too many evaluations. */
+   changes the time exceeds the tolerance, or if the limit of evaluations is
+   exceeded. */
 bool adaptive_reach(struct adaptive *s, double t, double x[], double v[]);
 
 /* Returns how many numbers adaptive_note writes. */
@@ -90,26 +93,27 @@ void adaptive_free(struct adaptive *s);
 
 enum { ADAPTIVE_DEGREE = 9 }; /* highest degree of a path */
 
-/* Takes one step of at most `most`, s. With tolerance 0 the length is dt.
-   Returns false in the same cases as adaptive_reach. */
+/* Takes one step, not longer than `most` (in s). With tolerance 0 its
+   length is dt. Returns false in the same cases as adaptive_reach. */
 bool adaptive_step(struct adaptive *s, double most);
 
-/* Writes the control points of each coordinate's path along the last step,
-   (11.8, eq:gap-control), and returns the degree of the paths. Each
-   coordinate has ADAPTIVE_DEGREE + 1 numbers in control[], m. The first
-   degree + 1 of them are used. */
+/* Writes the control points of each coordinate's path along the last step:
+   (11.8, eq:gap-control). Returns the degree d of the paths. Each
+   coordinate has ADAPTIVE_DEGREE + 1 numbers in control[] (in m), but only
+   the first d + 1 are used. */
 size_t adaptive_path(const struct adaptive *s, double control[]);
 
-/* Replaces the last step by a step of length h, s, at most as long as the
-   last step. Sets x, m, and v, m/s, to the state at its end. The error is
-   not checked. */
+/* Replaces the last step by a step of length h (in s), which must not be
+   longer. Sets x (in m) and v (in m/s) to the state at its end. Does not
+   check the error. */
 void adaptive_again(struct adaptive *s, double h, double x[], double v[]);
 
-/* Replaces the positions, m, and velocities, m/s, at the end of the last
-   step; used after a collision. */
+/* Replaces the positions (in m) and velocities (in m/s) at the end of the
+   last step, as needed after a collision. */
 void adaptive_turn(struct adaptive *s, const double x[], const double v[]);
 
-/* Writes the state at the time t, s, within the last step into x and v. */
+/* Writes the state at the time t (in s), within the last step, into x and
+   v. */
 void adaptive_look(const struct adaptive *s, double t, double x[],
                    double v[]);
 

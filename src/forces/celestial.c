@@ -22,7 +22,7 @@ static void put(struct scene *s, size_t i, double mass, double x, double y,
     s->velocity[n + i] = vy;
 }
 
-/* Subtracts from n values their mean, weighted with the masses. */
+/* Subtracts from n values their mean weighted with the masses. */
 static void balance(double value[], const double mass[], size_t n)
 {
     double sum = 0, all = 0;
@@ -77,16 +77,17 @@ static const char *build_sun_earth(struct scene *s, const double value[])
 }
 
 /* The data of a planet: the Sun's mass divided by the planet's mass, and
-   elements in AU and degrees. The mean longitude and the longitude of the
-   perihelion are measured from the equinox. */
+   orbital elements in AU and degrees. The mean longitude and the longitude
+   of perihelion are measured from the equinox. */
 struct planet {
     double sun, axis, eccentricity, inclination, longitude, perihelion,
         node;
 };
 
-/* Elements of 1 January 2000, 12 h: E. M. Standish, Keplerian elements for
-   approximate positions of the major planets (JPL), 1800 to 2050. Masses:
-   IAU 2009 system of constants. The Earth's mass includes the Moon's. */
+/* Orbital elements on 1 January 2000, 12 h: E. M. Standish, Keplerian
+   elements for approximate positions of the major planets (JPL), 1800 to
+   2050. Masses: IAU 2009 system of constants. The Earth's mass includes the
+   Moon's. */
 static const struct planet planets[] = {
     {6.0236e6, 0.38709927, 0.20563593, 7.00497902, 252.25032350,
      77.45779628, 48.33076593},
@@ -107,8 +108,8 @@ static const struct planet planets[] = {
 
 /* Puts planet number i (1 is Mercury), with this mass, at its position on 1
    January 2000 relative to the Sun at the origin. kepler_elements measures
-   the perihelion from the node and the anomaly from the perihelion, so the
-   angles are differences of the longitudes in the table. */
+   the perihelion from the node and the anomaly from the perihelion, so both
+   are differences of longitudes in the table. */
 static void put_planet(struct scene *s, size_t i, double mass)
 {
     const struct planet *p = &planets[i - 1];
@@ -146,8 +147,8 @@ static const char *build_solar_system(struct scene *s, const double value[])
     return NULL;
 }
 
-/* Kepler-16 (Doyle et al. 2011): masses of the stars, in solar masses, and
-   their separation, AU. */
+/* Kepler-16 (Doyle et al. 2011): masses of the stars (in solar masses) and
+   their separation (in AU). */
 static const double star_a = 0.6897, star_b = 0.2026, separation = 0.2243;
 
 /* Builds two stars and a planet on a circle around them. Stars on an
@@ -184,8 +185,8 @@ double celestial_choreography(size_t count)
     return sum / sqrt(2);
 }
 
-/* Builds equal bodies on a circle. The key kick displaces the first body,
-   so the bodies leave the circle sooner. */
+/* Builds equal bodies on a circle. The parameter `kick` displaces the first
+   body so that the bodies leave the circle sooner. */
 static const char *build_choreography(struct scene *s, const double value[])
 {
     const size_t count = (size_t)value[0];
@@ -276,8 +277,8 @@ static const char *build_figure_eight(struct scene *s, const double value[])
 
 /* Builds Burrau's problem with G = 1: masses of 3, 4 and 5 at rest at the
    corners of a triangle with sides of length 3, 4 and 5. Each mass is
-   opposite the side of the same number. The centre of mass is the
-   origin. */
+   opposite the side whose length is the same number. The centre of mass is
+   the origin. */
 static const char *build_pythagorean(struct scene *s, const double value[])
 {
     if (!scene_create(s, 3))
@@ -336,9 +337,9 @@ struct ring {
     int decades;
 };
 
-/* Returns the speed on a circle of radius r around the planet and its ring.
-   Returns NaN where the ring pulls outwards more than the planet pulls
-   inwards. */
+/* Returns the speed of a circular orbit of radius r around the planet and
+   its ring, or NaN if the ring pulls outwards there more than the planet
+   pulls inwards. */
 static double ring_speed(const struct ring *g, double r)
 {
     const double s = r * r + g->softening * g->softening;

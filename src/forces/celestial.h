@@ -22,9 +22,9 @@ double celestial_choreography(size_t count);
 double celestial_growth(size_t count);
 
 /* Returns the inward acceleration, with k2 = 1, due to a flat ring of this
-   mass between the radii inner and outer: (9.13, eq:disk-field). r is the
-   distance from the centre in the plane of the ring. It must differ from
-   inner and outer. */
+   mass between the radii inner and outer: (9.13, eq:disk-field). The field
+   point is in the plane of the ring, at the distance r from its centre. r
+   must differ from inner and outer. */
 double celestial_ring_pull(double mass, double inner, double outer,
                            double r);
 

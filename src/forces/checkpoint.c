@@ -12,9 +12,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* Returns false for a pipe, a terminal, and files under /dev or /proc, even
-   if the name leads to a regular file, as /dev/stdout may. Allows files in
-   the memory folder /dev/shm. */
+/* Returns false for pipes, terminals, and all files under /dev or /proc
+   except /dev/shm, even if the name leads to a regular file, as /dev/stdout
+   may. */
 bool checkpoint_possible(const char *output)
 {
     struct stat file;
@@ -58,8 +58,8 @@ static bool complain(struct checkpoint *c, const char *path,
 
 /* Reports an error in writing rows, and returns false. On a full disk part
    of a row may have been written, and the C library drops the rest. No
-   further checkpoint is then written: the previous checkpoint, if any, is
-   the last one whose rows are complete. */
+   further checkpoint is then written, so the previous checkpoint, if any,
+   remains the last one whose rows are complete. */
 static bool lose(struct checkpoint *c)
 {
     c->lost = true;
@@ -96,9 +96,10 @@ static bool name_files(struct checkpoint *c, const char *program,
                                    : complain(c, output, "no memory");
 }
 
-/* Removes the checkpoint before the rows: a checkpoint without rows would
-   be an error, but rows without a checkpoint are harmless. Also removes
-   both files if a run ends before its first checkpoint. */
+/* Removes the checkpoint before the rows, in case the program is killed in
+   between: a checkpoint without rows would be an error, but rows without a
+   checkpoint are harmless. If a run ends before its first checkpoint, its
+   rows are removed, too. */
 void checkpoint_end(struct checkpoint *c, bool keep)
 {
     const bool locked = c->locked;
@@ -114,17 +115,17 @@ void checkpoint_end(struct checkpoint *c, bool keep)
     *c = (struct checkpoint){.locked = locked};
 }
 
-/* The first lines of the two files. A file of the same name with another
-   first line is not ours and stays unchanged. */
+/* The first lines of the two files. A file of the same name that begins
+   with another line is not ours and stays unchanged. */
 static const char rows_begin[] = "# rows of step\n";
 static const char checkpoint_begins[] =
     "# a checkpoint, and a scene: --resume goes on\n";
 
 /* Opens the file of rows and locks it until the run ends. Without the lock,
    two runs that write the same table would mix their rows without an error.
-   Another run that has just ended may have removed the name after we opened
-   the file. Therefore the inodes of the open file and of the name are
-   compared. */
+   The inodes of the open file and of the name are compared because another
+   run that has just ended may have removed the name after we opened the
+   file. */
 static bool take_rows(struct checkpoint *c, int flags)
 {
     struct flock whole = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
@@ -294,9 +295,9 @@ enum { COUNTS = 3 }; /* the lines length, sum and end */
 /* The contents of the lines "#= KEY VALUE" of a checkpoint. All of them are
    checked, so an edited file is refused. */
 struct head {
-    char *line;           /* buffer of getline, of the size `room` */
+    char *line;           /* buffer of getline, `room` bytes long */
     size_t room, found;   /* found: how many numbers and counts were read */
-    bool command, end;    /* the line was found and its value is right */
+    bool command, end;    /* the line was found with the right value */
     uint64_t length, sum; /* length and checksum of the rows */
     uint64_t own;         /* checksum of the lines read so far */
 };

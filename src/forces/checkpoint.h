@@ -16,16 +16,18 @@ struct checkpoint_numbers {
     double start; /* time at the start of the run, s */
     double steps, collisions, evaluations, rows; /* counts so far */
     double energy,                               /* at the start, J */
-        depth,     /* largest depth of the potential below 0 in a row, J */
-        worst;     /* largest deviation from `energy` in a row, J */
+        depth,     /* greatest depth of the potential below 0 in any row of
+                      the table, J */
+        worst;     /* largest deviation from `energy` in any row, J */
     double passed, /* number of pairs that passed through each other */
         overlap;   /* largest overlap at the start, m */
     double last;   /* energy of the last row, J */
     double scene;  /* checkpoint_sum of the scene's file */
 };
 
-/* A run that can be resumed. FILE.rows has the rows of the unfinished
-   table, and FILE.checkpoint has the state. All members are private. */
+/* A run that can be resumed. FILE, in the following, is the name of its
+   output. FILE.rows has the rows of the unfinished table, and
+   FILE.checkpoint has the state. All members are private. */
 struct checkpoint {
     const char *program, *command;
     char *path, *rows_path;
@@ -81,8 +83,8 @@ bool checkpoint_write(struct checkpoint *c, struct motion *m,
    checksum has changed; the table must then be discarded. */
 bool checkpoint_copy(struct checkpoint *c, struct table *t);
 
-/* Closes both files. Removes them unless keep is true and another run can
-   continue from a checkpoint. */
+/* Closes both files. Removes them unless keep is true and a checkpoint
+   exists. */
 void checkpoint_end(struct checkpoint *c, bool keep);
 
 #endif

@@ -25,9 +25,9 @@ static double cosine(double x)
 }
 
 /* Returns sin(pi i r / n). The wave repeats after 2n, changes sign after n
-   and is symmetric about n/2. The angle is reduced to the first quarter of
-   the wave. A symmetric membrane is therefore exactly symmetric, and the
-   result is exactly 0 at multiples of n. */
+   and is symmetric about n/2, so the angle is reduced to the first quarter
+   of the wave. This makes a symmetric membrane exactly symmetric, and the
+   result exactly 0 at multiples of n. */
 static double sine_of_wave(size_t i, size_t r, size_t n)
 {
     const double pi = 3.141592653589793;
@@ -41,7 +41,7 @@ static double sine_of_wave(size_t i, size_t r, size_t n)
 enum { O_MASS, O_STIFFNESS, O_DAMPING, O_PLACE, O_VELOCITY, O_LENGTH };
 
 /* Builds a fixed body and a body that is free along x. The rest length of
-   the spring is their distance before the displacement. Refuses a
+   their spring is their distance before the displacement. Refuses a
    displacement beyond the fixed body, where the force would reverse. */
 static const char *oscillator(struct scene *s, const double value[])
 {
@@ -88,8 +88,9 @@ static void hang(struct scene *s, size_t i, double mass, double x, double z)
     s->freedom[s->bodies + i] = 0;
 }
 
-/* Builds a double pendulum in the plane of x and z. The rest lengths are
-   the given lengths, since the computed distances are not exact. */
+/* Builds a double pendulum in the plane of x and z. The springs get exactly
+   the lengths asked for as their rest lengths. Lengths computed from the
+   positions would contain rounding errors. */
 static const char *double_pendulum(struct scene *s, const double value[])
 {
     const double l = value[P_LENGTH];

@@ -4,7 +4,7 @@
 
 #include "scenes/gallery.h"
 
-enum { ELASTIC_SIDE = 2048 }; /* most bodies on a side of a grid */
+enum { ELASTIC_SIDE = 2048 }; /* largest side of a grid, in bodies */
 
 /* The scenes of chapter 10 are elastic_scenes in gallery.h: oscillator,
    double-pendulum, membrane and cantilever. */

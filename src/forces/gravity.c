@@ -116,8 +116,8 @@ VECTOR_AVX512 static inline void pull8(const struct gravity *g,
 
 /* Adds the accelerations of eight bodies from number i on. Each body has
    its own lane, so the order of its sum is unchanged. Lanes beyond the last
-   body are masked. The pull of a body on itself is zero. For this pair 1
-   replaces the squared softening, which may be 0. */
+   body are masked. For the pull of a body on itself, 1 replaces the squared
+   softening, which may be 0: the result is then 0 instead of 0/0. */
 VECTOR_AVX512 static void add_avx512(const struct gravity *g,
                                      const double x[], double a[], size_t i)
 {
@@ -246,10 +246,9 @@ void gravity_add(const struct gravity *g, const double x[], double a[])
 }
 
 /* Sets the accelerations to zero, then adds gravity. The zero is computed
-   so that the compiler does not recognise it. For a constant zero the
-   compiler would call memset, which stores several numbers at once. For two
-   bodies the sums load these numbers one by one, and would have to wait for
-   the stores. */
+   so that the compiler does not replace the loop by memset. memset stores
+   several numbers at once, whereas the sums for two bodies load them one by
+   one and would have to wait for its stores. */
 static void accelerate(void *what, const double x[], const double v[],
                        double a[])
 {
@@ -266,10 +265,10 @@ struct stepping_forces gravity_forces(struct gravity *g)
     return (struct stepping_forces){3 * g->bodies, false, accelerate, g};
 }
 
-/* Sums over all pairs whatever the kernel is, since a check of the tree
-   must not use the tree. For the ring of chapter 9 with theta 0.5, the
-   forces of the tree conserve the energy to 1e-8. An energy computed by the
-   tree had an error of 2e-4 that varied from row to row. */
+/* Sums over all pairs, even if the kernel is the tree, to be an independent
+   check of the tree. For the ring of chapter 9 with theta 0.5, the forces
+   of the tree conserve the energy to 1e-8. An energy computed by the tree
+   itself had an error of 2e-4, different in each row of the table. */
 double gravity_potential(const struct gravity *g, const double x[])
 {
     const size_t n = g->bodies;

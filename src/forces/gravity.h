@@ -12,32 +12,32 @@
    the tree add the terms in the same order. AVX-512 rounds differently, by
    less than 1e-14 of each term. */
 enum gravity_kernel {
-    GRAVITY_AUTO,         /* fastest kernel with the bits of portable */
+    GRAVITY_AUTO,         /* fastest kernel bit-identical to portable */
     GRAVITY_PORTABLE,     /* plain C; bit-identical on all machines */
     GRAVITY_AVX512,       /* intrinsics, for eight bodies at once */
     GRAVITY_TREE,         /* Barnes-Hut tree; needs gravity_use_tree */
-    GRAVITY_OPENCL,       /* on a device; needs `elsewhere` */
-    GRAVITY_OPENCL_FLOAT, /* on a device, in single precision */
+    GRAVITY_OPENCL,       /* on an OpenCL device; needs `elsewhere` */
+    GRAVITY_OPENCL_FLOAT, /* on an OpenCL device, in single precision */
     GRAVITY_KERNELS
 };
 
-/* The names of the kernels as values of an option; the last is NULL. */
+/* The names of the kernels as option values, followed by NULL. */
 extern const char *const gravity_kernels[];
 
 enum {
-    GRAVITY_FEW = 32,   /* most bodies for which each pair is computed only
-                           once */
+    GRAVITY_FEW = 32,   /* largest number of bodies for which each pair is
+                           computed only once */
     GRAVITY_MANY = 1000 /* fewest bodies for which threads save time */
 };
 
 struct tree;
 
-/* Bodies that attract each other. Coordinate k of body i has the index k *
-   bodies + i in an array. */
+/* Bodies that attract each other. In arrays, coordinate k of body i has the
+   index k * bodies + i. */
 struct gravity {
     size_t bodies;
     const double *mass; /* [bodies], owned by the caller */
-    double k2; /* acceleration due to mass 1, times distance squared */
+    double k2; /* acceleration due to mass 1, times squared distance */
     double softening;           /* m; 0: none */
     enum gravity_kernel kernel; /* for more than GRAVITY_FEW bodies */
     int threads;
@@ -57,14 +57,14 @@ struct gravity {
    contains the attracted body. */
 #define GRAVITY_WIDEST 0.57
 
-/* Prepares the sum over `bodies` bodies, with the kernel auto and one
-   thread. The pointer mass is kept. Always returns true. */
+/* Prepares the sum over `bodies` bodies, with the kernel GRAVITY_AUTO and
+   one thread. The pointer mass is kept. Always returns true. */
 bool gravity_create(struct gravity *g, size_t bodies, const double mass[],
                     double k2, double softening);
 
 /* Chooses the tree as the kernel. The tree treats a cell as one mass if the
-   cell's width is less than theta times its distance; theta is 0 to
-   GRAVITY_WIDEST. Returns false, with nothing changed, if memory runs
+   cell's width is less than theta times its distance. theta must be from 0
+   to GRAVITY_WIDEST. Returns false, with nothing changed, if memory runs
    out. */
 bool gravity_use_tree(struct gravity *g, double theta);
 

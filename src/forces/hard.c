@@ -73,11 +73,11 @@ static void place_in_a_row(struct scene *s, const double value[])
 
 static const double cradle_stiffness = 1e5, cradle_gravity = 9.81;
 
-/* Hangs each ball on a string, a stiff spring from a fixed body above it. A
-   ball with a velocity is instead pulled aside and starts at rest. The rest
-   length is a little less than the distance to the fixed body, so a ball
-   hanging straight down is in equilibrium. Returns false if memory runs
-   out. */
+/* Hangs each ball on a string: a stiff spring from a fixed body above it.
+   If a ball has a velocity, pulls it aside instead, so that it starts at
+   rest. The rest length is shorter than the string by the stretch due to
+   the ball's weight, so a ball hanging straight down is in equilibrium.
+   Returns false if memory runs out. */
 static bool hang(struct scene *s, size_t balls, double length)
 {
     const size_t n = s->bodies;
@@ -148,8 +148,9 @@ enum { BREAK_BALLS = 16 }; /* including body 0, the cue ball */
 static const double ball_radius = 0.028575, ball_mass = 0.17,   /* m, kg */
     cue_place = -1.27, table_length = 2.54, table_width = 1.27; /* m */
 
-/* Places the balls in a triangle with this distance between neighbours, m.
-   Displaces each ball at random by up to `jitter`, m, along x and y. */
+/* Places the balls in a triangle, with the given distance (in m) between
+   neighbours. Displaces each ball at random by up to `jitter` (in m) along
+   x and y. */
 static void rack(struct scene *s, double distance, double jitter,
                  struct random *r)
 {
@@ -224,10 +225,10 @@ static bool copy_disks(struct scene *s, const struct disks *d, double dt)
 }
 
 /* Builds a gas with the functions of chapter 5. The scene four-disks
-   therefore starts with exactly the numbers of `disks --disks 4 --radius
-   0.15 --box 1,1`, and the scene gas with those of `disks --disks 250
-   --radius 0.1 --box 7.5,5 --start random`. A heavy disk is placed first,
-   while the box is empty. It gets the kinetic energy of a light disk. */
+   therefore starts in exactly the same state as `disks --disks 4 --radius
+   0.15 --box 1,1`, and the scene gas in that of `disks --disks 250 --radius
+   0.1 --box 7.5,5 --start random`. A heavy disk is placed first, while the
+   box is empty. It gets the kinetic energy of a light disk. */
 static const char *fill_gas(struct scene *s, struct disks *d,
                             const double value[], double heavy,
                             double heavy_radius)
@@ -277,9 +278,9 @@ static const char *build_brownian(struct scene *s, const double value[])
 
 enum { LINE_BODIES, LINE_RATIO, LINE_RADIUS, LINE_SEED, LINE_DT };
 
-/* Copies the bodies of a start into a scene, from body `first` on. The
-   bodies of the start are points. Here they get a radius, as (2.2, eq:rods)
-   allows: body i is shifted to the right by 2i + 1 radii, and the right
+/* Copies the bodies of a start into a scene, beginning with body `first`.
+   The bodies of the start are points, but (2.2, eq:rods) allows giving them
+   a radius: body i is shifted to the right by 2i + 1 radii, and the right
    wall by 2n radii for n bodies. The motion is otherwise unchanged. */
 static void copy_start(struct scene *s, const struct start *start,
                        size_t first, double radius)
@@ -294,8 +295,8 @@ static void copy_start(struct scene *s, const struct start *start,
 }
 
 /* Builds a scene from a start on a line. Galperin's start has a wall on one
-   side only, but a box has walls on both sides. The wall therefore becomes
-   the first body, which is fixed. */
+   side only, but a box has walls on both sides. The first body of the
+   scene, which is fixed, therefore represents the wall. */
 static const char *build_line(struct scene *s, const double value[],
                               enum start_kind kind)
 {

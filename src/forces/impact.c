@@ -1,4 +1,4 @@
-/* Finds contacts on polynomial paths, and their times by repeated steps. */
+/* Finds contacts on polynomial paths; repeats steps to find their times. */
 #include "forces/impact.h"
 
 #include "forces/adaptive.h"
@@ -26,18 +26,20 @@ struct impact_gap {
         edge;                   /* coordinate of the body's centre at
                                    contact, m */
     double image[SPHERES_AXES]; /* shift to the nearest image of b, m */
-    double sum;                 /* of the radii of a pair, m */
+    double sum;                 /* width when closed, m: 0, or negative if
+                                   the bodies overlap initially */
     double start;               /* width when closed, m: 0, or negative
                                    for an initial overlap */
     double rounding;            /* smaller widths count as 0, m */
     double root;                /* first root, as a fraction of the part */
     bool shut;                  /* closed at the end of the part */
     bool pressed;               /* closed, at rest, and under pressure */
-    bool unclear;               /* pressed, or opens during the part */
+    bool unclear;               /* pressed, or opening and closing again
+                                   during the part */
 };
 
-/* Returns the value of coordinate c, m, at which its body touches the wall
-   on this side. */
+/* Returns the value of coordinate c (in m) at which its body touches the
+   wall on this side. */
 static double edge_of(const struct scene *s, size_t c, double side)
 {
     const size_t k = c / s->bodies;
@@ -46,7 +48,7 @@ static double edge_of(const struct scene *s, size_t c, double side)
 }
 
 /* Computes the accelerations due to all forces. A wall cancels the force on
-   a body that rests on it. If the wall would have to pull the body, its
+   a body that rests on it. If this force points away from the wall, the
    coordinate is recorded in p->lifted. */
 static void accelerate(void *what, const double x[], const double v[],
                        double a[])
@@ -61,8 +63,8 @@ static void accelerate(void *what, const double x[], const double v[],
         }
 }
 
-/* Sets *low and *high to the smallest and the largest coordinate of the
-   bodies along an axis, m. */
+/* Sets *low and *high to the smallest and the largest coordinate (in m) of
+   the bodies along an axis. */
 static void spread(const struct scene *s, size_t k, double *low,
                    double *high)
 {
@@ -101,8 +103,8 @@ static void divide_numbers(struct impact *p, size_t n)
     p->pull = p->high + n;
 }
 
-/* Replaces the forces of *s by accelerate() above, and removes its sweep,
-   which ignores walls. */
+/* Replaces the forces of *s by accelerate() above. Removes its sweep, since
+   a sweep would ignore walls. */
 bool impact_create(struct impact *p, struct spheres *spheres,
                    struct stepping *s)
 {
@@ -149,8 +151,8 @@ static bool is_wall(const struct impact_gap *g)
     return g->a == g->b;
 }
 
-/* Returns the width of a gap, m, and sets *rate to its rate of change,
-   m/s. */
+/* Returns the width of a gap (in m), and sets *rate to its rate of change
+   (in m/s). */
 static double width(const struct impact *p, const struct impact_gap *g,
                     const double x[], const double v[], double *rate)
 {
@@ -169,9 +171,10 @@ static double width(const struct impact *p, const struct impact_gap *g,
     return distance - g->sum;
 }
 
-/* Returns the possible rounding error of the rate of a gap, m/s. Two bodies
-   flying side by side do not approach each other, although their velocities
-   may differ by rounding errors. */
+/* Returns the possible rounding error of the rate of a gap (in m/s). A rate
+   within this error counts as 0: two bodies that fly side by side do not
+   approach each other, although their velocities may differ by rounding
+   errors. */
 static double rate_rounding(const struct impact *p,
                             const struct impact_gap *g, const double v[])
 {
@@ -183,9 +186,9 @@ static double rate_rounding(const struct impact *p,
     return ROUNDING * most;
 }
 
-/* Computes the control points of the path of each coordinate in a part of
-   the step of length h, s: (11.8, eq:gap-control). The paths are cubics.
-   Returns the degree. */
+/* Computes the control points of the path of each coordinate in a part, of
+   length h (in s), of the step: (11.8, eq:gap-control). The paths are
+   cubics. Returns the degree. */
 static size_t draw_cubics(struct impact *p, double h)
 {
     const struct stepping *s = p->stepping;
@@ -201,10 +204,10 @@ static size_t draw_cubics(struct impact *p, double h)
     return 3;
 }
 
-/* Computes the paths in a part of length h, s: cubics, or the polynomials
-   of an adaptive method. Also computes boxes around the paths, enlarged by
-   the radius of the body, |p->least| and an allowance for rounding
-   errors. */
+/* Computes the paths in a part of length h (in s): cubics, or the
+   polynomials of an adaptive method. Also computes boxes around the paths,
+   enlarged by the radius of the body, |p->least| and an allowance for
+   rounding errors. */
 static void draw_paths(struct impact *p, double h)
 {
     const struct stepping *s = p->stepping;
@@ -226,7 +229,7 @@ static void draw_paths(struct impact *p, double h)
     }
 }
 
-/* Computes the control points of a wall's gap. Returns the degree. */
+/* Computes the control points of the gap at a wall. Returns the degree. */
 static size_t wall_points(const struct impact *p,
                           const struct impact_gap *g, double q[])
 {
@@ -244,10 +247,10 @@ static void choose(size_t m, double c[])
         c[j + 1] = c[j] * (double)(m - j) / (double)(j + 1);
 }
 
-/* Computes the control points of the squared distance of a pair minus the
-   square of the sum of the radii. Returns the degree. The control points of
-   a product of two curves are sums of products of the curves' control
-   points, weighted with binomial coefficients. */
+/* Computes the control points of a pair's squared distance minus the
+   squared sum of the radii. Returns the degree. The control points of a
+   product of two curves are sums of products of the curves' control points,
+   weighted with binomial coefficients. */
 static size_t pair_points(const struct impact *p,
                           const struct impact_gap *g, double q[])
 {
@@ -275,10 +278,11 @@ static bool sinks(const double q[], size_t m, double below)
     return root_first(q, m, -below, ROOT_HALVINGS) <= 1;
 }
 
-/* Replaces p->least by the minimum of a curve, divided by unit, if this
-   minimum is inside the part and nearer to 0. p->least shows whether the
-   error of a path may have made or prevented a contact. A minimum that is
-   below 0 only by a rounding error is recorded as 0. */
+/* Updates p->least, the minimal width of a gap that is nearest to 0. If it
+   is small, an error of a path may have made or prevented a contact. A
+   curve counts if its minimum is inside the part; divided by `unit`, it is
+   the width. A minimum that is below 0 only by a rounding error counts as
+   0. */
 static void notice(struct impact *p, const double q[], size_t m,
                    double unit, double rounding)
 {
@@ -295,13 +299,18 @@ static void notice(struct impact *p, const double q[], size_t m,
     p->least = high < 0 && high * unit >= -2 * rounding ? 0 : high;
 }
 
-/* Finds when a gap closes in a part of length h, s. There are four cases:
-   (1) the gap is open; (2) it is closed and closing, which is a contact
-   now; (3) it is closed and opening, so the next root counts; (4) it is
-   closed and at rest. In cases 3 and 4 the gap may have no further root and
-   still be closed at the end. Then the bodies are pressed together, or a
-   body has risen and come back. Only a shorter part can show which. Bodies
-   that overlap at the beginning count as touching at their initial
+/* Finds when a gap closes in a part of length h (in s):
+
+   - A gap that is open closes at its first root.
+   - A gap that is closed and closing is a contact now.
+   - A gap that is closed and opening closes again at its next root.
+   - A gap that is closed and at rest has no root.
+
+   In the last two cases the gap may be closed at the end of the part
+   although no root was found. Then the bodies are pressed together, or a
+   body has risen and come back. Only a shorter part can show which.
+
+   Bodies that overlap at the beginning count as touching at their initial
    distance. */
 static void find_root(struct impact *p, struct impact_gap *g, double h)
 {
@@ -362,8 +371,9 @@ static void add_wall(struct impact *p, size_t k, size_t i, double side,
     double far = fmax(fabs(p->note[c]), fabs(edge)) + s->radius[i];
     if (!(out > 0 && s->freedom[c]))
         return;
-    /* For a point at a wall at 0, neither the position nor the radius is a
-       length scale. The length of the path then determines the rounding. */
+    /* For a point at a wall at 0, both the position and the radius are 0,
+       so they set no scale for rounding errors. The length of the path then
+       does. */
     const double way = p->high[c] - p->low[c];
     if (fabs(edge) + s->radius[i] <= ROUNDING * way)
         far = fmax(far, way);
@@ -377,8 +387,8 @@ static void add_wall(struct impact *p, size_t k, size_t i, double side,
             h);
 }
 
-/* Returns the shift along axis k, m, between b and the image of b that is
-   nearest to a at the beginning of the part. */
+/* Returns the shift along axis k (in m) between b and the image of b that
+   is nearest to a at the beginning of the part. */
 static double image_of(const struct impact *p, size_t k, size_t a, size_t b)
 {
     const struct scene *s = p->scene;
@@ -434,8 +444,8 @@ static void sort_along(struct impact *p)
     }
 }
 
-/* Finds pairs whose paths come near each other by a sweep along one axis,
-   as pairs.c does for positions. If all axes are periodic, the bodies
+/* Finds pairs whose paths may meet. Like pairs.c, sweeps along one axis,
+   but with paths instead of positions. If all axes are periodic, the bodies
    cannot be sorted, and every pair is examined. */
 static void add_pairs(struct impact *p, double h)
 {
@@ -483,7 +493,8 @@ static void collect_gaps(struct impact *p, double h)
         qsort(p->gap + walls, p->gaps - walls, sizeof *p->gap, in_order);
 }
 
-/* Repeats the step from the beginning of the part with the length h, s. */
+/* Repeats the step from the beginning of the part, with the length h (in
+   s). */
 static void go(struct impact *p, double h)
 {
     struct stepping *s = p->stepping;
@@ -495,8 +506,8 @@ static void go(struct impact *p, double h)
         p->end = stepping_part(s, h);
 }
 
-/* Moves to the time h, s, in the part. Returns the width of the gap minus
-   g->start, m, and sets *rate to its rate of change, m/s. */
+/* Moves to the time h (in s) in the part. Returns the width of the gap
+   minus g->start (in m), and sets *rate to its rate of change (in m/s). */
 static double try(struct impact *p, const struct impact_gap *g, double h,
                   double *rate)
 {
@@ -504,8 +515,8 @@ static double try(struct impact *p, const struct impact_gap *g, double h,
     return width(p, g, p->stepping->x, p->stepping->v, rate) - g->start;
 }
 
-/* Moves to the time *h <= most at which a gap closes, starting from the
-   guess in *h: (11.9, eq:gap-newton). Returns false if the gap does not
+/* Moves to the time *h <= most at which a gap closes: (11.9,
+   eq:gap-newton). On entry *h is a guess. Returns false if the gap does not
    close. `shut` says whether the gap is closed at the time `most`. */
 static bool close_gap(struct impact *p, const struct impact_gap *g,
                       double most, bool shut, double *h)
@@ -545,9 +556,10 @@ static struct impact_gap *first_gap(const struct impact *p)
     return first;
 }
 
-/* Returns the gap that has closed first before the time *h, or NULL if none
-   has. Sets *h to an estimate of the time at which it closed. Two roots
-   that are close together may be in the wrong order on the paths. */
+/* Returns the gap that closed first before the time *h, or NULL if none
+   did. Sets *h to an estimate of when it closed. Such a gap exists if two
+   contacts are so close in time that the paths show them in the wrong
+   order. */
 static struct impact_gap *earlier_gap(const struct impact *p, double *h)
 {
     const double now = *h;
@@ -576,8 +588,9 @@ static void abandon_step(struct impact *p, const struct impact_gap *g)
     p->end = STEPPING_STUCK;
 }
 
-/* Puts a body at rest at a wall. The velocity across the wall becomes 0,
-   and the wall then cancels the force that presses the body against it. */
+/* Puts a body at rest at a wall. The velocity perpendicular to the wall
+   becomes 0, and from now on the wall cancels the force that presses the
+   body against it. */
 static void hold(struct impact *p, const struct impact_gap *g)
 {
     const size_t c = g->axis * p->scene->bodies + g->a;
@@ -596,8 +609,8 @@ static void release(struct impact *p)
         }
 }
 
-/* Moves to the time h, s, in the part. Returns whether a wall would have to
-   pull a resting body to keep it at the wall. */
+/* Moves to the time h (in s) in the part. Returns whether the force on some
+   resting body then points away from its wall. */
 static bool lifts(struct impact *p, double h)
 {
     p->lifted = p->forces.size;
@@ -605,11 +618,11 @@ static bool lifts(struct impact *p, double h)
     return p->lifted < p->forces.size;
 }
 
-/* Moves to the time h, s, in the part and returns h. If the force on a
-   resting body reverses earlier and would lift the body, moves only to the
-   time of the reversal and returns that time. The part ends there, so no
-   step contains a kink in the forces. If the force reverses at once, the
-   body is released and the part has length 0. */
+/* Moves to the time h (in s) in the part and returns h. If the force on a
+   resting body reverses earlier and would lift the body off its wall, moves
+   only to the time of the reversal and returns that time. The part ends
+   there, so no step contains a kink in the forces. If the force reverses at
+   once, the body is released and the part has length 0. */
 static double rest(struct impact *p, double h)
 {
     enum { BITS = 52 };
@@ -630,8 +643,8 @@ static double rest(struct impact *p, double h)
     return low;
 }
 
-/* Reflects a body at a wall. Puts the body at rest there if the height to
-   which it would rise is within rounding errors: (11.10, eq:rest). */
+/* Reflects a body at a wall. If it would then rise only to a height within
+   rounding errors, puts it at rest at the wall: (11.10, eq:rest). */
 static void bounce(struct impact *p, const struct impact_gap *g)
 {
     struct stepping *s = p->stepping;
@@ -667,10 +680,10 @@ static bool settle_once(struct impact *p, uint64_t *met)
     return *met > before;
 }
 
-/* Resolves closing contacts repeatedly, since one collision may cause
-   another at the same time, as in a row of touching balls. First puts each
-   body that is pressed against a wall at rest there. If two bodies are
-   pressed together, the step is abandoned. */
+/* Resolves closing contacts until none is left, since one collision may
+   cause another at the same time, as in a row of touching balls. Before
+   that, puts each body that is pressed against a wall at rest there. If two
+   bodies are pressed together, abandons the step. */
 static void settle(struct impact *p, uint64_t *met)
 {
     uint64_t now = 0;
@@ -691,10 +704,10 @@ static void settle(struct impact *p, uint64_t *met)
         stepping_disturb(p->stepping);
 }
 
-/* Moves to the first contact of the part, sets *h to its time, s, and
+/* Moves to the first contact of the part, sets *h to its time (in s), and
    returns true. If there is no contact, moves to the end of the part and
-   returns false. If the method does not confirm a contact of the paths, the
-   next contact is tried. */
+   returns false. Skips contacts that occur on the polynomial paths but are
+   not confirmed when the method itself moves the bodies. */
 static bool find_contact(struct impact *p, double *h)
 {
     const double most = *h;
@@ -744,10 +757,11 @@ static bool is_unclear(struct impact *p, bool last)
     return unclear && !last && p->end == STEPPING_DONE;
 }
 
-/* Takes the rest of a step, or its part before the first contact. Returns
-   the length of the part, s. An unclear part is halved up to ROOT_HALVINGS
-   times. A body that does not rise in the shortest part counts as
-   pressed. */
+/* Advances by the rest of the step, or by the part before the first
+   contact, and returns the time advanced (in s). While it is unclear
+   whether bodies are pressed together, the part is halved, up to
+   ROOT_HALVINGS times. A body that does not rise even in the shortest part
+   is treated as pressed. */
 static double take_part(struct impact *p, double left, uint64_t *met)
 {
     double h = left;
@@ -764,11 +778,11 @@ static double take_part(struct impact *p, double left, uint64_t *met)
     return h;
 }
 
-/* Returns the longest distance, m, that a body may move in a step of an
+/* Returns the longest distance (in m) that a body may move in a step of an
    adaptive method. The last digits of the polynomials must distinguish a
-   contact from a near miss. So no body may cross the scene or move by more
-   than 2^14 times the smallest radius, and two bodies must approach each
-   other by less than half a periodic box. */
+   contact from a near miss. Therefore no body may cross the whole scene or
+   move by more than 2^14 times the smallest radius, and two bodies must
+   approach each other by less than half a periodic box. */
 static double longest_way(const struct impact *p)
 {
     const struct scene *s = p->scene;
@@ -790,8 +804,9 @@ static double longest_way(const struct impact *p)
     return wide > 0 ? fmin(way, wide) : way;
 }
 
-/* Returns the time, s, in which the fastest body, or a body accelerated
-   from rest, moves by longest_way. */
+/* Returns the time (in s) in which the fastest body would move by
+   longest_way. If the body with the largest acceleration would do so
+   earlier, starting from rest, returns that time instead. */
 static double longest_step(const struct impact *p)
 {
     const struct adaptive *own = p->stepping->own;
@@ -808,8 +823,9 @@ static double longest_step(const struct impact *p)
     return h;
 }
 
-/* Takes a step whose length the method chooses, and searches it for
-   contacts. The step ends at the first contact, which is resolved later. */
+/* Takes a step whose length the adaptive method chooses, and searches it
+   for contacts. The step ends at the first contact, which is resolved
+   later. */
 static void take_own(struct impact *p)
 {
     struct stepping *s = p->stepping;
@@ -847,10 +863,10 @@ static void turn_own(struct impact *p, uint64_t *met)
     p->waiting = false;
 }
 
-/* Takes a step of impact_step by an adaptive method. Such a method runs
-   ahead of the requested times, which must not change its steps. So the
-   method's own steps are searched for contacts and end at them. A contact
-   is resolved when a later time is requested. */
+/* Does the work of impact_step for an adaptive method. The method chooses
+   its steps, which usually end beyond the requested time and must not
+   depend on it. These steps are searched for contacts and end at them. A
+   contact is resolved when a later time is requested. */
 static enum stepping_end reach_look(struct impact *p, uint64_t *met)
 {
     struct stepping *s = p->stepping;

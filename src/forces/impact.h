@@ -12,15 +12,16 @@
 /* The contacts of a run. The counts may be read and set to 0. */
 struct impact {
     uint64_t simultaneous; /* contacts at the same time as an earlier one */
-    uint64_t grazing;      /* contacts on paths that the method did not
-                              confirm */
-    double least;          /* the minimal width of a gap that is nearest to
-                              0, m; to be set first to the largest one that
+    uint64_t grazing;      /* contacts found on paths but not confirmed by
+                              the method */
+    double least;          /* minimal width of a gap that is nearest to 0,
+                              m; to be set first to the largest width that
                               counts; 0: not searched for */
     uint64_t parts;        /* parts of steps searched for contacts */
     uint64_t pairs;        /* pairs examined in these parts */
-    uint64_t curves;       /* number of terms of all gaps followed: control
-                              points, or products of two */
+    uint64_t curves;       /* cost of all gaps: number of control points (at
+                              walls) or of products of two control points
+                              (pairs) */
     uint64_t roots;        /* the same for gaps with a root */
     size_t resting;        /* number of coordinates now held by walls */
     bool crowded;          /* the last step was abandoned: too many
@@ -35,7 +36,7 @@ struct impact {
     enum stepping_end end;         /* result of the step so far */
     signed char *held;   /* [3 * bodies] side of the wall on which the body
                             rests, -1 or 1; 0: none */
-    size_t lifted;       /* coordinate that a wall would have to pull */
+    size_t lifted;       /* coordinate that is pulled off its wall */
     double *note;        /* state of the stepping at the start of the
                             part */
     double *control;     /* [3 * bodies][10] control points, m */

@@ -13,7 +13,7 @@
 struct jacobi {
     size_t bodies;
     double k2;
-    const double *mass; /* [bodies], the caller's; the first is not 0 */
+    const double *mass; /* [bodies], owned by the caller; mass[0] is not 0 */
     double *fraction,   /* [bodies] m_i / M_i, where M_i is the total
                            mass of bodies 0 to i */
         *mu;            /* [bodies] k2 M_i */
@@ -32,19 +32,20 @@ bool jacobi_create(struct jacobi *j, size_t bodies, const double mass[],
 /* Frees what jacobi_create allocated. */
 void jacobi_free(struct jacobi *j);
 
-/* Transforms positions, velocities or accelerations into Jacobi's
+/* Transforms positions, velocities or accelerations into Jacobi
    coordinates: (9.9, eq:jacobi). The first of these is the centre of mass
    of all bodies. x and q may be the same array. */
 void jacobi_enter(const struct jacobi *j, const double x[], double q[]);
 
-/* Transforms Jacobi's coordinates back. q and x may be the same array. */
+/* Converts the Jacobi coordinates q back to Cartesian ones, x. q and x may
+   be the same array. */
 void jacobi_leave(const struct jacobi *j, const double q[], double x[]);
 
 /* Returns the forces that perturb the ellipses, for stepping_begin: (9.10,
    eq:wisdom-holman). j must outlive the forces. */
 struct stepping_forces jacobi_forces(struct jacobi *j);
 
-/* Moves the bodies along their ellipses by the time dt, s. This is the
+/* Moves the bodies along their ellipses by the time dt (in s). This is the
    stepping_flow for jacobi_forces, and `what` is the struct jacobi. The
    position of a body on an open orbit becomes NaN. */
 void jacobi_flow(void *what, double dt, double x[], double v[]);

@@ -1,5 +1,5 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 14375261 of the lines below */
+/* checksum 2314955046 of the lines below */
 /* Solves Kepler's equation and moves a body along its ellipse. */
 #include "forces/kepler.h"
 
@@ -70,10 +70,10 @@ void kepler_turn(double angle, double *cosine, double *sine)
 }
 
 /* Rotates x by an angle in the plane of the axes `from` and `to`. The minus
-   sign has its own variable, because gcc 12 with -march=native otherwise
-   makes one of the two lines a fused multiply-add, although
-   -ffp-contract=off forbids that. The bits of the scenes would then depend
-   on the build. */
+   sign has its own variable because gcc 12 with -march=native would
+   otherwise make one of the two lines a fused multiply-add, despite
+   -ffp-contract=off. The bits of the scenes would then depend on the
+   build. */
 static void turn(double x[], int from, int to, double angle)
 {
     double c, s;

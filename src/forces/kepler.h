@@ -15,28 +15,29 @@ struct kepler_elements {
     double mean_anomaly;
 };
 
-/* Computes the semi-major axis, m, and the eccentricity of the orbit
+/* Computes the semi-major axis (in m) and the eccentricity of the orbit
    through x[3] with the velocity v[3]: (9.3, eq:vis-viva). The axis of an
    open orbit is INFINITY or negative. */
 void kepler_shape(double mu, const double x[], const double v[],
                   double *axis, double *eccentricity);
 
-/* Moves x[3] and v[3] along their ellipse by the time t, s, in closed form:
-   (9.6, eq:gauss). t may be negative. If the orbit is open, x[0] becomes
-   NaN. */
+/* Moves x[3] and v[3] along their ellipse by the time t (in s), which may
+   be negative: (9.6, eq:gauss), a closed form. If the orbit is open, x[0]
+   becomes NaN. */
 void kepler_move(double mu, double t, double x[], double v[]);
 
-/* Computes the cosine and the sine of an angle of at most 1e5 rad in size.
-   The error is below 2e-16, and the bits are the same on every machine. */
+/* Computes the cosine and the sine of an angle from -1e5 to 1e5 rad. The
+   error is below 2e-16, and the bits are the same on every machine. */
 void kepler_turn(double angle, double *cosine, double *sine);
 
-/* Returns the eccentric anomaly E, rad, which solves E - e sin E = M for 0
-   <= e < 1: (9.4, eq:kepler). The mean anomaly M is at most 1e5 in size. */
+/* Returns the eccentric anomaly E (in rad), which solves E - e sin E = M
+   for 0 <= e < 1: (9.4, eq:kepler). The mean anomaly M is from -1e5 to
+   1e5. */
 double kepler_anomaly(double eccentricity, double mean_anomaly);
 
-/* Computes the position x[3], m, and the velocity v[3], m/s, of one of two
-   bodies relative to the other: (9.5, eq:kepler-place). mu is k2 times the
-   sum of the two masses. */
+/* Computes the position x[3] (in m) and the velocity v[3] (in m/s) of one
+   of two bodies relative to the other: (9.5, eq:kepler-place). mu is k2
+   times the sum of the two masses. */
 void kepler_place(double mu, const struct kepler_elements *o, double x[],
                   double v[]);
 

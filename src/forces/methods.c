@@ -16,7 +16,7 @@ static const double yoshida4[] = {1.3512071919596576340476878,
                                   -1.7024143839193152680953756,
                                   1.3512071919596576340476878};
 
-/* Solution A of Yoshida (1990), with the digits of Hairer, Lubich and
+/* Solution A of Yoshida (1990), with the digits given by Hairer, Lubich and
    Wanner (2006). */
 static const double yoshida6[] = {
     0.78451361047755726381949763,  0.23557321335935813368479318,
@@ -63,12 +63,12 @@ static const double gauss4_a[] = {0.25, 0.25 - ROOT, 0.25 + ROOT, 0.25};
 static const double gauss4_b[] = {0.5, 0.5};
 static const double midpoint_a[] = {0.5}, midpoint_b[] = {1};
 
-/* The pair of Dormand and Prince (1980), as printed by Hairer, Norsett and
-   Wanner. The last stage has the weights of order 5. dopri5_error has the
-   differences between these weights and the weights of order 4, and
-   dopri5_dense has Shampine's weights for dense output. A test checks the
-   seventeen conditions of order 5 and the eight conditions of the dense
-   weights. */
+/* The embedded pair of Dormand and Prince (1980), as printed by Hairer,
+   Norsett and Wanner. The last stage has the weights of order 5.
+   dopri5_error is the difference between these weights and those of order
+   4, and dopri5_dense has Shampine's weights for dense output. A test
+   checks the seventeen conditions of order 5 and the eight conditions of
+   the dense weights. */
 static const double dopri5_a[] = {
     /* stage 1 */
     0, 0, 0, 0, 0, 0, 0,
@@ -102,12 +102,13 @@ static const double radau15_node[] = {
     0.73421017721541053152321061,  0.88532094683909576809035976,
     0.9775206135612875018911745};
 /* The weights that give v and x at the end of a step. They multiply the
-   difference between the force at a node and the force at the start. For
-   each of the seven nodes the weight for v is followed by the weight for x.
+   difference between the force at a node and the force at the start. Each
+   of the seven nodes has two lines, for v and for x.
+
    Each weight is the sum of two doubles. The rounding error of a single
    double would be the same in all steps and visible in the energy after 1e5
-   steps. The weights are computed for the rounded nodes. Together with the
-   force at the start they integrate t^0 to t^7 exactly. */
+   steps. The weights are computed for the rounded nodes: together with the
+   force at the start, they integrate t^0 to t^7 exactly. */
 static const double radau15_weight[] = {
     0.092679077401489687,  -6.9250597277834874e-19,
     0.08746471519868225,   1.2569814901812666e-18,

@@ -1,5 +1,5 @@
 /* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 48910316 of the lines below */
+/* checksum 3284924019 of the lines below */
 /* Finds normal modes: Jacobi rotations diagonalise the stiffness matrix. */
 #include "forces/modes.h"
 
@@ -58,8 +58,9 @@ static void stiffness_of(const struct springs *p,
                 (a == b ? across : 0);
 }
 
-/* Adds the stiffness of one spring to the matrix. place[c] - 1 is the row
-   of coordinate c. For a fixed coordinate place[c] is 0. */
+/* Adds the stiffness of one spring to the matrix. The row of coordinate c
+   is place[c] - 1. For a fixed coordinate, which has no row, place[c] is
+   0. */
 static void add_spring(const struct springs *p,
                        const struct scene_spring *s, const double x[],
                        const size_t place[], size_t size, double matrix[])

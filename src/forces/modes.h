@@ -18,16 +18,17 @@ struct modes {
 };
 
 /* Finds the modes about the equilibrium x: (10.10, eq:spring-stiffness).
-   Only the springs count, without dashpots. The computing time grows as
-   size^3. Returns false, with nothing to free, if memory runs out. */
+   Takes only springs into account, without dashpots. The computing time
+   grows as size^3. Returns false, with nothing to free, if memory runs
+   out. */
 bool modes_find(struct modes *m, const struct springs *p, const double x[]);
 
 /* Frees the modes and makes *m empty. */
 void modes_free(struct modes *m);
 
-/* Writes into u the static displacements of the bodies, m, under the
-   accelerations a, m/s^2, in linear theory. Omits modes whose squared
-   frequency is below `least`. u and a have the order of x. */
+/* Computes the static displacements u (in m) due to the accelerations a (in
+   m/s^2) in linear theory. Omits modes whose squared frequency is below
+   `least`. u and a are arranged as x. */
 void modes_deflection(const struct modes *m, double least, const double a[],
                       double u[]);
 

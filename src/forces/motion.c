@@ -20,7 +20,7 @@ static void add_friction(const struct scene *s, const double v[],
 
 /* Writes the accelerations of all bodies into a: (11.14, eq:motion).
    Uniform gravity comes first, because it overwrites a; all other forces
-   are added. At the end the accelerations of fixed coordinates become
+   are added. At the end the accelerations of fixed coordinates are set to
    zero. */
 static void accelerate(void *what, const double x[], const double v[],
                        double a[])
@@ -42,7 +42,7 @@ static void accelerate(void *what, const double x[], const double v[],
         a[m->held[j]] = 0;
 }
 
-/* A stepping_sweep for a motion for which are_two is true. */
+/* A stepping_sweep for motions for which are_two returns true. */
 static void sweep_two(void *what, const double x[], const double v[],
                       double a[], const struct stepping_ahead *ahead,
                       uint64_t steps)
@@ -63,9 +63,8 @@ static bool are_two(const struct motion *m, bool damped)
            !damped;
 }
 
-/* Creates the modules that the scene needs: gravity only if it has a line
-   k2, contacts only if it has a line contact. Returns false if memory runs
-   out. motion_end then frees the modules. */
+/* Creates the modules that the scene needs. Returns false if memory runs
+   out; motion_end then frees the modules. */
 static bool make_parts(struct motion *m)
 {
     const struct scene *s = m->scene;
@@ -83,7 +82,7 @@ static bool make_parts(struct motion *m)
 }
 
 /* Lists the fixed coordinates and sets their velocities to 0, whatever the
-   line vel says. Otherwise these coordinates would move uniformly. Returns
+   scene says. Otherwise these coordinates would move uniformly. Returns
    false if memory runs out. */
 static bool hold_coordinates(struct motion *m)
 {
@@ -97,14 +96,15 @@ static bool hold_coordinates(struct motion *m)
     return m->held != NULL;
 }
 
-/* Returns the acceleration that an earlier run saved in the scene (lines
-   kept), or NULL if the method cannot use it. Only leapfrog with friction
-   uses it; all other methods need only positions and velocities. The
-   acceleration was computed for the velocity predicted over the step of the
-   earlier run, the scene's line dt. A run with another step must not use
-   it: each step would begin with an error proportional to dt. Halving dt
-   repeatedly from a saved scene would then halve the error each time,
-   instead of dividing it by four. */
+/* Returns the acceleration that an earlier run saved in the scene (as its
+   lines `kept`), or NULL if the method cannot use it. Only leapfrog with
+   friction uses it; all other methods need only positions and velocities.
+
+   The earlier run computed the acceleration for a velocity predicted over
+   its own step, which is dt of the scene. A run with another step must not
+   use it, since each such run would begin with an error proportional to dt.
+   Halving dt repeatedly, always from the same saved scene, would then only
+   halve the error each time instead of dividing it by four. */
 static const double *find_kept(const struct motion *m)
 {
     const bool same_step = m->stepping.dt == m->scene->dt;
@@ -132,8 +132,9 @@ static bool accelerates(const struct motion *m)
 }
 
 /* Sets the time step for contacts that are resolved after steps. Bodies are
-   traced back by at most dt. Pairs that have passed through each other are
-   sought only as far apart as bodies can move in dt. */
+   traced back by at most this time. Pairs that have passed through each
+   other are sought only within the distance that bodies can move in this
+   time. */
 static void set_dt_of_contacts(struct motion *m, double dt)
 {
     m->spheres.dt = dt;
@@ -143,11 +144,13 @@ static void set_dt_of_contacts(struct motion *m, double dt)
 
 /* Begins stepping. Returns false if memory runs out. If only springs act,
    their module also computes uniform gravity and friction, in one sweep
-   over the bodies. Sums are compensated if an earlier run saved their
-   rounding errors (lines carry), and for methods of order six or more,
-   whose truncation error is less than the rounding error. Sums are never
-   compensated for adaptive methods. The caller may change this before the
-   first step. */
+   over the bodies.
+
+   Sums are compensated if an earlier run saved their rounding errors (as
+   lines `carry` of the scene), and for methods of order six or more, whose
+   truncation error is less than the rounding error. They are never
+   compensated for adaptive methods. The caller may change s->compensated
+   before the first step. */
 static bool begin_stepping(struct motion *m,
                            const struct stepping_method *method, double dt)
 {
@@ -189,8 +192,8 @@ static bool is_massless(const struct scene *s, size_t i)
 
 /* Returns a free body without mass on which a force acts, or the number of
    bodies if there is none. A spring, friction or a contact would accelerate
-   the body infinitely. Gravity may act on it, since that acceleration does
-   not depend on the mass. Friction and contacts act on all bodies. */
+   such a body infinitely; friction and contacts act on all bodies. Gravity
+   may act on it, since that acceleration does not depend on the mass. */
 static size_t find_massless(const struct scene *s)
 {
     const bool all = s->damping > 0 || s->contact;
@@ -208,7 +211,7 @@ static size_t find_massless(const struct scene *s)
 
 /* Returns a body that is wider than the box along an axis along which it
    may move, or the number of bodies if there is none. Two opposite walls
-   would push such a body at the same time, without end. */
+   would push such a body simultaneously, without end. */
 static size_t find_thick(const struct scene *s)
 {
     for (size_t c = 0; s->contact && c < SCENE_AXES * s->bodies; ++c) {
@@ -243,11 +246,11 @@ static bool is_sprung(const struct scene *s, size_t i)
     return false;
 }
 
-/* Returns the first of several bodies without radius if all bodies lie on
-   one line, one of these points may move, and one is not on a spring.
-   Otherwise returns the number of bodies. Such points would collide, and
-   steps cannot detect these collisions. Points joined by springs are
-   usually meant to pass through each other. */
+/* Returns the first point (body without radius) if points could collide,
+   otherwise the number of bodies. Steps cannot detect such collisions.
+   Points can collide if all bodies of the scene lie on one line and a point
+   may move along it. But if all points are joined to springs, they are
+   usually meant to pass through each other, and nothing is reported. */
 static size_t find_point(const struct scene *s)
 {
     size_t axis = SCENE_AXES, axes = 0, points = 0, free = 0, loose = 0;
@@ -454,9 +457,9 @@ void motion_resume(struct motion *m, double start, uint64_t steps)
 }
 
 /* Keeps the compensated sums, but restarts the method with the new step:
-   the acceleration that leapfrog stores belongs to steps of one length (see
-   find_kept). For an adaptive method (adaptive.c) only the output times
-   become closer. */
+   the acceleration that leapfrog stores belongs to one length of step (see
+   find_kept). The steps of an adaptive method do not change, only the times
+   of output. */
 bool motion_shorten(struct motion *m, double dt)
 {
     struct stepping old = m->stepping, *s = &m->stepping;
@@ -493,14 +496,15 @@ static bool note(double **to, const double from[], size_t n)
     return !*to == !from;
 }
 
-/* Stores the rounding errors of compensated sums, too. Each is less than
+/* Also stores the rounding errors of compensated sums. Each is less than
    the last digit, but without them a resumed run differs after a thousand
    steps. Also stores the acceleration that leapfrog keeps, except after a
-   contact, when an uninterrupted run computes a new one, too. The times in
-   the first column of a resumed run may differ in their last digits from
-   the times of an uninterrupted run. They are t0 + n dt, and t0 becomes the
-   time of the saved scene. The motion does not depend on these times. A
-   checkpoint stores t0 and n, and so reproduces them. */
+   contact, when an uninterrupted run computes a new one, too.
+
+   The times in the first column of a resumed run may differ in their last
+   digits from those of an uninterrupted run, without effect on the motion.
+   They are t0 + n dt, where t0 is the time of the saved scene. A checkpoint
+   stores the original t0 and n, and so reproduces the times. */
 bool motion_note(struct motion *m)
 {
     struct scene *s = m->scene;
@@ -513,8 +517,8 @@ bool motion_note(struct motion *m)
            note(&s->kept, keeps ? p->acceleration : NULL, 3 * s->bodies);
 }
 
-/* Returns the potential energy in uniform gravity, J, summed over the free
-   coordinates only. Fixed coordinates would add a constant. */
+/* Returns the potential energy in uniform gravity (in J), summed over the
+   free coordinates only. Fixed coordinates would add a constant. */
 static double weight_energy(const struct scene *s)
 {
     const size_t n = s->bodies;

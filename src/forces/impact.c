@@ -26,10 +26,9 @@ struct impact_gap {
         edge;                   /* coordinate of the body's centre at
                                    contact, m */
     double image[SPHERES_AXES]; /* shift to the nearest image of b, m */
-    double sum;                 /* width when closed, m: 0, or negative if
-                                   the bodies overlap initially */
+    double sum;                 /* of the radii of a pair, m */
     double start;               /* width when closed, m: 0, or negative
-                                   for an initial overlap */
+                                   if the bodies overlap initially */
     double rounding;            /* smaller widths count as 0, m */
     double root;                /* first root, as a fraction of the part */
     bool shut;                  /* closed at the end of the part */

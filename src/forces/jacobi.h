@@ -13,7 +13,8 @@
 struct jacobi {
     size_t bodies;
     double k2;
-    const double *mass; /* [bodies], owned by the caller; mass[0] is not 0 */
+    const double *mass; /* [bodies], owned by the caller; the mass of body 0
+                           is not 0 */
     double *fraction,   /* [bodies] m_i / M_i, where M_i is the total
                            mass of bodies 0 to i */
         *mu;            /* [bodies] k2 M_i */

@@ -31,7 +31,7 @@ struct motion {
     uint64_t collisions; /* so far, between bodies and with walls */
     size_t *held, fixed; /* held[fixed] lists the fixed coordinates */
     /* NULL, or a function that replaces the method. It moves x and v by the
-       time dt, s, and returns false if it fails. It serves integrators
+       time dt (in s), and returns false if it fails. It serves integrators
        outside forces/stepping.h, such as forces/reference.h. */
     bool (*outside)(void *with, double dt, double x[], double v[]);
     void *with;
@@ -53,16 +53,16 @@ enum motion_flaw {
     MOTION_THICK
 };
 
-/* Prepares to step s, which must outlive m. Velocities along fixed
-   coordinates become zero. If dt is 0, uses the scene's step. Sums are
+/* Prepares to step s, which must outlive m. Sets velocities along fixed
+   coordinates to zero. If dt is 0, uses the scene's step. Sums are
    compensated for methods of order six or more. On failure prints an error
    that begins with `program`, and returns false with nothing to free. */
 bool motion_begin(struct motion *m, const char *program, struct scene *s,
                   const char *method, double dt);
 
-/* Prepares m, as motion_begin does, but only to compute the energy of a
-   scene that an event-driven engine moves. Bodies without radius may lie on
-   one line. */
+/* Prepares m only for computing the energy of a scene that an event-driven
+   engine moves. Otherwise like motion_begin, but allows bodies without
+   radius that lie on one line. */
 bool motion_view(struct motion *m, const char *program, struct scene *s);
 void motion_end(struct motion *m);
 
@@ -78,18 +78,18 @@ bool motion_locate(struct motion *m);
 enum stepping_end motion_run(struct motion *m, uint64_t steps);
 double motion_time(const struct motion *m); /* current time, s */
 
-/* Sets the length of the following steps to dt, s, and their count to 0.
-   Returns false, with m unchanged, if memory runs out. */
+/* Sets the length of the following steps to dt (in s) and resets their
+   count to 0. Returns false, with m unchanged, if memory runs out. */
 bool motion_shorten(struct motion *m, double dt);
 
-/* Sets m, before its first step, to the time of a run that began at start,
-   s, and has taken `steps` steps. */
+/* Sets m, before its first step, to the time of a run that began at the
+   time start (in s) and has taken `steps` steps. */
 void motion_resume(struct motion *m, double start, uint64_t steps);
 
 /* Stores in the scene the time, the initial step, the rounding errors and
-   the acceleration kept by the method. A run with this method from a file
-   of scene_write then continues bit for bit. Returns false if memory runs
-   out. */
+   the acceleration kept by the method. A run with the same method, from a
+   file written by scene_write, then continues with identical bits. Returns
+   false if memory runs out. */
 bool motion_note(struct motion *m);
 
 /* Return the parts of the current energy, the kinetic energy and the
@@ -99,13 +99,17 @@ struct motion_energy motion_energy(const struct motion *m);
 double motion_kinetic(const struct motion *m);
 double motion_potential(const struct motion *m);
 
-/* Returns why s cannot be stepped, or MOTION_WELL if it can. MOTION_WALLS:
-   the scene has walls but no contact. MOTION_RESTITUTION: it has a
-   restitution, but its contacts are springs, which have their own
-   restitution. The other flaws set *body, unless body is NULL.
-   MOTION_MASSLESS: a force acts on a body without mass. MOTION_POINTS: a
-   body without a radius shares a line with another; steps cannot detect
-   their collisions. MOTION_THICK: a body is wider than the box. */
+/* Returns why s cannot be stepped, or MOTION_WELL if it can.
+
+   - MOTION_WALLS: the scene has walls but no contact.
+   - MOTION_RESTITUTION: it has a restitution, but its contacts are springs,
+     which have their own restitution.
+   - MOTION_MASSLESS: a force acts on a body without mass.
+   - MOTION_POINTS: a body without a radius shares a line with another;
+     steps cannot detect their collisions.
+   - MOTION_THICK: a body is wider than the box.
+
+   The last three set *body, unless body is NULL. */
 enum motion_flaw motion_flaw(const struct scene *s, size_t *body);
 
 /* Returns the contacts that are resolved after steps, or NULL. */

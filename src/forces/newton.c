@@ -32,8 +32,8 @@ static bool prepare(struct stepping *s)
 }
 
 /* Exchanges row k with the row, from k on, that has the largest absolute
-   value in column k. Elimination then never divides by a needlessly small
-   number. Returns the index of that row. */
+   value in column k, so that elimination never divides by a needlessly
+   small number. Returns the index of that row. */
 static size_t fetch_pivot(double m[], size_t n, size_t k)
 {
     size_t best = k;
@@ -85,9 +85,9 @@ static void substitute(const double m[], size_t n, const size_t row[],
 }
 
 /* Subtracts from the matrix the derivatives of the accelerations at stage i
-   with respect to coordinate k or to its velocity. d is the displacement of
-   that coordinate or velocity. by[i * stages + j] is the weight of the
-   acceleration of stage j in that coordinate or velocity. */
+   with respect to q, which is coordinate k or its velocity. q has been
+   displaced by d. by[i * stages + j] is the weight of the acceleration of
+   stage j in q. */
 static void add_slope(struct stepping *s, size_t i, size_t k,
                       const double by[], double d)
 {
@@ -123,9 +123,9 @@ static void displace(struct stepping *s, size_t i, size_t k, double dx)
 
 /* Computes the matrix of Newton's method, (8.12, eq:newton), at the current
    stages, and factors it. The displacements are 2^-26 of the size of the
-   system, about the square root of the rounding error, so the derivatives
-   have half of the digits. This suffices because the matrix affects only
-   the speed of convergence. */
+   system, about the square root of the rounding error. Half of the digits
+   of the derivatives are then correct. This suffices because the matrix
+   affects only the speed of convergence. */
 static bool linearize(struct stepping *s)
 {
     struct stepping_work *const w = s->part;
@@ -159,11 +159,14 @@ static double correct(struct stepping *s)
 }
 
 /* Keeps the matrix as long as each correction is less than a tenth of the
-   previous one. Corrections that have stopped decreasing are rounding
-   errors. Where forces cancel, as near an equilibrium, the size of the
-   accelerations does not show these errors. An error of eps |x| in the
-   positions changes the solution by up to J eps |x|/(1 + J dt^2/12), where
-   J is the stiffness per mass. This is less than 12 eps |x|/dt^2. */
+   previous one. The solution is accepted once corrections have stopped
+   decreasing and are as small as rounding errors.
+
+   `rounding` bounds these errors where forces cancel, as near an
+   equilibrium, so that the accelerations themselves are no measure of them.
+   An error of eps |x| in the positions changes the solution by up to J eps
+   |x|/(1 + J dt^2/12), where J is the stiffness per mass. This is less than
+   12 eps |x|/dt^2. */
 bool newton_solve(struct stepping *s)
 {
     double last = INFINITY, change = INFINITY;

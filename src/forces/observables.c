@@ -104,9 +104,9 @@ static bool keeps_momentum(const struct scene *s, size_t k)
 }
 
 /* Returns the kinetic energy of the motion along axis k. If the momentum is
-   conserved, the velocities are relative to the centre of mass. The
-   momentum is summed relative to body 0, so equal velocities give an energy
-   of exactly 0. */
+   conserved, uses the velocities relative to the centre of mass. The
+   momentum is summed relative to body 0, so that equal velocities give an
+   energy of exactly 0. */
 static double heat_along(const struct scene *s, size_t k)
 {
     const double *v = s->velocity + k * s->bodies;
@@ -122,14 +122,17 @@ static double heat_along(const struct scene *s, size_t k)
     return energy;
 }
 
-/* Computes kT from equipartition: each free coordinate has the mean kinetic
-   energy kT/2, also with springs. Along axes with conserved momentum only
-   the motion relative to the centre of mass counts. The energy is divided
-   by the number of all free coordinates, so a scene without drift keeps its
-   kT. In a gas of N bodies in a periodic box, there are only N - 1 relative
-   velocities along each axis, and kT should be larger by the factor N/(N -
-   1). A drift is ignored if its energy is less than the rounding error of
-   the sum. */
+/* Computes kT from equipartition: the mean kinetic energy of each free
+   coordinate is kT/2, also with springs.
+
+   Along axes with conserved momentum only the motion relative to the centre
+   of mass counts. The energy is still divided by the number of all free
+   coordinates, so a scene without drift keeps its kT. In a periodic box
+   with N bodies, which have only N - 1 relative velocities along each axis,
+   kT should therefore be larger by the factor N/(N - 1).
+
+   A drift is ignored if its energy is less than the rounding error of the
+   sum. */
 static void temperature(const struct motion *m, const size_t body[],
                         double out[])
 {
@@ -174,8 +177,7 @@ static void distance(const struct motion *m, const size_t body[],
    computes its columns. */
 struct observables_kind {
     const char *name;
-    size_t bodies, width; /* numbers of arguments, which are bodies, and of
-                             columns */
+    size_t bodies, width; /* numbers of arguments (bodies) and of columns */
     const char *symbols, *unit, *meaning; /* symbols: one for each column,
                                              separated by spaces */
     void (*values)(const struct motion *m, const size_t body[],
@@ -280,8 +282,8 @@ bool observables_read(struct observables *o, const char *text,
     }
 }
 
-/* Writes the symbol of column k with the numbers of its bodies, as in z:30.
-   `make inspect` labels the axes of its plots with this symbol. */
+/* Writes the symbol of column k, followed by the numbers of its bodies, as
+   in z:30. `make inspect` labels the axes of its plots with this symbol. */
 static void symbol_of(const struct observable *o, size_t k, char *symbol,
                       size_t size)
 {

@@ -8,19 +8,22 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The library is loaded only when a run requests it. The kit is therefore
-   built in the same way everywhere, without OpenCL's headers. There is no
-   silent fallback: a requested device is used, or an error says why not.
+/* The library is loaded only when a run requests it, so the kit is built in
+   the same way everywhere, without OpenCL's headers. There is no silent
+   fallback: a requested device is used, or an error says why not.
+
    Speeds were measured without a graphics card, with pocl 3.1 on the
    processor and 3073 bodies. In 1e9 ordered pairs per second of processor
    time they are 0.71 for the portable kernel, 0.69 for opencl and 2.2 for
    opencl-float. The accelerations of opencl-float have a root mean square
-   error of 6e-7. There are two ways because OPENCL_TILES, which is meant
-   for cards, reaches only 0.34 and 0.30 on the processor. Neither way has
-   been run on a card. */
+   error of 6e-7.
+
+   On the processor, OPENCL_TILES reaches only 0.34 (opencl) and 0.30
+   (opencl-float). It is meant for graphics cards, but neither OPENCL_TILES
+   nor OPENCL_BLOCKS has been run on a card. */
 
 /* The part of OpenCL's header that is used here, according to the standard
-   OpenCL 1.2. Its objects are opaque pointers. */
+   OpenCL 1.2. Objects of OpenCL are opaque pointers. */
 typedef int32_t answer;
 enum {
     CL_DEVICE_TYPE = 0x1000,
@@ -89,11 +92,11 @@ struct opencl {
     char name[120], failure[OPENCL_MESSAGE];
 };
 
-/* The program for the device, in OpenCL's C. LINES turns code into text.
-   The width is eight doubles or sixteen floats for a processor, and 1 for a
+/* The program for the device, in OpenCL C. LINES turns code into text. The
+   width is eight doubles or sixteen floats for a processor, and 1 for a
    card. The operations are those of pull_by (pull.h) in the same order and
-   without contraction, so double precision gives the bits of the portable
-   kernel. */
+   without contraction, so double precision gives the same bits as the
+   portable kernel. */
 #define LINES(...) #__VA_ARGS__
 static const char *const source[] = {
     "#pragma OPENCL FP_CONTRACT OFF\n"
@@ -101,10 +104,10 @@ static const char *const source[] = {
     "#pragma OPENCL EXTENSION cl_khr_fp64 : enable\n"
     "#endif\n",
     /* The sums of the accelerations, and their rounding errors. Single
-       precision compensates these errors: (sec:gravity-single). Small pulls
-       would otherwise lose their last digits when they are added to the sum
-       of thousands of others. Double precision does not compensate the
-       errors, since it must have the bits of the portable kernel. */
+       precision compensates these errors: (sec:gravity-single). Otherwise
+       small pulls would lose their last digits when they are added to the
+       sum of thousands of others. Double precision must have the bits of
+       the portable kernel and therefore does not compensate them. */
     LINES(struct sums { wide a, b, c, lost_a, lost_b, lost_c; };),
     LINES(void add(wide *sum, wide *lost, wide term) {
         if (DOUBLE)
@@ -130,9 +133,9 @@ static const char *const source[] = {
     }),
 
     /* OPENCL_BLOCKS: each work item computes a block of bodies, one in each
-       lane, and adds the pulls of all bodies in order. The pull of a body
-       on itself is 0. For this pair 1 replaces the squared softening, which
-       may be 0. */
+       lane, and adds the pulls of all bodies in order. For the pull of a
+       body on itself, 1 replaces the squared softening, which may be 0: the
+       result is then 0 instead of 0/0. */
     "\n#if WIDTH > 1\n",
     LINES(kernel void sum(global const real *x, global const real *mass,
                           global real *a, uint n, uint padded, real least) {
@@ -153,9 +156,9 @@ static const char *const source[] = {
         STORE(o.c, 0, a + 2 * padded + i);
     }),
 
-    /* OPENCL_TILES: each work item computes one body. TILE items share the
-       sources: each item loads one source, and after a barrier every item
-       uses all of them. */
+    /* OPENCL_TILES: each work item computes one body. Groups of TILE items
+       share the sources: each item loads one source, and after a barrier
+       every item uses all of them. */
     "\n#else\n",
     LINES(kernel void sum(global const real *x, global const real *mass,
                           global real *a, uint n, uint padded, real least) {
@@ -205,9 +208,9 @@ static bool find_library(struct opencl *d, char *message)
     return true;
 }
 
-/* Returns whether the device has the requested precision, since not all
-   cards have double. Sets *kind to the type of the device, and writes its
-   name. */
+/* Returns whether the device has the requested precision; not all cards
+   have double precision. Sets *kind to the type of the device, and writes
+   its name. */
 static bool suits(const struct opencl *d, void *id, uint64_t *kind,
                   char *name, size_t size)
 {
@@ -319,9 +322,9 @@ static bool build(struct opencl *d, char *message)
 }
 
 /* Sets the order in which the device adds the pulls. In single precision
-   the pull of the heaviest body comes last. After a planet's pull, the
-   pulls of light bodies would be below the last digit of the sum: (9.17,
-   eq:unseen). */
+   the heaviest body, such as a planet, comes last. If its pull came first,
+   the pulls of light bodies would be below the last digit of the sum:
+   (9.17, eq:unseen). */
 static void put_in_order(struct opencl *d, const double mass[])
 {
     const size_t n = d->bodies;

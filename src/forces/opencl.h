@@ -5,8 +5,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* How bodies are distributed among the work items of the device. Which way
-   is faster depends on the device. Tests use both ways. */
+/* How bodies are distributed among the work items of the device. Which of
+   the two ways is faster depends on the device. Tests use both. */
 enum opencl_way {
     OPENCL_AUTO,   /* tiles on a graphics card, otherwise blocks */
     OPENCL_BLOCKS, /* a vector of bodies per item: for processors */
@@ -17,7 +17,8 @@ enum opencl_way {
 struct opencl_order {
     size_t bodies;
     const double *mass; /* [bodies] */
-    double k2;          /* acceleration times distance squared for mass 1 */
+    double k2;          /* acceleration due to mass 1, times squared
+                           distance */
     double softening;   /* m; 0: none */
     bool single;        /* use compensated single precision */
     enum opencl_way way;

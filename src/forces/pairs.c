@@ -62,9 +62,9 @@ static bool make_room(struct spheres *p)
 /* Adds a pair to the list if the gap between the bodies is less than
    p->margin. Positions are folded into the box, so every difference is less
    than the side of the box. A difference of more than half the side is
-   replaced by the shorter way round. This finds the nearest image without
-   rounding to a whole number of sides. Along axes that are not periodic
-   p->half is infinite. */
+   replaced by the shorter way round. This gives the nearest image without
+   rounding a quotient to a whole number of sides. Along axes that are not
+   periodic p->half is infinite. */
 static void test(struct spheres *p, const struct spheres_edge *a,
                  const struct spheres_edge *b)
 {
@@ -201,8 +201,8 @@ static void sort_edges(struct spheres *p)
 
 /* Tests each body with the bodies that follow it along the axis, within its
    own radius plus the largest radius and the margin. Along a periodic axis
-   the first body follows the last, one box farther on. In a box of only a
-   few diameters a pair may be found twice. */
+   the last body is followed by the first, shifted by the side of the box.
+   In a box of only a few diameters a pair may be found twice. */
 static void sweep(struct spheres *p)
 {
     const size_t n = p->scene->bodies, k = p->axis;
@@ -278,8 +278,8 @@ static void find_near(struct spheres *p, const double x[])
     p->pairs = n;
 }
 
-/* Returns whether body i was between the walls a step ago, if its path was
-   straight. */
+/* Returns whether body i was between the walls before the step, assuming a
+   straight path. */
 static bool was_inside(const struct spheres *p, size_t i, const double x[],
                        const double v[])
 {
@@ -295,18 +295,18 @@ static bool was_inside(const struct spheres *p, size_t i, const double x[],
     return true;
 }
 
-/* Returns whether a step has missed the collision of two bodies. They do
-   not overlap now and did not overlap a step ago. In between they
-   overlapped, and they moved, relative to each other, by more than the sum
-   of their radii. Paths are taken as straight. A body that has just bounced
-   off a wall is left out, since its path has a corner. */
+/* Returns whether a step has missed the collision of two bodies: they
+   overlap neither before nor after the step, but did so in between, and
+   moved relative to each other by more than the sum of their radii. Paths
+   are taken as straight. A body that has just bounced off a wall is
+   ignored, since its path has a corner. */
 static bool has_passed(const struct spheres *p, size_t i, size_t j,
                        const double x[], const double v[])
 {
     const size_t n = p->scene->bodies;
     const double sum = p->scene->radius[i] + p->scene->radius[j];
     const double touching = sum * sum, dt = p->dt;
-    double now = 0, b = 0, u2 = 0; /* d^2, d u, u^2 of the relative position
+    double now = 0, b = 0, u2 = 0; /* d.d, d.u, u.u of the relative position
                                       d and velocity u */
     for (size_t k = 0; k < SPHERES_AXES; ++k) {
         const double d = spheres_way(p->scene, x, i, j, k);
@@ -348,10 +348,10 @@ static void find_passed(struct spheres *p, const double x[],
         }
 }
 
-/* Also lists pairs within a margin, since pushing one pair apart may make
-   another pair overlap. spheres.c tests these pairs again when their turn
-   comes. The double loop of MPPhys tests each pair when its turn comes. It
-   detects the new overlap only if the turn of that pair is still to
+/* Also lists pairs that do not overlap but are within a margin, since
+   pushing one pair apart may make another pair overlap. spheres.c tests
+   each listed pair again when its turn comes. The double loop of MPPhys
+   detects such a new overlap only if the turn of that pair is still to
    come. */
 void pairs_find(struct spheres *p, const double x[], const double v[])
 {
@@ -379,7 +379,7 @@ size_t spheres_overlaps(struct spheres *p, const double x[])
     return p->pairs;
 }
 
-/* Returns the largest depth, m, by which a body is beyond a hard wall
+/* Returns the largest depth (in m) by which a body is beyond a hard wall
    without moving back. */
 static double beyond_walls(const struct scene *s)
 {

@@ -9,10 +9,11 @@
 bool pairs_begin(struct spheres *p);
 void pairs_end(struct spheres *p);
 
-/* Lists in p->pair the p->pairs pairs that overlap after a step or may
-   overlap when their turn comes, each once and in p->order. Counts in
-   p->passed the pairs that moved through each other in the step. If memory
-   runs out, the remaining pairs are left to the next step. */
+/* Lists pairs in p->pair and their number in p->pairs: those that overlap
+   after a step or may overlap when their turn comes, each once and in
+   p->order. Counts in p->passed the pairs that moved through each other in
+   the step. If memory runs out, the remaining pairs are left to the next
+   step. */
 void pairs_find(struct spheres *p, const double x[], const double v[]);
 
 #endif

@@ -4,9 +4,9 @@
 
 #include <math.h>
 
-/* Returns whether fixed coordinates along this axis change the motion. They
-   do not if all bodies are fixed in one plane, which the bodies would not
-   leave anyway. */
+/* Returns whether fixed coordinates along this axis change the motion. This
+   is not so if all bodies are fixed in one plane, since they would not
+   leave it anyway. */
 static bool is_held(const struct scene *s, size_t axis)
 {
     const size_t n = s->bodies, from = axis * n;

@@ -1,5 +1,5 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 2467827391 of the lines below */
+/* checksum 3854770013 of the lines below */
 /* Gravity between bodies: pair by pair, or on a block of sixteen bodies. */
 #ifndef PULL_H
 #define PULL_H
@@ -42,9 +42,9 @@ struct block {
 };
 
 /* Adds the accelerations of a block due to a mass m at (x, y, z), without
-   the factor k2. least is the square of the softening. self is the index of
-   the attracting body in the block, or at least BLOCK if that body is in
-   another block. */
+   the factor k2. `least` is the squared softening. `self` is the index of
+   the attracting body in the block, or a number of at least BLOCK if that
+   body is in another block. */
 static inline void pull_by(double m, double x, double y, double z,
                            double least, size_t self, struct block *o)
 {

@@ -24,9 +24,9 @@ extern const bool reference_available;
 bool reference_begin(struct reference *r, struct stepping_forces f,
                      double tolerance);
 
-/* Moves x and v by the time dt, s, in as many steps as needed, whatever
-   happened in earlier calls. Returns false if the library fails or a
-   million steps are not enough. */
+/* Moves x and v by the time dt (in s), in as many steps as needed. Earlier
+   calls have no influence. Returns false if the library fails or a million
+   steps are not enough. */
 bool reference_step(struct reference *r, double dt, double x[], double v[]);
 
 void reference_free(struct reference *r);

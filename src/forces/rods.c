@@ -13,8 +13,8 @@ void rods_free(struct rods *p)
 }
 
 /* Gives fixed coordinates the inverse mass 0, so no rod moves them. A body
-   without mass also gets 0, and no rod may be attached to it. Each rod has
-   the length of its spring at the start, not at rest. */
+   without mass also gets 0, and no rod may be attached to it. The length of
+   a rod is the initial length of its spring, not the rest length. */
 bool rods_create(struct rods *p, const struct scene *s,
                  const struct scene_spring spring[], size_t count,
                  struct stepping_forces forces)
@@ -59,8 +59,8 @@ static void shift_ends(const struct rods *p, const struct rods_rod *r,
     }
 }
 
-/* `way` is the vector between a rod's ends before the step, m. a, b and c
-   are the coefficients of (12.7, eq:rods-shake). */
+/* `way` is the vector (in m) between a rod's ends before the step. a, b and
+   c are the coefficients of (12.7, eq:rods-shake). */
 struct rods_way {
     double way[3], a, b, c;
     double far; /* largest coordinate of the ends, m */
@@ -174,8 +174,9 @@ static void kick(const struct rods *p, double h, double v[])
 }
 
 /* Takes a step: kick, drift, correct lengths, kick, correct velocities.
-   Also corrects the velocities at the beginning, which is needed in the
-   first step and after contacts. Only the drift changes lengths. */
+   Lengths are corrected once, since only the drift changes them. Velocities
+   are corrected also at the beginning, as needed in the first step and
+   after contacts. */
 bool rods_step(void *rods, double dt, double x[], double v[])
 {
     struct rods *p = rods;

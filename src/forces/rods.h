@@ -38,14 +38,15 @@ bool rods_create(struct rods *p, const struct scene *s,
                  struct stepping_forces forces);
 void rods_free(struct rods *p);
 
-/* Moves x (m) and v (m/s), arranged as in a scene, by one step of dt, s;
-   `rods` points to a struct rods. Returns false if the rods cannot be
-   brought back to their lengths. May be used as `outside` of a struct
+/* Moves x (in m) and v (in m/s), arranged as in a scene, by one step of dt
+   (in s). `rods` points to a struct rods. Returns false if the rods cannot
+   be brought back to their lengths. May be used as `outside` of a struct
    motion. Source: (12.7, eq:rods-shake). */
 bool rods_step(void *rods, double dt, double x[], double v[]);
 
-/* Removes from v the part that would change lengths of rods. Returns false
-   if the iteration does not converge. Source: (12.8, eq:rods-rattle). */
+/* Removes from v the part that would change the lengths of rods. Returns
+   false if the iteration does not converge. Source: (12.8,
+   eq:rods-rattle). */
 bool rods_project(struct rods *p, const double x[], double v[]);
 
 #endif

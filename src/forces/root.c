@@ -1,5 +1,5 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 1493647748 of the lines below */
+/* checksum 4257900286 of the lines below */
 /* Finds the first root of a curve in Bernstein's form, by bisection. */
 #include "forces/root.h"
 
@@ -20,8 +20,8 @@ static void halve(double q[], double r[], size_t m)
     }
 }
 
-/* Returns whether a control point is below 0 by more than rounding.
-   Otherwise the curve cannot be below 0 by more than rounding. */
+/* Returns whether a control point is below 0 by more than rounding. If none
+   is, the curve is nowhere below 0 by more than rounding. */
 static bool goes_below(const double q[], size_t m, double rounding)
 {
     for (size_t j = 0; j <= m; ++j)
@@ -45,8 +45,8 @@ double root_first(const double q[], size_t m, double rounding, int halvings)
     return (1 + root_first(right, m, rounding, halvings - 1)) / 2;
 }
 
-/* Divides a polynomial in Bernstein's form by the time. The polynomial must
-   be 0 at time 0. Returns the degree of the quotient. */
+/* Divides a polynomial in Bernstein's form by the time t. The polynomial
+   must be 0 at t = 0. Returns the degree of the quotient. */
 static size_t divide_by_time(double q[], size_t m)
 {
     for (size_t j = 0; j < m; ++j)

@@ -6,7 +6,7 @@
 
 enum {
     ROOT_DEGREE = 18,  /* largest degree of a curve */
-    ROOT_HALVINGS = 24 /* most halvings of the interval from 0 to 1 */
+    ROOT_HALVINGS = 24 /* maximum number of halvings of the interval */
 };
 
 /* A curve of degree m is given by q[0] to q[m], its control points in
@@ -14,8 +14,8 @@ enum {
 
 /* Returns the first time from 0 to 1 at which a curve with q[0] > 0 is
    below 0 by more than rounding, or INFINITY if there is none. The interval
-   is halved up to `halvings` times. A time at which the curve may still be
-   below 0 then also counts. */
+   is halved up to `halvings` times. If the curve may still be below 0 in
+   the last interval, the middle of that interval is returned. */
 double root_first(const double q[], size_t m, double rounding,
                   int halvings);
 

@@ -20,8 +20,8 @@ void soft_free(struct soft *t)
     *t = (struct soft){0};
 }
 
-/* Returns the force, N, between two bodies: (11.11, eq:touch). depth is
-   their overlap, m, and rate is the rate at which it grows, m/s. */
+/* Returns the force (in N) between two bodies: (11.11, eq:touch). depth is
+   their overlap (in m), and rate is the rate at which it grows (in m/s). */
 static double push(const struct scene *s, double depth, double rate)
 {
     if (s->law == SCENE_HERTZ)
@@ -29,8 +29,8 @@ static double push(const struct scene *s, double depth, double rate)
     return s->stiffness * depth + s->dashpot * rate;
 }
 
-/* Returns the distance of a and b, m, and writes the vector from a to b, m,
-   into d. */
+/* Returns the distance of a and b (in m), and writes the vector from a to b
+   (in m) into d. */
 static double distance(const struct scene *s, size_t a, size_t b,
                        const double x[], double d[])
 {
@@ -60,8 +60,8 @@ static void push_apart(const struct scene *s, size_t i, size_t j,
     }
 }
 
-/* Returns the depth, m, by which body i overlaps the lower wall (side -1)
-   or the upper wall (side 1) across axis k. */
+/* Returns the depth (in m) by which body i overlaps the lower wall (side
+   -1) or the upper wall (side 1) across axis k. */
 static double wall_depth(const struct scene *s, const double x[], size_t i,
                          size_t k, int side)
 {

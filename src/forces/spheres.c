@@ -1,5 +1,5 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 1552915420 of the lines below */
+/* checksum 3942812728 of the lines below */
 /* Reflects spheres that overlap after a step, and moves them apart. */
 #include "forces/spheres.h"
 
@@ -38,8 +38,7 @@ struct contact {
     double d[SPHERES_AXES], u[SPHERES_AXES]; /* relative position, m, and
                                                 velocity, m/s */
     double sigma, distance;                  /* sum of radii, distance, m */
-    double normal[SPHERES_AXES];             /* vector, of length
-                                                `distance` */
+    double normal[SPHERES_AXES];             /* has the length `distance` */
     double back;                             /* time since the contact, s */
 };
 
@@ -143,8 +142,8 @@ static double along(const struct spheres *p, const struct contact *c,
     return sum;
 }
 
-/* Moves the bodies apart, and returns the increase of their sum of m x v, J
-   s. */
+/* Moves the bodies apart, and returns the increase of their sum of m x v
+   (in J s). */
 static double push_apart(const struct spheres *p, const struct contact *c,
                          double wa, double wb, double x[], const double v[])
 {

@@ -39,7 +39,7 @@ enum spheres_search {
 
 enum {
     SPHERES_AXES = 3,
-    SPHERES_PASSED = 1000 /* largest count of missed collisions */
+    SPHERES_PASSED = 1000 /* counting of missed collisions stops here */
 };
 
 /* Two bodies that overlap, a < b. */
@@ -81,7 +81,7 @@ struct spheres {
     double widest;   /* largest radius, m */
     double margin;   /* pairs nearer than this are listed, m */
     double narrow;   /* smallest sum of two radii that is not 0, m */
-    double furthest; /* largest approach of two bodies in a step, m */
+    double furthest; /* two bodies approach by at most this in a step, m */
     double half[SPHERES_AXES]; /* half the side of a periodic box, or
                                   INFINITY, m */
     size_t axis;               /* axis of the sweep */
@@ -100,9 +100,9 @@ bool spheres_create(struct spheres *p, const struct scene *s,
 void spheres_free(struct spheres *p);
 
 /* Resolves the collisions after a step, first with walls, then of
-   overlapping pairs in p->order. Changes x (m) and v (m/s), arranged as in
-   a scene. Returns the number of all collisions. A pair that begins to
-   overlap after its turn waits for the next step. Sources: (11.1,
+   overlapping pairs in p->order. Changes x (in m) and v (in m/s), arranged
+   as in a scene. Returns the number of all collisions. If a pair begins to
+   overlap after its turn, it is left to the next step. Sources: (11.1,
    eq:contact-impulse), (11.2, eq:back-time), (11.3, eq:push). */
 uint64_t spheres_resolve(struct spheres *p, double x[], double v[]);
 
@@ -116,18 +116,18 @@ void spheres_bounce(struct spheres *p, size_t i, size_t k, double v[]);
    their number. */
 size_t spheres_overlaps(struct spheres *p, const double x[]);
 
-/* Returns the largest depth, m, by which bodies overlap, or extend beyond a
-   hard wall without moving back. Returns 0 if no body does, or if the scene
-   has no contacts, and INFINITY if memory runs out. It is unknown where and
-   when such bodies touched, so their motion would depend on the step.
-   Programs refuse such scenes, or warn. */
+/* Returns the largest depth (in m) by which bodies overlap, or extend
+   beyond a hard wall without moving back. Returns 0 if no body does, or if
+   the scene has no contacts, and INFINITY if memory runs out. Programs
+   refuse scenes with such bodies, or warn: it is unknown where and when the
+   bodies touched, so their motion would depend on the step. */
 double spheres_depth(const struct scene *s);
 
 /* Counts in p->passed the pairs that moved through each other in the last
    step, of length p->dt. spheres_resolve also does this. */
 void spheres_watch(struct spheres *p, const double x[], const double v[]);
 
-/* Returns the coordinate difference along axis k, m, from body a to the
+/* Returns the coordinate difference along axis k (in m) from body a to the
    nearest image of body b. */
 double spheres_way(const struct scene *s, const double x[], size_t a,
                    size_t b, size_t k);

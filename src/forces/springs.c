@@ -10,25 +10,25 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Returns the length of a spring, m, by which its force is divided.
-   DBL_MIN, the smallest normal number, is added to the square. The quotient
-   is then finite for two bodies at the same position, so their force is 0.
-   This does not change any length above 1e-145 m. */
+/* Returns the length of a spring (in m), by which its force is divided.
+   DBL_MIN, the smallest normal number, is added to the square so that the
+   quotient is finite for two bodies at the same position, and their force
+   is 0. This does not change any length above 1e-145 m. */
 static inline double stretched(double dx, double dy, double dz)
 {
     return sqrt(dx * dx + dy * dy + dz * dz + DBL_MIN);
 }
 
-/* Returns the force of a spring divided by its length, N/m. Multiplied by
-   the vector from body a to body b, this is the force on a. */
+/* Returns the force of a spring divided by its length (in N/m). The product
+   with the vector from body a to body b is the force on a. */
 static inline double tension(double stiffness, double length, double rest)
 {
     return stiffness * (length - rest) / length;
 }
 
 /* Returns the force of a spring with an axial dashpot, divided by the
-   length, N/m: (10.3, eq:axial-dashpot). rate is the scalar product of the
-   vector from a to b and its rate of change, m^2/s. */
+   length (in N/m): (10.3, eq:axial-dashpot). rate is the scalar product of
+   the vector from a to b and its rate of change (in m^2/s). */
 static inline double axial_tension(double stiffness, double damping,
                                    double length, double rest, double rate)
 {
@@ -36,7 +36,7 @@ static inline double axial_tension(double stiffness, double damping,
     return (pull + damping * (rate / length)) / length;
 }
 
-/* Computes the force f of spring s on its body a, N: (10.1,
+/* Computes the force f (in N) of spring s on its body a: (10.1,
    eq:spring-force). */
 static void pull(const struct springs *p, const struct scene_spring *s,
                  const double x[], const double v[], double f[3])
@@ -132,10 +132,10 @@ static size_t alike(const struct scene_spring s[], size_t from,
     return end;
 }
 
-/* Returns whether n springs of one stride and kind should form a band.
-   Their number must be at least SPRINGS_BAND and at least half of the
-   possible number, and no two of them may join the same bodies. Springs
-   with equal lower bodies are adjacent. */
+/* Returns whether n springs of one stride and kind should form a band. They
+   should if their number is at least SPRINGS_BAND and at least half of the
+   possible number, and if no two of them join the same bodies. Springs with
+   equal lower bodies are adjacent. */
 static bool regular(const struct scene_spring s[], size_t n)
 {
     if (n < SPRINGS_BAND || 2 * n < s[n - 1].a - s[0].a + (size_t)1)
@@ -252,9 +252,9 @@ void springs_free(struct springs *p)
     *p = (struct springs){0};
 }
 
-/* A section of a band: its springs, and the distance in memory between two
-   axes. The distance is `bodies` for positions and velocities, and `row`
-   for forces. */
+/* A section of a band. Axes are `bodies` numbers apart in the arrays of
+   positions and velocities, and `row` numbers apart in the array of
+   forces. */
 struct stretch {
     const double *rest;
     size_t count, stride, bodies, row;
@@ -263,10 +263,12 @@ struct stretch {
 
 /* Computes the forces f of the springs of a section along three axes. This
    is the inner loop of the module. x and v begin with the lower body of the
-   first spring. Memory is read and written in order. To avoid a branch, the
-   force of a missing spring is also computed. It is multiplied by `here`,
-   which is 0 for a negative rest length and otherwise 1. The operations and
-   their order are those of pull, so the bits are equal. */
+   first spring. Memory is read and written in order.
+
+   To avoid a branch, the force of a missing spring, which has a negative
+   rest length, is also computed. It is multiplied by `here`, which is 0 for
+   such a spring and otherwise 1. The operations and their order are those
+   of pull, so the bits are equal. */
 static inline void stretch(const struct stretch *t,
                            const double *restrict x,
                            const double *restrict v, double *restrict f,
@@ -333,7 +335,7 @@ static ptrdiff_t clamp(ptrdiff_t a, ptrdiff_t low, ptrdiff_t high)
 }
 
 /* Writes into f, axis by axis, the forces of `count` springs, beginning
-   with the spring whose lower body is `from`. Two axes are `row` numbers
+   with the spring whose lower body is `from`. The axes are `row` numbers
    apart. The force is 0 where the band has no spring. `from` is negative
    for springs that would reach into the first block. */
 static void band_forces(const struct springs *p,
@@ -366,10 +368,10 @@ static void band_forces(const struct springs *p,
 }
 
 /* Returns the length of a row. A row contains the forces of a band along
-   one axis, first of the springs that end in a block, then of the springs
-   that begin there. Therefore (10.11, eq:gather) reads row[i] for the
-   spring that ends at body i, and row[i + stride] for the spring that
-   begins there. */
+   one axis: first those of the springs that end in a block, then those of
+   the springs that begin there. For body i of the block, (10.11, eq:gather)
+   therefore reads row[i] for the spring that ends at the body, and row[i +
+   stride] for the spring that begins there. */
 static size_t row_size(const struct springs_band *b)
 {
     return b->stride + SPRINGS_BLOCK;
@@ -386,8 +388,8 @@ static size_t buffer_size(const struct springs *p)
 }
 
 /* Adds the forces of one band on n bodies: (10.11, eq:gather). The spring
-   that ends at body i gives -f[i]. The spring that begins there gives +f[i
-   + s]. */
+   that ends at body i contributes -f[i]; the spring that begins there
+   contributes +f[i + s]. */
 VECTOR_LOOP static void sum_one(double *restrict sum,
                                 const double *restrict f, size_t s,
                                 size_t n)
@@ -408,8 +410,8 @@ VECTOR_LOOP static void sum_two(double *restrict sum,
 
 /* Sums the forces in buffer on n bodies from body `from` on, along axis k.
    The forces of scatter come first, if there are any, then the forces of
-   the bands in order. Taking two bands in each pass saves a pass over the
-   sums. */
+   the bands in order. Taking two bands in each pass halves the number of
+   passes over the sums. */
 static void sum_axis(const struct springs *p, size_t from, size_t n,
                      size_t k, const double buffer[], double sum[])
 {
@@ -464,14 +466,15 @@ VECTOR_LOOP static void write_all(double *restrict a,
                inverse[i] * force[i];
 }
 
-/* A task computes the accelerations at x and v. It adds them to a or, if
-   `writes`, writes them into a with gravity and friction. */
+/* A task is to compute the accelerations at x and v. They are added to a
+   or, if `writes` is true, written into a together with gravity and
+   friction. */
 struct task {
     const double *x, *v;
     double *a;
     bool writes;
-    /* ahead, unless NULL, moves bodies just before the springs read them.
-       owing says whether the last step still lacks half a kick. */
+    /* If `ahead` is not NULL, it moves bodies just before the springs read
+       them. `owing` says whether the last step still lacks half a kick. */
     const struct stepping_ahead *ahead;
     bool owing;
 };
@@ -523,11 +526,10 @@ static void write_two(const struct springs *p, double a[], size_t k,
               two->stride, n);
 }
 
-/* Does the task for a block of n bodies from body `from` on. At first the
+/* Does the task for a block of n bodies from body `from` on. Before, the
    buffer contains the forces of the springs that reach into this block from
-   earlier bodies. At the end it contains the forces of the springs that
-   reach into the next block. Strides may exceed n, so the copied ranges may
-   overlap. */
+   earlier bodies; afterwards, those of the springs that reach into the next
+   block. Strides may exceed n, so the copied ranges may overlap. */
 static void gather_block(const struct springs *p, const struct task *t,
                          size_t from, size_t n, double buffer[])
 {
@@ -566,7 +568,8 @@ static size_t least(size_t a, size_t b)
     return a < b ? a : b;
 }
 
-/* Returns the longest stride. The springs read bodies this far ahead. */
+/* Returns the longest stride, which is how far ahead the springs read
+   bodies. */
 static size_t reach(const struct springs *p)
 {
     size_t longest = 0;
@@ -577,8 +580,9 @@ static size_t reach(const struct springs *p)
 }
 
 /* Computes the forces of the springs that reach into the block at body
-   `from` from earlier bodies. The thread of those bodies computes the same
-   forces with equal bits, so nothing is summed across threads. */
+   `from` from earlier bodies. The thread that handles those bodies may be
+   another one. It computes the same forces with equal bits, so nothing is
+   summed across threads. */
 static void reach_in(const struct springs *p, const struct task *t,
                      size_t from, double buffer[])
 {
@@ -603,11 +607,14 @@ static void gather(const struct springs *p, const struct task *t,
 }
 
 /* Takes `steps` steps of the task, at most depth_of(p), in one sweep over
-   the bodies. Each step has its own buffer and its own counts of the bodies
-   moved and of the bodies whose forces are summed. A step advances by a
+   the bodies. Each step has its own buffer and counts the bodies it has
+   moved and the bodies whose forces it has summed. A step advances by a
    block as soon as the previous step has passed all bodies that the block
-   reads. No spring reaches into the first block or beyond the last body. So
-   the buffers start with zeros, and contain zeros again after a sweep. */
+   reads.
+
+   The buffers begin with zeros, since no spring reaches into the first
+   block. At the end of a sweep they contain zeros again, since no spring
+   reaches beyond the last body. */
 static void march(const struct springs *p, struct task t, size_t steps)
 {
     const size_t n = p->bodies, far = reach(p), size = buffer_size(p);
@@ -628,9 +635,10 @@ static void march(const struct springs *p, struct task t, size_t steps)
         }
 }
 
-/* Returns how many steps a sweep takes at once. The data of all bodies
-   between the first and the last step must fit into the second-level cache.
-   A body has about 200 bytes, including the forces in the buffers. */
+/* Returns how many steps a sweep takes at once. The data of all bodies from
+   the first to the last of these steps must fit into the second-level
+   cache. A body has about 200 bytes, including the forces in the
+   buffers. */
 static size_t depth_of(const struct springs *p)
 {
     const size_t depth = SPRINGS_WINDOW / (reach(p) + SPRINGS_BLOCK);
@@ -638,9 +646,9 @@ static size_t depth_of(const struct springs *p)
 }
 
 /* Gives each thread a contiguous part of the bodies. The first springs of a
-   part read the previous part, and the last springs read the next part. If
-   there are several threads, each first moves its bodies and waits for the
-   others. */
+   part read bodies of the previous part, and the last springs those of the
+   next part. If there are several threads, each first moves its bodies and
+   waits for the others. */
 static void gather_shared(struct springs *p, const struct task *task)
 {
     const size_t size = buffer_size(p), threads = (size_t)p->threads;
@@ -683,8 +691,9 @@ bool springs_threads(struct springs *p, int threads)
     return true;
 }
 
-/* Does the task with p->engine. Without bands nothing is gathered. The axes
-   are contiguous in all arrays, so one call then completes all of them. */
+/* Does the task with p->engine. Unless there are bands to gather, all
+   forces come from scatter. One call of finish then completes all axes,
+   which are contiguous in all arrays. */
 static void act(struct springs *p, const struct task *t)
 {
     const bool gathers = p->engine == SPRINGS_GATHER && p->bands > 0;
@@ -698,9 +707,9 @@ static void act(struct springs *p, const struct task *t)
     finish(p, t, 0, 0, 3 * p->bodies, p->force);
 }
 
-/* Takes `steps` steps of the task, whose ahead is not NULL. All bodies are
-   moved before scatter, which accesses them in the order of the springs.
-   The same is done if only some of the springs are in bands. */
+/* Takes `steps` steps of the task, whose `ahead` is not NULL. If any
+   springs are summed by scatter, which accesses bodies in the order of the
+   springs, all bodies are moved before it. */
 static void act_ahead(struct springs *p, struct task t, uint64_t steps)
 {
     const struct stepping_ahead *const ahead = t.ahead;

@@ -9,9 +9,9 @@
 enum {
     SPRINGS_BAND = 16,     /* smallest number of springs in a band */
     SPRINGS_BLOCK = 512,   /* bodies in a block */
-    SPRINGS_DEPTH = 8,     /* largest number of steps in a sweep */
-    SPRINGS_WINDOW = 8192, /* most bodies between the first and the last
-                              step */
+    SPRINGS_DEPTH = 8,     /* maximum number of steps in a sweep */
+    SPRINGS_WINDOW = 8192, /* maximum number of bodies between the first and
+                              the last step of a sweep */
     SPRINGS_SHARE = 10000  /* fewest bodies for which threads save time */
 };
 
@@ -21,8 +21,8 @@ enum springs_engine {
     SPRINGS_SCATTER /* springs one after another */
 };
 
-/* A band: springs of one kind that join body i to body i + stride. They
-   exist for many of the bodies i from first to end - 1. */
+/* A band: springs of one kind that join body i to body i + stride. There is
+   one for at least half of the bodies i from first to end - 1. */
 struct springs_band {
     size_t stride, first, end;
     double stiffness, damping;
@@ -31,13 +31,13 @@ struct springs_band {
 };
 
 /* The springs of a scene. The members may be read, and engine may be set. A
-   body without mass has the inverse mass 0, like a fixed body: no spring
-   moves it, but gravity does if it is free. */
+   body without mass has the inverse mass 0, like a fixed body. Therefore no
+   spring moves it; but gravity does, unless it is fixed. */
 struct springs {
     size_t bodies, count;
     struct scene_spring *spring; /* in the order of the sums; a < b */
     struct scene_kind *kind;
-    size_t listed; /* number of springs in no band, listed first */
+    size_t listed; /* number of springs in no band; they come first */
     size_t bands;
     struct springs_band *band;
     double *inverse; /* [3 * bodies] inverse mass, 1/kg; 0 if fixed */
@@ -60,11 +60,11 @@ bool springs_create(struct springs *p, const struct scene *s);
 /* Frees all and makes *p empty. */
 void springs_free(struct springs *p);
 
-/* Adds to a the accelerations due to springs and dashpots, m/s^2. x, v and
-   a are arranged axis by axis, as in struct scene. For fixed coordinates a
-   does not change. Neither the engine nor the number of threads affects the
-   bits. Source: (10.1, eq:spring-force), and (10.3, eq:axial-dashpot) if
-   the scene has axial dashpots. */
+/* Adds to a the accelerations (in m/s^2) due to springs and dashpots. x, v
+   and a are arranged axis by axis, as in struct scene. For fixed
+   coordinates a does not change. Neither the engine nor the number of
+   threads affects the bits. Source: (10.1, eq:spring-force), and (10.3,
+   eq:axial-dashpot) if the scene has axial dashpots. */
 void springs_add(struct springs *p, const double x[], const double v[],
                  double a[]);
 

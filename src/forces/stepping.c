@@ -15,9 +15,9 @@ static double *take(double **next, size_t n)
     return part;
 }
 
-/* Divides one block of memory into arrays: first those used by every
-   method, then those of single families of methods. Arrays of other
-   families have length 0. */
+/* Divides one block of memory into arrays: first those that every method
+   uses, then those that only one family of methods uses. For other families
+   the latter have length 0. */
 static void divide_memory(struct stepping *s, double *next)
 {
     struct stepping_work *const w = s->part;
@@ -211,8 +211,8 @@ bool stepping_anew(struct stepping *s)
     return anew;
 }
 
-/* Lets an adaptive method take its own steps over the time steps * dt. dt
-   only determines the times at which states are needed. */
+/* Lets an adaptive method take its own steps until `steps` intervals of dt
+   have passed. dt only determines the times at which states are needed. */
 static enum stepping_end run_own(struct stepping *s, uint64_t steps)
 {
     struct adaptive *const own = s->own;
@@ -240,8 +240,8 @@ enum stepping_end stepping_run(struct stepping *s, uint64_t steps)
     return STEPPING_DONE;
 }
 
-/* Multiplies, because adding dt a million times would add a million
-   rounding errors. */
+/* Multiplies dt by the number of steps, because adding dt a million times
+   would add a million rounding errors. */
 double stepping_time(const struct stepping *s)
 {
     return s->start + (double)s->steps * s->dt;
@@ -267,8 +267,8 @@ void stepping_recall(struct stepping *s, const double note[])
     s->fresh = note[5 * n] != 0;
 }
 
-/* The coefficients contain the factor dt. They are computed with h for the
-   part, and again with dt afterwards. */
+/* Computes the coefficients, which contain the factor dt, for a step of
+   length h. Afterwards computes them again for dt. */
 enum stepping_end stepping_part(struct stepping *s, double h)
 {
     const double dt = s->dt;

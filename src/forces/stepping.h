@@ -7,7 +7,7 @@
 #include <stdint.h>
 
 enum {
-    STEPPING_WATCH = 64, /* steps between checks for infinities */
+    STEPPING_WATCH = 64, /* number of steps between checks for infinities */
     STEPPING_MOST = 64   /* largest number of methods in the table */
 };
 
@@ -22,26 +22,28 @@ struct stepping_forces {
 };
 
 /* ready moves n coordinates, from index `from` on, to the positions at
-   which the next step needs the forces. If `owing`, it first does the
-   second half of the last step's kick. */
+   which the next step needs the forces. If `owing` is true, it first does
+   the second half of the last step's kick. */
 struct stepping_ahead {
     void (*ready)(void *step, size_t from, size_t n, bool owing);
     void *step;
 };
 
-/* Computes the accelerations of `steps` steps of leapfrog. Moves the
-   coordinates in parts, just before it reads them. Large systems are
-   limited by memory, and coordinates moved in a separate pass would have
-   left the cache when the forces need them. In each step the function calls
-   ahead->ready once for each coordinate, before it reads x and v or writes
-   a there. In the first step owing is false. The calls may come from any
-   thread, in any order. */
+/* Takes `steps` steps of leapfrog. Calls ahead->ready to move the
+   coordinates in parts, just before it reads them for the forces. The speed
+   for large systems is limited by memory: coordinates moved in a separate
+   pass would have left the cache when the forces need them.
+
+   In each step the function calls ahead->ready once for each coordinate,
+   before it reads x and v or writes a there. In the first step owing is
+   false. The calls may come from any thread, in any order. */
 typedef void stepping_sweep(void *what, const double x[], const double v[],
                             double a[], const struct stepping_ahead *ahead,
                             uint64_t steps);
 
-/* Moves x and v by the time dt, s, along the part of the motion known in
-   closed form. dt may be negative. accelerate computes the other forces. */
+/* Moves x and v by the time dt (in s), along the part of the motion that is
+   known in closed form. dt may be negative. accelerate computes only the
+   other forces. */
 typedef void stepping_flow(void *what, double dt, double x[], double v[]);
 
 enum stepping_family {
@@ -80,8 +82,8 @@ struct stepping_method {
 enum stepping_end {
     STEPPING_DONE,
     STEPPING_INFINITE, /* a coordinate or velocity is not finite */
-    STEPPING_STUCK     /* an implicit step was not solved; x and v are those
-                          before it */
+    STEPPING_STUCK     /* the equations of an implicit step were not solved;
+                          x and v are from before the step */
 };
 
 /* The state of a run by steps. Its members may be read. */
@@ -116,7 +118,7 @@ extern const struct stepping_method stepping_methods[STEPPING_MOST + 1];
 /* Returns the method of this name, or NULL. */
 const struct stepping_method *stepping_find(const char *name);
 
-/* Returns the method after m, or the first method if m is NULL, that needs
+/* Returns the next method after m, or the first if m is NULL, that needs
    only accelerations and takes equal steps. Returns NULL after the last. */
 const struct stepping_method *stepping_next(
     const struct stepping_method *m);
@@ -124,18 +126,18 @@ const struct stepping_method *stepping_next(
 /* Returns whether the method is leapfrog: (8.4, eq:verlet). */
 bool stepping_is_leapfrog(const struct stepping_method *m);
 
-/* Prepares to step x (m) and v (m/s) by dt, s. The caller owns x and v. The
-   method and what the forces point to must outlive s. Returns false, with
-   nothing to free, if memory runs out. */
+/* Prepares to step x (in m) and v (in m/s) by dt (in s). The caller owns x
+   and v. The method and what the forces point to must outlive s. Returns
+   false, with nothing to free, if memory runs out. */
 bool stepping_begin(struct stepping *s, const struct stepping_method *m,
                     struct stepping_forces f, double dt, double x[],
                     double v[]);
 
 /* Continues a run after `steps` steps in another program. Must be called
-   before the first step. x and v must be those of that run. carry is its
-   carry if the run was compensated, and acceleration is its acceleration if
-   stepping_keeps; otherwise they are NULL. All bits then equal those of an
-   uninterrupted run. */
+   before the first step, with the x and v of that run. carry is the carry
+   of that run if it was compensated, otherwise NULL. acceleration is its
+   acceleration if stepping_keeps, otherwise NULL. All bits then equal those
+   of an uninterrupted run. */
 void stepping_resume(struct stepping *s, uint64_t steps,
                      const double carry[], const double acceleration[]);
 
@@ -150,7 +152,7 @@ bool stepping_keeps(const struct stepping *s);
    every STEPPING_WATCH steps of the run. */
 enum stepping_end stepping_run(struct stepping *s, uint64_t steps);
 
-/* Returns the time of x and v, s. */
+/* Returns the time (in s) of x and v. */
 double stepping_time(const struct stepping *s);
 
 /* Must be called after the caller has changed x or v. */
@@ -163,7 +165,7 @@ void stepping_free(struct stepping *s);
 void stepping_note(const struct stepping *s, double note[]);
 void stepping_recall(struct stepping *s, const double note[]);
 
-/* Takes a part of a step, of length h, s, without counting it in steps.
+/* Takes a part of a step, of length h (in s), without counting it in steps.
    When the parts add up to a step, the caller adds 1 to steps. A part of
    length dt equals a step to the last bit. Checks whether all numbers are
    finite. */

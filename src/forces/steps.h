@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 164807368 of the lines below */
+/* checksum 2469000558 of the lines below */
 /* The steps of the methods: kicks and drifts, leapfrog, Runge-Kutta. */
 #ifndef STEPS_H
 #define STEPS_H
@@ -41,7 +41,7 @@ static inline void refresh(struct stepping *s)
 }
 
 /* Kicks by h under friction. Half a kick predicts the velocity in the
-   middle. The forces are computed again at this velocity, for the whole
+   middle of the kick. The forces at this velocity are used for the whole
    kick. */
 static inline void kick_damped(struct stepping *s, double h)
 {
@@ -97,9 +97,9 @@ static inline void splitting_step(struct stepping *s)
         kick_and_drift(s, k);
 }
 
-/* Does half a kick and the drift of n coordinates. If owing, first does the
-   second half of the last kick. Under friction, writes the velocities
-   predicted for the end of the next kick into ahead. */
+/* Does half a kick and the drift of n coordinates. If `owing` is true,
+   first does the second half of the last kick. Under friction, writes the
+   velocities predicted for the end of the next kick into ahead. */
 static inline void move_as(size_t n, double *restrict x, double *restrict v,
                            double *restrict ahead, const double *restrict a,
                            const struct stepping_work *w, bool owing,

@@ -87,9 +87,9 @@ static inline void add_four(double *to, double *carry, four *by)
 #endif
 
 /* Kicks by h and, unless dt is NULL, drifts by *dt, with compensated sums.
-   The accelerations have just been written one by one. Loading four at once
-   would wait about eleven cycles for these stores. The array is therefore
-   volatile, and each acceleration is loaded alone. */
+   The accelerations have just been stored one by one, and loading four at
+   once would wait about eleven cycles for these stores. The array is
+   therefore volatile, so that each acceleration is loaded alone. */
 VECTOR_LOOP static void advance_carried(struct stepping *s, double h,
                                         const double *dt)
 {
@@ -115,9 +115,9 @@ VECTOR_LOOP static void advance_carried(struct stepping *s, double h,
     }
 }
 
-/* Kicks by h and, unless dt is NULL, drifts by *dt, in one pass. The forces
-   on three bodies take about 130 cycles, and a second pass would add
-   ten. */
+/* Kicks by h and, unless dt is NULL, drifts by *dt, in one pass. For three
+   bodies the forces take about 130 cycles, and a second pass would take
+   another ten. */
 static inline void advance(struct stepping *s, double h, const double *dt)
 {
     const size_t n = s->forces.size;

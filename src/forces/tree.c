@@ -1,5 +1,5 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 2672509585 of the lines below */
+/* checksum 1587303732 of the lines below */
 /* Sums gravity by a tree: a distant cell of bodies acts as one mass. */
 #include "forces/tree.h"
 
@@ -18,8 +18,9 @@ struct cell {
     size_t next;       /* cell to visit next if this cell is not opened */
 };
 
-/* A tree. Its bodies are sorted by cells. body[] has the caller's numbers
-   of the bodies. place[] has all values of x, then of y, z and the mass. */
+/* A tree. Its bodies are sorted by cells, and body[] has the numbers that
+   the caller gave them. place[] has all values of x, then of y, z and the
+   mass. */
 struct tree {
     double theta2, least; /* theta squared; smallest side of a cell */
     size_t bodies, cells;
@@ -29,9 +30,9 @@ struct tree {
     double *place;
 };
 
-/* Moves the bodies whose coordinate x is below `middle` to the front of the
-   bodies first to end - 1. Returns the position of the first of the other
-   bodies. */
+/* Sorts the bodies first to end - 1 into those whose coordinate x is below
+   `middle` and the rest. Returns the position of the first body of the
+   rest. */
 static size_t sort(struct tree *t, const double x[], size_t first,
                    size_t end, double middle)
 {
@@ -59,7 +60,7 @@ static struct cube eighth(struct cube c, int q)
 }
 
 /* Sorts the bodies part[0] to part[8] - 1 into eighths of the cube. The
-   bodies of eighth q begin at part[q]. If one eighth has all bodies,
+   bodies of eighth q begin at part[q]. If one eighth contains all bodies,
    divides that eighth instead. Returns false if the bodies cannot be
    separated. */
 static bool divide(struct tree *t, const double x[], size_t part[9],

@@ -5,11 +5,11 @@
 #include <stdbool.h>
 #include <string.h>
 
-/* A pair of adjacent numbers, one for each body, such as a coordinate. A
-   step of two bodies is little more than a root and a quotient, each
-   waiting for the other. The loops for many bodies pass all numbers through
-   memory in between, which takes a sixth of the time. Here the numbers stay
-   in registers. The operations and their order are those of the loops. */
+/* A pair of adjacent numbers, one for each body, such as a coordinate. The
+   operations and their order are those of the loops for many bodies, but
+   here the numbers stay in registers. Passing them through memory takes a
+   sixth of the time of a step, since a step of two bodies is little more
+   than a square root and a division, one after the other. */
 typedef double pair __attribute__((vector_size(16), aligned(8), may_alias));
 
 /* The motion of both bodies along one axis: coordinates, velocities,
@@ -20,8 +20,8 @@ struct axis {
 };
 
 /* Does the first half of the next kick and the drift, as in steps.h. If
-   `owing`, first does the second half of the last kick. Returns the
-   difference of the bodies' coordinates in both numbers of a pair. */
+   `owing` is true, first does the second half of the last kick. Returns the
+   difference of the bodies' coordinates twice, as a pair. */
 static inline pair move(struct axis *k, double dt, bool owing)
 {
     const pair half = k->kick * k->a;
@@ -33,9 +33,9 @@ static inline pair move(struct axis *k, double dt, bool owing)
 }
 
 /* Takes steps of leapfrog, with the forces of add_pairs in pull.h. If
-   `plain` (see is_plain), leaves out the three operations that add 0. A
-   step is a chain of sixteen operations, each of which waits for the one
-   before. Leaving out three saves an eighth of the time. */
+   `plain` is true (see is_plain), omits the three operations that only add
+   0. A step is a chain of sixteen operations, each of which waits for the
+   one before, so this saves an eighth of the time. */
 static void run_two(const struct gravity *g, double dt, uint64_t steps,
                     struct axis axis[3], bool plain)
 {
@@ -80,10 +80,10 @@ static bool has_minus_zero(pair p)
 }
 
 /* Returns whether the bodies are in the plane z = 0, without softening and
-   uniform gravity. run_two may then leave these out. This changes no bits,
-   since adding 0 changes only -0, to 0. A velocity that begins as -0 would
-   stay -0, so it is not allowed. No velocity becomes -0 later, and 0 is
-   added to the accelerations after the loop. */
+   uniform gravity, so that run_two may omit the additions of 0. Such an
+   addition changes no bits except those of -0, which it turns into +0.
+   Velocities must therefore not begin as -0, and they never become -0
+   later. For the accelerations, 0 is added after the loop. */
 static bool is_plain(const struct gravity *g, const struct axis axis[3])
 {
     const struct axis *x = axis, *y = axis + 1, *z = axis + 2;

@@ -10,9 +10,9 @@
 
 /* Takes `steps` steps of the two bodies of *s, without the last half kick,
    as a stepping_sweep does. a[6] has the accelerations before the steps,
-   and receives the accelerations after them. Only the attraction of *g and
-   the uniform gravity weight[3], m/s^2, act. The `fixed` coordinates listed
-   in held[] do not change. All bits equal those from the general loops of
+   and receives those after them. Only the attraction of *g and the uniform
+   gravity weight[3] (in m/s^2) act. The `fixed` coordinates listed in
+   held[] do not change. All bits equal those from the general loops of
    steps.h and pull.h. */
 void twobody_sweep(const struct gravity *g, const struct stepping *s,
                    const double weight[3], const size_t held[],

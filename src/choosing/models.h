@@ -1,4 +1,4 @@
-/* The models, which compute a scene row by row, and their costs. */
+/* Declares the models, which compute scenes row by row, and their costs. */
 #ifndef MODELS_H
 #define MODELS_H
 
@@ -12,21 +12,21 @@
 /* The units of work that are counted while a model computes a run. */
 enum models_unit {
     MODELS_EVALUATION, /* call of the force function */
-    MODELS_BODY,       /* pass over a body; several per stage */
-    MODELS_PAIR,       /* gravity of a pair; of 8 pairs above 32 bodies */
-    MODELS_SPRING,     /* force of a spring; outside bands it counts 10 */
+    MODELS_BODY,       /* update of a body; several per stage */
+    MODELS_PAIR,       /* gravity of a pair, or of 8 if over 32 bodies */
+    MODELS_SPRING,     /* force of a spring; counts 10 outside a band */
     MODELS_ROD,        /* correction of a rod */
     MODELS_CONTACT,    /* body checked for contacts in a part of a step */
     MODELS_OVERLAP,    /* pair examined for contacts */
-    MODELS_CURVE,      /* product in computing the polynomial of a gap */
-    MODELS_ROOT,       /* polynomial of a gap that has a root */
+    MODELS_CURVE,      /* product in the polynomial of a gap */
+    MODELS_ROOT,       /* polynomial of a gap, if it has a root */
     MODELS_LINE_EVENT, /* collision on a line */
     MODELS_LINE_SCAN,  /* gap examined on a line */
     MODELS_DISK_EVENT, /* collision of disks, or with a wall */
     MODELS_DISK_SCAN,  /* disk examined to predict a collision */
     MODELS_RENEWAL,    /* construction of a neighbour list */
     MODELS_ELLIPSE,    /* body moved along its ellipse */
-    MODELS_FLIGHT,     /* coordinate moved freely; if damped it counts 10 */
+    MODELS_FLIGHT,     /* coordinate moved freely; counts 10 if damped */
     MODELS_ORDER,      /* comparison in sorting bodies */
     MODELS_MODE,       /* operation in finding or summing modes */
     MODELS_ROW,        /* output of a row */
@@ -39,34 +39,34 @@ struct models_price {
 };
 extern const struct models_price models_prices[MODELS_UNITS];
 
-/* Simplifications of a scene, as bits of a set. */
+/* Simplifications of a scene, which can be combined as bits of a set. */
 enum models_cut {
     MODELS_NO_LIGHT = 1, /* bodies lighter than a hundredth of the heaviest
                             attract no others */
-    MODELS_RODS = 2,     /* springs a hundred times stiffer than the softest
-                            become rods */
+    MODELS_RODS = 2, /* springs more than a hundred times as stiff as the
+                        softest become rods */
     /* The following bits set quantities of the scene to 0. */
     MODELS_NO_SOFTENING = 4,
     MODELS_NO_FRICTION = 8, /* `damp` in a scene file */
     MODELS_NO_DASHPOTS = 16,
-    MODELS_NO_WEAK = 32, /* springs less than a hundredth as stiff as the
-                            stiffest */
+    MODELS_NO_WEAK = 32, /* springs with less than a hundredth of the
+                            largest stiffness */
     MODELS_NO_WEIGHT = 64,
     MODELS_NO_PULL = 128,
-    MODELS_NO_ACROSS = 256, /* motion across the longest axis */
+    MODELS_NO_ACROSS = 256, /* extent and motion across the longest axis */
     MODELS_CUTS = 9         /* number of bits */
 };
 
 /* Names of the simplifications, from bit 0 on, then NULL. */
 extern const char *const models_cut_names[MODELS_CUTS + 1];
 
-/* The interactions in a scene, and the axes that matter. */
+/* The interactions in a scene, and the axes along which bodies may move. */
 struct models_acts {
     bool contact; /* two bodies, or a body and a wall, may meet */
     bool gravity, springs, weight, friction, dashpots;
     unsigned axes;     /* bit k: something may move along axis k */
     unsigned offset;   /* bit k: positions differ along axis k */
-    size_t dimensions; /* number of axes that matter */
+    size_t dimensions; /* number of axes in `axes` */
     size_t free;       /* number of bodies that may move */
     unsigned cuts;     /* applied simplifications */
 };
@@ -76,15 +76,17 @@ struct models_acts {
 struct models_plan {
     const struct models_model *model;
     unsigned cuts;
-    uint64_t steps;   /* steps in each row; 0 for models without steps */
+    uint64_t steps;   /* time steps per row; 0 for models without steps */
     double tolerance; /* step tolerance of an adaptive method */
-    /* A passage of two bodies matters if it moves one of them by more than
-       `negligible` (m) in the time `time_left` (s). */
+    /* Close passages limit the time steps, except those that move both
+       bodies by less than `negligible` (m) within `time_left` (s). */
     double negligible, time_left;
-    double slack; /* steps are shorter than their limits by this fraction */
-    /* Contacts and near misses by less than this are recorded, m. */
+    double slack; /* steps are shorter than their upper limits by this
+                     fraction */
+    /* Contacts and near misses are recorded if the overlap or the gap is
+       less than this, m. */
     double contact_margin;
-    double start_limit; /* cost limit of the start, s; 0: none */
+    double start_limit; /* cost limit of `begin`, s; 0: none */
 };
 
 enum { MODELS_TEXT = 256, MODELS_MESSAGE = 2048 };
@@ -106,12 +108,14 @@ struct models_run;
 struct models_model {
     const char *name, *about;
     enum models_family family;
-    unsigned bears; /* private: bits of models_parts.h */
+    unsigned bears; /* private: flags defined in models_parts.h */
     size_t engine;  /* private: bytes of its state, zeroed at the start */
     enum models_end (*row)(struct models_run *r);
     /* Begins a run. Returns NULL, or why it fails. */
     const char *(*begin)(struct models_run *r);
-    /* Ends a run after begin, even if begin has failed. */
+    /* Returns why the model cannot compute this scene, or NULL. It is
+       called only if the model supports all interactions. A NULL pointer
+       means that nothing else needs a check. */
     void (*end)(struct models_run *r);
     /* Returns why the model cannot compute this scene, or NULL. `bears` is
        checked before. The pointer is NULL if nothing else needs a check. */
@@ -119,26 +123,26 @@ struct models_model {
                            const struct models_acts *a);
     bool approximate; /* not exact, even for scenes that it accepts */
     const struct stepping_method *method; /* NULL if there are no steps */
-    /* Updates r->collisions. NULL if row does this. */
+    /* Updates r->collisions. NULL if `row` does this. */
     void (*count)(struct models_run *r);
 };
 
-/* The state of a run. All members but engine may be read. Only `all` and
-   `limit` may be written. */
+/* The state of a run. Callers may read all members except engine, and may
+   write only `all` and `limit`. */
 struct models_run {
     struct models_plan plan;
-    struct scene scene;  /* copy at the last row, without rods */
-    struct scene origin; /* copy at the start */
+    struct scene scene;  /* at the last row; its springs exclude rods */
+    struct scene origin; /* at the start */
     struct models_acts acts;
     double start, every; /* s */
     double elapsed;      /* time from the start to the next row, s */
-    double clock;        /* bound on the relative error of time that is
-                            equal in all twins, or 0 */
-    uint64_t rows;       /* rows so far */
+    double clock;  /* bound on the relative error of time that all twins
+                      share, or 0 */
+    uint64_t rows; /* rows so far */
     uint64_t collisions; /* see models_collisions */
-    double least;        /* smallest gap of a near miss or, if negative,
-                            shallowest contact, m */
-    double virial;       /* as in struct disks, J s; NaN: unknown */
+    double least;  /* gap of the narrowest miss or, if negative, of the
+                      shallowest contact, m */
+    double virial; /* as in struct disks, J s; NaN: unknown */
     double work[MODELS_UNITS];
     uint64_t all; /* rows of the whole run; 0: unknown */
     double limit; /* cost limit, s */
@@ -156,9 +160,9 @@ unsigned models_cuts(const struct scene *s);
 /* Finds the interactions in a scene. */
 void models_analyse(struct models_acts *a, const struct scene *s);
 
-/* Estimates the largest angular frequency of the scene in its present state
-   plus the largest rate of friction, 1/s, if `cuts` are applied. Returns
-   INFINITY if memory runs out. */
+/* Returns an estimate, 1/s, of the largest angular frequency of the scene
+   in its present state plus the largest damping rate. The simplifications
+   `cuts` are applied first. Returns INFINITY if memory runs out. */
 double models_rate(const struct scene *s, unsigned cuts);
 
 /* Returns the square of the present distance of two bodies, m^2. */
@@ -179,8 +183,8 @@ bool models_read(struct models_plan *p, const char *text,
 const char *models_refuse(const struct models_plan *p,
                           const struct scene *s);
 
-/* Copies the scene and prepares to compute a row every `every` s. On
-   failure sets *why to a static text and returns false, with nothing to
+/* Copies the scene and prepares to compute rows at intervals of `every`, s.
+   On failure sets *why to a static text and returns false, with nothing to
    free; r->work keeps the work done so far. */
 bool models_begin(struct models_run *r, const struct models_plan *p,
                   const struct scene *s, double every, const char **why);

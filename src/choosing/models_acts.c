@@ -31,15 +31,19 @@ double models_square(const struct scene *s, size_t i, size_t j)
     return pair_of(s, i, j, s->position, s->velocity).r2;
 }
 
-/* An interaction is absent only if it is exactly zero. An axis does not
-   matter if nothing moves along it at the start and nothing pushes along
-   it. Nothing pushes along an axis if it has no uniform gravity and all
-   bodies that interact have equal positions along it. This is exact: forces
-   act along the line between two bodies or along their relative velocity,
-   and the difference of equal numbers is 0. Friction only slows bodies
-   down. With gravity and contacts any two bodies may interact, so all
-   positions count. With springs only the two ends of a spring interact, so
-   a flat membrane stays flat. */
+/* An interaction is absent only if it is exactly zero.
+
+   An axis matters if a body moves along it at the start, or if a force may
+   act along it. There is no such force if there is no uniform gravity along
+   the axis and if all bodies that interact have equal positions along it.
+   This holds without rounding errors: forces act along the line between two
+   bodies or along their relative velocity, and the difference of two equal
+   numbers is 0. Friction only slows bodies down.
+
+   If bodies attract each other or may collide, any two of them may
+   interact, so the positions of all bodies are compared. A spring acts only
+   on its two ends, so only these are compared. Thus a flat membrane stays
+   flat. */
 void models_analyse(struct models_acts *a, const struct scene *s)
 {
     const size_t n = s->bodies;
@@ -109,10 +113,10 @@ static double square_of_pair(const struct scene *s, size_t i, size_t j)
 
 enum { MOST_PAIRED = 4000 };
 
-/* Returns the largest square_of_pair, 1/s^2. Examines all pairs of up to
-   four thousand bodies: eight million roots take some hundredths of a
-   second. With more bodies, examines only pairs with a heavy body, which
-   suffices for an estimate. */
+/* Returns the largest square_of_pair, 1/s^2. For up to four thousand bodies
+   it examines all pairs; their eight million square roots take a few
+   hundredths of a second. For more bodies it examines only pairs with a
+   heavy body, which suffices for an estimate. */
 static double square_of_gravity(const struct scene *s)
 {
     const double heavy = models_heaviest(s);
@@ -126,10 +130,12 @@ static double square_of_gravity(const struct scene *s)
     return most;
 }
 
-/* Adds the contribution of a spring to the matrix rows of its two bodies
-   (Gershgorin's theorem, section on the fastest time). This is the strength
-   divided by the mass of the body, plus the strength divided by the root of
-   the product of both masses. */
+/* Adds the contribution of a spring to row[a] and row[b], where a and b are
+   its two bodies. row[i] is the sum of the absolute values in the matrix
+   row of body i. By Gershgorin's theorem the largest of these sums bounds
+   the eigenvalues (section on the fastest time). The contribution is the
+   strength divided by the mass of the body, plus the strength divided by
+   the root of the product of both masses. */
 static void add_rows(const struct scene *s, const struct scene_spring *p,
                      double row[], double strength)
 {
@@ -144,9 +150,10 @@ static void add_rows(const struct scene *s, const struct scene_spring *p,
 }
 
 /* Returns the effective stiffness of a spring, N/m: the larger eigenvalue
-   of its block of the matrix. A spring of stiffness D, rest length l and
-   length r has the eigenvalues D along the spring and D(1 - l/r) across it.
-   The latter is larger if r is less than half of l. */
+   of its stiffness matrix. For a spring of stiffness D, rest length l and
+   present length r, the eigenvalues are D along the spring and D(1 - l/r)
+   across it. The latter has the larger absolute value if r is less than
+   half of l. */
 static double stiffness(const struct scene *s, const struct scene_spring *p)
 {
     const double length = sqrt(models_square(s, p->a, p->b));
@@ -155,10 +162,10 @@ static double stiffness(const struct scene *s, const struct scene_spring *p)
            (across > 1 && across < INFINITY ? across : 1);
 }
 
-/* Returns the stiffness, N/m, above which springs are stiff: a hundred
-   times the smallest. If all stiffnesses are equal, returns 0: all springs
-   are stiff, and the plan decides whether they become rods. Returns
-   INFINITY if no spring acts. */
+/* Returns the stiffness, N/m, above which springs count as stiff: a hundred
+   times the smallest stiffness. If all stiffnesses are equal, returns 0:
+   all springs count as stiff, and the plan decides whether they become
+   rods. Returns INFINITY if no spring acts. */
 static double stiff_from(const struct scene *s)
 {
     double least = INFINITY, most = 0;
@@ -178,14 +185,17 @@ static bool is_stiff(const struct scene *s, const struct scene_spring *p,
     return models_is_active(s, p) && s->kind[p->kind].stiffness > from;
 }
 
-/* Squares of frequencies are added, since the stiffnesses of parallel
-   springs add up, and so do those of a spring and gravity. Damping rates
-   are added to the frequency. In `row` the dashpots follow the springs. A
-   spring that becomes a rod does not vibrate. It turns at most at the
-   relative speed of its ends divided by its length. The result is only a
-   first estimate for the steps, since rates change when a comet approaches
-   its star. The choice is made by comparing runs, and does not depend on
-   this estimate. */
+/* The stiffnesses of parallel springs add up, and so do the effects of a
+   spring and gravity. So squares of frequencies are added. Damping rates
+   are added to the frequency. `row` contains a number for the springs of
+   each body, then one for the dashpots of each body.
+
+   A spring that becomes a rod does not vibrate. Its rate is that of its
+   rotation: at most the relative speed of its ends divided by its length.
+
+   The result is only a first estimate for the time step, since rates
+   change, for instance when a comet approaches its star. The chosen method
+   does not depend on it, since the choice is made by comparing runs. */
 double models_rate(const struct scene *s, unsigned cuts)
 {
     double square = 0, rate = 0, turning = 0, slow = 0;
@@ -220,8 +230,9 @@ const char *const models_cut_names[MODELS_CUTS + 1] = {
     "no-light", "rods",      "no-softening", "no-friction", "no-dashpots",
     "no-weak",  "no-weight", "no-pull",      "no-across",   NULL};
 
-/* Finds the axis along which a body is farthest from the first body.
-   Removes all differences of position and all motion across this axis. */
+/* Finds the axis along which a body is farthest from the first body. Along
+   the other axes, gives all bodies the position of the first body and fixes
+   them. */
 static void flatten(struct scene *s)
 {
     const size_t n = s->bodies;
@@ -260,8 +271,9 @@ void models_leave_out(struct scene *s, unsigned cuts)
     }
 }
 
-/* Simplifications that change nothing are left out. Light bodies matter
-   only with gravity. Bodies without mass attract nothing anyway. */
+/* Simplifications that change nothing are not returned. The masses of light
+   bodies matter only with gravity, and bodies without mass attract nothing
+   anyway. */
 unsigned models_cuts(const struct scene *s)
 {
     const double from = stiff_from(s), most = models_heaviest(s);

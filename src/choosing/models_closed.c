@@ -14,7 +14,7 @@
 /* Every row is computed from the start, so errors do not add up from row to
    row. */
 
-/* Cost of a flight with friction, in free flights. */
+/* Work of moving a coordinate with friction, relative to free motion. */
 enum { WITH_EXPONENTIAL = 10 };
 
 static enum models_end row_free(struct models_run *r)
@@ -41,8 +41,10 @@ const struct models_model models_free = {
     .row = row_free};
 
 /* Returns whether only the central body attracts bodies that can move, and
-   all other bodies are free along every axis that matters. (A body that is
-   free along x but not along y slides on a wire, and not along an ellipse.)
+   all other bodies are free along every axis that matters. Otherwise a body
+   would not move on an ellipse: a body that is free along x but not along y
+   slides on a wire.
+
    Bodies without mass do not attract, and light bodies may be neglected.
    For two bodies the formula includes both attractions (12.3,
    eq:light-ellipse). */
@@ -98,21 +100,22 @@ static double *at_start(const struct models_run *r)
     return l->work;
 }
 
-/* The part of the relative error of time that is equal in all twins. 2 pi
-   has a relative error of a third of 2^-53. Its product with the number of
-   whole turns, which is the same in all units, is rounded once. */
+/* The relative error of time that all twins share. 2 pi has a relative
+   error of a third of 2^-53. Its product with the number of whole turns is
+   rounded once. The number of turns is the same in all units. */
 static const double clock_error = 0x1.6p-53;
 
-/* Returns the part of the relative error of time that is equal in all
-   twins. Returns INFINITY if an orbit is a parabola or hyperbola, which
-   this model cannot compute, or an ellipse as narrow as a line, on which
-   the body would fall into the centre. The rounding error of the mean
-   motion is larger, but not included. It depends on the last digits of r
-   and v, so twins in other units show it. 1/a is the difference 2/r -
-   v^2/mu of terms with relative errors of about 2^-53, so the mean motion
-   has an error of up to 13 a/r times 2^-53. The bound 4 a/r 2^-51 was tried
-   and was far too high: 14 times the true error in the median of random
-   orbits, and 40 times in one of ten. */
+/* Returns the relative error of time that all twins share. Returns INFINITY
+   if this model cannot compute an orbit: a parabola, a hyperbola, or an
+   ellipse so narrow that the body would practically fall into the centre.
+
+   The result does not include the rounding error of the mean motion, which
+   may be larger. That error depends on the last digits of r and v, so twins
+   in other units reveal it. It is up to 13 a/r times 2^-53, since 1/a is
+   the difference 2/r - v^2/mu of terms with relative errors of about 2^-53.
+   The bound 4 a/r 2^-51 was tried for random orbits and was far too high:
+   14 times the true error in the median, and 40 times for one orbit in
+   ten. */
 static double clock_of_ellipses(const struct models_run *r)
 {
     const struct jacobi *j = &((const struct particles *)r->engine)->jacobi;
@@ -142,9 +145,9 @@ static const char *begin_kepler(struct models_run *r)
                                : "an orbit is open, or as good as a fall";
 }
 
-/* Computes a row by a single drift of Wisdom and Holman's method from the
-   start. A drift may cover any number of turns, so the cost does not depend
-   on the time. Uniform gravity adds the same fall to all bodies. */
+/* Computes a row from the start by a single drift of Wisdom and Holman's
+   method. A drift may cover any number of turns, so its cost does not
+   depend on the time. Uniform gravity adds the same fall to all bodies. */
 static enum models_end row_kepler(struct models_run *r)
 {
     const struct particles *l = r->engine;
@@ -174,17 +177,19 @@ const struct models_model models_kepler = {
     .end = end_kepler,
     .refuses = refuse_kepler};
 
-/* Finding 400 modes takes some seconds, and 1000 modes a minute. Other
-   models are then cheaper. */
+/* Finding 400 modes takes a few seconds, and 1000 modes a minute. With so
+   many modes other models are cheaper. */
 enum { MOST_MODES = 400, MOST_TRIES = 30 };
 
 /* Near equilibrium the motion of springs is a sum of modes, each of which
-   is an oscillator. The error is of second order in the displacement, and
-   no formula gives it: a membrane at its rest length has hardly any linear
-   modes, while a taut membrane has only linear modes. So the result is
-   compared with a run in steps. Friction is allowed if it damps all modes
-   equally, with the same c/m for all bodies. Dashpots are allowed only with
-   a single coordinate. */
+   is an oscillator. The error of this approximation is of second order in
+   the displacement. It is found by a comparison with a run in time steps,
+   since no formula gives it: a taut membrane has only linear modes, but a
+   membrane at its rest length has hardly any.
+
+   Friction is allowed if it damps all modes equally, that is, if c/m is the
+   same for all bodies. Dashpots are allowed only with a single
+   coordinate. */
 static const char *refuse_modes(const struct scene *s,
                                 const struct models_acts *a)
 {
@@ -207,7 +212,8 @@ static const char *refuse_modes(const struct scene *s,
 }
 
 /* On a line the motion is exactly linear as long as no spring reverses. A
-   spring that moves sideways also gets longer, and is then not linear. */
+   spring whose ends move sideways also gets longer, and the motion is then
+   not linear. */
 static const char *refuse_oscillator(const struct scene *s,
                                      const struct models_acts *a)
 {
@@ -240,9 +246,9 @@ static void end_modes(struct models_run *r)
 
 /* Improves the equilibrium positions w->rest by a Newton step: the modes at
    these positions give the displacement that cancels the remaining forces.
-   Near equilibrium each step doubles the number of correct digits, and five
-   or six steps are enough. Returns the largest displacement along an axis,
-   m, or NaN if memory runs out. */
+   Returns the largest displacement along an axis, m, or NaN if memory runs
+   out. Near equilibrium each step doubles the number of correct digits, so
+   five or six steps are enough. */
 static double approach_rest(struct vibration *w, struct models_run *r)
 {
     const struct modes *m = &w->modes;
@@ -264,8 +270,8 @@ static double approach_rest(struct vibration *w, struct models_run *r)
 }
 
 /* Returns whether computing the modes once more would exceed the cost limit
-   of the start. This costs 20 times the cube of the number of free
-   coordinates, and may be needed MOST_TRIES times. */
+   of the start. Each computation costs 20 times the cube of the number of
+   free coordinates, and up to MOST_TRIES may be needed. */
 static bool is_start_dear(const struct models_run *r)
 {
     double work[MODELS_UNITS], size = 0;
@@ -277,9 +283,9 @@ static bool is_start_dear(const struct models_run *r)
            models_cost(work) > r->plan.start_limit;
 }
 
-/* Moves w->rest to a stable equilibrium. Returns NULL, or why there is no
-   stable equilibrium and thus no small vibration. At an unstable
-   equilibrium the smallest squared frequency is clearly negative. */
+/* Moves w->rest to a stable equilibrium. Returns NULL, or why it found
+   none, so that there is no small vibration. At an unstable equilibrium the
+   smallest squared frequency is clearly negative. */
 static const char *find_rest(struct vibration *w, struct models_run *r)
 {
     const double size = largest(w->rest, 3 * r->scene.bodies);
@@ -298,8 +304,8 @@ static const char *find_rest(struct vibration *w, struct models_run *r)
                : NULL;
 }
 
-/* Computes the amplitudes of the modes in the displacement x - from, or in
-   the velocities x if from is NULL. Mode shapes are orthogonal, so each
+/* Computes the amplitude of each mode in the displacement x - from or, if
+   from is NULL, in the velocities x. Mode shapes are orthogonal, so each
    amplitude is a scalar product. */
 static void take_apart(const struct modes *m, const double x[],
                        const double from[], double amount[])
@@ -314,12 +320,14 @@ static void take_apart(const struct modes *m, const double x[],
     }
 }
 
-/* Returns whether every spring with a rest length keeps its direction on
-   this axis. A spring that is longer or shorter by u than at equilibrium
-   has the energy D u^2/2. This cannot exceed the energy of all modes about
-   equilibrium, which friction only reduces. So a spring of length d at
-   equilibrium cannot reverse if D d^2/2 is more than the energy of all
-   modes and the spring starts with the direction of equilibrium. */
+/* Returns whether no spring with a rest length can reverse its direction on
+   this axis.
+
+   A spring that is longer or shorter by u than at equilibrium has the
+   energy D u^2/2. This is at most the total energy of all modes, which
+   friction only reduces. So a spring whose length at equilibrium is d
+   cannot reverse if D d^2/2 exceeds this total. It must also have the
+   direction of equilibrium at the start. */
 static bool keeps_sides(const struct vibration *w, const struct scene *s,
                         size_t axis)
 {

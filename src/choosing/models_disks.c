@@ -7,11 +7,12 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* The axes of the scene in the order of the engine. Axes that matter come
-   first. The axis of the floor, or of the only walls, is second: in chapter
-   5 gravity acts along the second axis, and a box that is periodic along
-   the others has its walls there. The engine treats an axis that does not
-   matter as open, whatever its walls. */
+/* The axes of the scene in the order used by the engine. Axes that matter
+   come first, and the others count as open, whatever their walls.
+
+   The axis of gravity is second, as in the engine of chapter 5. Without
+   gravity, in a box that is otherwise periodic, the second axis is the one
+   with walls. */
 struct box_axes {
     size_t axes, axis[SCENE_AXES];
     size_t count[3]; /* number of axes with each kind of wall */
@@ -46,9 +47,9 @@ static struct box_axes box_axes_of(const struct scene *s,
     return w;
 }
 
-/* Returns why the engine cannot compute a scene, or NULL. A fixed body
-   would need a different mass along each axis, which the engine does not
-   support. */
+/* Returns why the engine cannot compute a scene, or NULL. Bodies that are
+   fixed along an axis are refused: they would need a different mass along
+   each axis, which the engine does not support. */
 static const char *refuse_disks(const struct scene *s,
                                 const struct models_acts *a)
 {
@@ -78,7 +79,8 @@ static const char *refuse_disks(const struct scene *s,
                : NULL;
 }
 
-/* A run by one of the two engines of part II, with or without cells. */
+/* A run by one of the two engines of part II: with neighbour lists from
+   cells, or without. */
 struct box_run {
     struct disks disks;
     struct cells cells;
@@ -124,9 +126,9 @@ static void put_in_box(struct box_run *d, const struct scene *s)
 
 enum { SCANNED = 100 }; /* largest number of disks without cells */
 
-/* Begins a run. Cells are used if there are many disks and the box suits
-   cells. Otherwise all disks are examined. Returns NULL, or why it
-   fails. */
+/* Begins a run. Returns NULL, or why it fails. Cells are used if there are
+   many disks and the box is suitable. Without cells all disks are examined
+   to predict a collision. */
 static const char *begin_disks(struct models_run *r)
 {
     const struct scene *s = &r->scene;
@@ -155,13 +157,16 @@ static const char *begin_disks(struct models_run *r)
     return d->celled || disks_plan(&d->disks) ? NULL : models_no_memory;
 }
 
-/* Counts the work since the start: events and examined disks. A collision
-   of two disks requires new predictions for both, a collision with a wall
-   for one disk. A prediction examines all disks or, with cells, all entries
-   of a neighbour list. The start counts, too. Without cells it examines
-   every pair once for an overlap and twice for a collision. With cells it
-   makes a list for each disk and examines half of the entries. A disk that
-   leaves its skin gets a new list. */
+/* Counts the work since the start: events and examined disks.
+
+   A collision of two disks requires new predictions for both of them, a
+   collision with a wall only one. A prediction examines all disks or, with
+   cells, a neighbour list. A disk that has moved too far since its list was
+   made gets a new one.
+
+   The work of the start is included. Without cells it examines every pair
+   once for an overlap and twice for a collision. With cells it makes a list
+   for each disk and examines half of the entries. */
 static void count_disks(struct models_run *r, const struct box_run *d)
 {
     const double met = (double)d->disks.collisions;
@@ -178,10 +183,11 @@ static void count_disks(struct models_run *r, const struct box_run *d)
         ((double)r->rows + 1) * (double)(d->view.axes * d->disks.count);
 }
 
-/* Returns whether the work so far and the crossings of the box up to the
-   next row exceed the cost limit. A disk that does not collide crosses the
-   box |v| t/L times along each axis in the time t. At each crossing it
-   meets a wall or, in a periodic box, needs a new prediction. */
+/* Returns whether the work so far, plus that of the crossings of the box up
+   to the next row, exceeds the cost limit. In the time t a disk that does
+   not collide crosses the box |v| t/L times along each axis. At each
+   crossing it meets a wall or, in a periodic box, needs a new
+   prediction. */
 static bool is_endless(const struct models_run *r, struct box_run *d)
 {
     const double time = r->elapsed - d->disks.now;
@@ -194,9 +200,9 @@ static bool is_endless(const struct models_run *r, struct box_run *d)
     return models_cost(r->work) + price * d->crossed > r->limit;
 }
 
-/* Runs to the next row. An engine that stops before AT_A_TIME collisions
-   has no memory for longer lists. As in the models with steps, positions in
-   a periodic box are not folded back. */
+/* Runs to the next row. If the engine stops before AT_A_TIME collisions,
+   memory for longer lists has run out. Positions in a periodic box are not
+   folded back into the box, as in the models with time steps. */
 static enum models_end row_disks(struct models_run *r)
 {
     struct box_run *d = r->engine;

@@ -31,7 +31,8 @@ static struct row_of_bodies row_of(const struct scene *s,
     struct row_of_bodies row = {axis, g > 0 ? -1 : 1, fabs(g),
                                 walls ? s->low[axis] : -INFINITY,
                                 walls ? s->high[axis] : INFINITY};
-    double first = INFINITY, last = -INFINITY; /* of the free bodies */
+    /* positions of the outermost free bodies, m */
+    double first = INFINITY, last = -INFINITY;
     for (size_t i = 0; i < s->bodies; ++i)
         if (free[i]) {
             first = fmin(first, x[i]);
@@ -90,8 +91,8 @@ struct line {
 };
 
 /* Fills *start with the free bodies, sorted from left to right, and stores
-   their numbers in l->body. Fixed bodies have become walls. Returns false
-   if memory runs out. */
+   their indices in l->body. Fixed bodies are left out, as they count as
+   walls. Returns false if memory runs out. */
 static bool start_row(struct line *l, struct start *start,
                       const struct scene *s)
 {
@@ -150,8 +151,8 @@ static const char *begin_line(struct models_run *r)
                                       : "bodies overlap at the start";
 }
 
-/* Cost of finding the next collision of more than 32 bodies, in examined
-   gaps. With fewer bodies the engine examines all gaps. */
+/* Work of finding the next collision of more than 32 bodies, as a number of
+   examined gaps. With fewer bodies the engine examines all gaps. */
 enum { SLAB_WORTH = 30 };
 
 static void count_line(struct models_run *r, const struct bonkers *b)
@@ -210,8 +211,9 @@ const struct models_model models_line = {
     .end = end_line,
     .refuses = refuse_line};
 
-/* Returns why the scene is not a line of equal bodies that only exchange
-   velocities, or NULL. The conditions for any line are checked first. */
+/* Returns why the bodies on a line do not just exchange velocities, as
+   equal bodies do, or NULL if they do. The conditions for any line are
+   checked first. */
 static const char *refuse_relabel(const struct scene *s,
                                   const struct models_acts *a)
 {
@@ -262,9 +264,9 @@ static enum models_end row_relabel(struct models_run *r)
     return MODELS_DONE;
 }
 
-/* Counts the collisions up to the last row. This is done only on request,
-   since it costs more than a row: it examines all pairs, including mirror
-   images, at the start and at the last row. */
+/* Counts the collisions up to the last row. It is called only on request,
+   since it costs more than a row: all pairs, including mirror images, are
+   examined at the start and at the last row. */
 static void count_relabelled(struct models_run *r)
 {
     const struct line *l = r->engine;

@@ -1,12 +1,12 @@
-/* Shared by the files of models: axes, pairs, costs and rows. */
+/* Declares what the files of models share: axes, pairs, costs and rows. */
 #ifndef MODELS_PARTS_H
 #define MODELS_PARTS_H
 
 #include "choosing/models.h"
 #include "choosing/pair.h"
 
-/* Coordinates are arranged axis by axis: all x, then all y, then all z. A
-   set of axes is a number with three bits. */
+/* Coordinates are stored axis by axis: all x, then all y, then all z. A set
+   of axes is a number with a bit for each axis. */
 /* Returns the index of coordinate k of body i. */
 static inline size_t at(const struct scene *s, size_t k, size_t i)
 {
@@ -60,14 +60,14 @@ enum {
 
 extern const char models_no_memory[];
 
-/* Returns whether the run has already cost more than its limit. */
+/* Returns whether the run has cost more than its limit. */
 bool models_is_costly(const struct models_run *r);
 
-/* Event-driven engines stop after this number of collisions to check the
-   cost, since in a gas very many collisions may precede the next row. */
+/* Number of collisions after which event-driven engines stop to check the
+   cost, since a gas may have very many collisions before the next row. */
 enum { AT_A_TIME = 4096 };
 
-/* Adds the cost of sorting n bodies `times` times to the work. */
+/* Adds the work of sorting n bodies, `times` times, to the run. */
 void models_count_sorting(struct models_run *r, size_t n, double times);
 
 /* ---- models_acts.c */
@@ -82,28 +82,30 @@ double models_heaviest(const struct scene *s);
    of these axes or, if there is none, the heaviest. */
 size_t models_central_body(const struct scene *s, unsigned axes);
 
-/* Sets to 0 the quantities of the scene that `cuts` leave out. The models
-   themselves handle light bodies and rods. */
+/* Applies the simplifications in `cuts` that set quantities of the scene to
+   0. The others, for light bodies and rods, are applied by the models. */
 void models_leave_out(struct scene *s, unsigned cuts);
 
-/* Sorts the springs of s: first those that remain springs, which s->springs
-   counts, then those that become rods. Returns the number of rods. */
+/* Reorders the springs of s: first those that remain springs, then those
+   that become rods. Sets s->springs to the number of the former, and
+   returns the number of rods. */
 size_t models_take_stiff(struct scene *s, const struct scene *origin);
 
-/* Returns whether points on a line may meet. Models with steps cannot
-   decide this because of rounding. So only `line` and `relabel` accept such
-   scenes, and other models refuse with the text models_unseen. */
+/* Returns whether bodies of radius 0 may meet on a line. Rounding errors
+   keep models with time steps from detecting such contacts. So only `line`
+   and `relabel` accept these scenes, and other models refuse them with the
+   text models_unseen. */
 bool models_points_meet(const struct scene *s, const struct models_acts *a);
 extern const char models_unseen[];
 
-/* ---- the models without steps, defined in the files of their functions */
+/* ---- models without time steps, defined next to their functions */
 
 /* models_closed.c: formulas, and small vibrations */
 extern const struct models_model models_free, models_kepler,
     models_oscillator, models_modes;
-/* models_line.c, models_disks.c: events */
+/* models_line.c, models_disks.c: collisions */
 extern const struct models_model models_relabel, models_line, models_disks;
-/* models_steps.c: the model of a method of stepping */
+/* models_steps.c: returns the model of a stepping method */
 struct models_model models_of_method(const struct stepping_method *m);
 
 #endif

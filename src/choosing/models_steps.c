@@ -1,4 +1,4 @@
-/* Computes scenes in steps, by any of the methods of chapter 8. */
+/* Computes scenes in time steps, by any of the methods of chapter 8. */
 #include "choosing/models_parts.h"
 
 #include "choosing/particles.h"
@@ -11,9 +11,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Returns why no method with steps can compute the scene, or NULL. Rods and
-   friction exclude each other: leapfrog, the only method with rods, would
-   need the velocity before it is computed. */
+/* Returns why no stepping method can compute the scene, or NULL. Rods and
+   friction exclude each other. Only leapfrog supports rods, and it would
+   need the velocity for the friction before it has computed it. */
 static const char *refuse_steps(const struct scene *s,
                                 const struct models_acts *a)
 {
@@ -32,17 +32,17 @@ static const char *refuse_steps(const struct scene *s,
                : NULL;
 }
 
-/* Sorts the bodies by their distance from the central body. Methods with
-   ellipses need this order, and the order in a file has no meaning. Returns
-   false if memory runs out. */
+/* Sorts the bodies by their distance from the central body. Methods that
+   move bodies on ellipses need this order, and the order in a scene file is
+   arbitrary. Returns false if memory runs out. */
 static bool order_outwards(struct particles *l, const struct scene *s)
 {
     return particles_create(l, s, INFINITY,
                             models_central_body(s, ALL_AXES), false);
 }
 
-/* Copies masses, positions and velocities into this order or, if `back`,
-   from it. */
+/* Copies masses, positions and velocities, and sorts the bodies by `order`.
+   If `back`, restores their original order instead. */
 static void permute(struct scene *to, const struct scene *from,
                     const uint32_t order[], bool back)
 {
@@ -75,11 +75,10 @@ static const char *refuse_orbits(const struct scene *s,
     return why;
 }
 
-/* A run in steps, with or without rods. */
+/* A run in time steps, with or without rods. */
 struct steps {
     struct motion motion;
-    struct scene scene; /* the copy that moves; its address must not
-                           change */
+    struct scene scene; /* moving copy; its address must not change */
     struct models_plan plan;
     struct particles particles;
     struct rods rods;
@@ -98,8 +97,8 @@ static void end_steps(struct models_run *r)
     scene_free(&t->scene);
 }
 
-/* Returns whether momentum is conserved: nothing is fixed, and only gravity
-   acts. Jacobi's coordinates require this. */
+/* Returns whether momentum is conserved, as Jacobi coordinates require:
+   nothing is fixed, and only gravity acts. */
 static bool keeps_momentum(const struct scene *s,
                            const struct models_acts *a)
 {
@@ -109,11 +108,11 @@ static bool keeps_momentum(const struct scene *s,
     return !a->contact && !a->springs && !a->friction;
 }
 
-/* Returns whether a passage of two bodies matters: it may move one of them
-   by more than `negligible` in the remaining time (12.13,
-   eq:choose-passage). The smallest distance is that of straight paths minus
-   the bending of the paths. a2 is the square of the relative
-   acceleration. */
+/* Returns whether a close passage of two bodies must limit the time step,
+   because it may move one of them by more than `negligible` in the
+   remaining time (12.13, eq:choose-passage). a2 is the square of the
+   relative acceleration. The closest distance is estimated from straight
+   paths, and is reduced by the deflection of these paths. */
 static bool passage_counts(const struct steps *t, const struct pair *p,
                            double pull, double a2)
 {
@@ -124,9 +123,10 @@ static bool passage_counts(const struct steps *t, const struct pair *p,
            t->plan.negligible * b * sqrt(p->v2);
 }
 
-/* Returns 1/T, 1/s. T is the time in which two bodies move by 0.7 of their
-   distance at their present relative velocity, or in which they come nearer
-   by as much with their present acceleration. The shorter time is used. */
+/* Returns 1/T, 1/s, where T is the shorter of two times. In the first, two
+   bodies at their present relative velocity move by 0.7 of their distance.
+   In the second, they approach each other by as much, with their present
+   acceleration. */
 static double passage_rate(const struct pair *p, double a2)
 {
     const double way = 0.7 * sqrt(p->r2), fall = 2 * sqrt(a2) * way;
@@ -135,7 +135,7 @@ static double passage_rate(const struct pair *p, double a2)
            way;
 }
 
-/* Returns the longest step, s, that cannot miss a close passage that
+/* Returns the longest time step, s, that cannot miss a close passage that
    matters. */
 static double longest_step(void *what, const double x[], const double v[],
                            const double a[])
@@ -158,8 +158,8 @@ static double longest_step(void *what, const double x[], const double v[],
 }
 
 /* Returns the number of steps per row. For an adaptive method this is the
-   number of calls: one, or LOOKS with contacts, as a call handles only a
-   limited number of contacts. */
+   number of calls. It is one, or LOOKS in scenes with contacts, because a
+   call handles only a limited number of contacts. */
 static uint64_t steps_of(const struct models_run *r)
 {
     enum { LOOKS = 8 };
@@ -168,11 +168,13 @@ static uint64_t steps_of(const struct models_run *r)
     return r->scene.contact ? LOOKS : 1;
 }
 
-/* Begins a run. Returns NULL, or why it fails. Springs that become rods are
-   removed first, so they exert no forces. The times of contacts are
-   located. Light bodies that attract no others move in Jacobi's
-   coordinates: only the heavy bodies are sources of gravity, and the
-   acceleration of each body gets a factor. */
+/* Begins a run. Returns NULL, or why it fails.
+
+   Springs that become rods are removed first, so they exert no forces.
+   Without rods, contacts are located within a step. With
+   MODELS_NO_LIGHT, light bodies move in Jacobi coordinates: only the heavy
+   bodies are sources of gravity, and the acceleration of each body gets a
+   factor. */
 static const char *begin_steps(struct models_run *r)
 {
     struct steps *t = r->engine;
@@ -213,8 +215,8 @@ static const char *begin_steps(struct models_run *r)
         g->source = t->particles.order;
         g->sources = t->particles.heavy;
         g->factor = t->particles.factor;
-        models_count_sorting(r, s->bodies, 5); /* 5: sorting and the
-                                                  coordinates */
+        /* 5: for sorting and for the Jacobi coordinates */
+        models_count_sorting(r, s->bodies, 5);
     }
     if (count > 0) {
         t->rodded =
@@ -229,9 +231,9 @@ static const char *begin_steps(struct models_run *r)
 }
 
 /* Returns the number of pairs in an evaluation of gravity, weighted by
-   their cost. For up to 32 bodies the root of each pair is computed once.
-   For more bodies it is computed twice, but about eight roots at once, so
-   eight count as one. With test particles each heavy body attracts all
+   their cost. For up to 32 bodies each pair is computed once. For more
+   bodies each pair is computed twice, but eight are computed at once
+   and count as one. With MODELS_NO_LIGHT, each heavy body attracts all
    others. */
 static double count_pulls(const struct steps *t)
 {
@@ -243,10 +245,10 @@ static double count_pulls(const struct steps *t)
     return n <= 32 ? n * (n - 1) / 2 : n * (n - 1) / 8;
 }
 
-/* Returns the measured cost of an evaluation for n bodies, in passes over a
-   body. A stage of an explicit method combines the stages before it. An
-   implicit method combines all stages repeatedly. An embedded pair also
-   estimates its error. */
+/* Returns the measured cost of an evaluation with n bodies, as a number of
+   updates of a body (MODELS_BODY). A stage of an explicit method combines
+   all previous stages. An implicit method combines all stages repeatedly.
+   An embedded pair also estimates its error. */
 static double body_passes(const struct stepping_method *m, double n)
 {
     switch (m->family) {
@@ -258,9 +260,9 @@ static double body_passes(const struct stepping_method *m, double n)
     }
 }
 
-/* Cost of a spring outside all bands, relative to a spring in a band. The
-   forces of such springs are scattered in memory. All springs of a pendulum
-   and most springs of a small beam are outside bands. */
+/* Cost of a spring outside all bands, relative to one in a band. It is high
+   because the forces of such springs are scattered in memory. All springs
+   of a pendulum and most springs of a small beam are outside bands. */
 enum { LISTED = 10 };
 
 /* Counts the work of `asked` force evaluations. */
@@ -277,19 +279,24 @@ static void count_evaluations(const struct models_run *r,
         asked * ((double)p->count + (LISTED - 1) * (double)p->listed);
 }
 
-/* Cost of converting a body's Jacobi coordinates back for a row, in passes
-   over a body. */
+/* Cost of converting a body from Jacobi coordinates for a row, as a number
+   of updates of a body (MODELS_BODY). */
 enum { LEAVING = 5 };
 
 /* Computes the total work since the start from the counts of all modules.
+
    An adaptive method evaluates its polynomial at the end of each call, at
-   the cost of eighteen passes. Successive points on an ellipse are close
-   together, so solving Kepler's equation costs only 0.8 of its price.
-   Located contacts divide steps into parts. Each part has a path for every
-   body, pairs that are close along the widest axis, polynomials of their
-   gaps, and roots. Contacts handled after each step, as with rods, cost 0.3
-   of that. With rods each correction counts, plus three passes over all
-   rods in each step. */
+   the cost of eighteen updates of a body. Solving Kepler's equation costs
+   only 0.8 of its price, because successive points on an ellipse are close
+   together.
+
+   If contacts are located, a step is divided into parts. Each part has
+   a path for every body, pairs that are close along the widest axis, the
+   polynomials of their gaps, and roots. If contacts are handled only
+   after each step, as with rods, the cost is 0.3 of this.
+
+   With rods, all corrections are counted, plus three passes over all rods
+   in each step. */
 static void count_steps(struct models_run *r, const struct steps *t)
 {
     const struct stepping *p = &t->motion.stepping;
@@ -323,9 +330,10 @@ static void count_steps(struct models_run *r, const struct steps *t)
 
 enum { STEPS_AT_A_TIME = 256 };
 
-/* Returns whether the run, at its present rate of cost, will exceed its
-   limit by a tenth. An adaptive method must exceed it twofold: its cost
-   varies along the run, and its last step may end beyond the row. */
+/* Returns whether the run, extrapolated from its cost so far, will exceed
+   its cost limit by a tenth. For an adaptive method the
+   predicted cost must be twice the limit: the cost varies along the run,
+   and the last step may end beyond the row. */
 static bool is_hopeless(const struct models_run *r, const struct steps *t,
                         uint64_t left)
 {
@@ -339,10 +347,11 @@ static bool is_hopeless(const struct models_run *r, const struct steps *t,
                : cost / done * all > 1.1 * r->limit;
 }
 
-/* Limits the evaluations in a call of an adaptive method. A call may use up
-   the rest of the cost limit, but no single row may use up the cost of all.
-   So a call also costs at most eight times its equal share of the limit, or
-   0.1 s if this is more. */
+/* Limits the evaluations in a call of an adaptive method. A call must not
+   exceed the rest of the cost limit. If the number of rows is known, a
+   single row must not use up the whole limit either. So a call costs at
+   most eight times its equal share of the limit, or 0.1 s if this is
+   more. */
 static void bound_evaluations(const struct models_run *r, struct steps *t)
 {
     struct adaptive *own = t->motion.stepping.own;
@@ -353,8 +362,8 @@ static void bound_evaluations(const struct models_run *r, struct steps *t)
     count_evaluations(r, t, 1, work);
     if (t->motion.located && cost == 0) {
         const double n = (double)r->scene.bodies;
-        work[MODELS_CONTACT] = n / 4; /* guess: all pairs, in every fourth
-                                         evaluation */
+        /* guess: all pairs, in every fourth evaluation */
+        work[MODELS_CONTACT] = n / 4;
         work[MODELS_OVERLAP] = n * (n - 1) / 8;
     }
     const double asked = fmax(r->work[MODELS_EVALUATION], 1);
@@ -384,9 +393,9 @@ static enum models_end run_steps(struct models_run *r, struct steps *t)
     return MODELS_DONE;
 }
 
-/* Moves to the next row. The run stays in Jacobi's coordinates, and only
-   the row is converted back. At the end of each row, relative velocities
-   along rods are removed. */
+/* Moves to the next row. If the run uses Jacobi coordinates, it keeps them,
+   and only the row is converted back. With rods, the relative velocities
+   along them are removed at the end of each row. */
 static enum models_end row_steps(struct models_run *r)
 {
     struct steps *t = r->engine;

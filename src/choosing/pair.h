@@ -4,15 +4,15 @@
 
 #include <math.h>
 
-/* Body j relative to body i. The functions are inline, since for millions
-   of pairs storing and loading these numbers would take longer than
-   computing them. */
+/* Motion of body j relative to body i. The functions are inline: for
+   millions of pairs, storing and loading these numbers would take longer
+   than computing them. */
 struct pair {
     double r2, v2, rv; /* r . r, m^2; v . v, m^2/s^2; r . v, m^2/s */
 };
 
-/* Adds the terms of an axis. Along this axis the distance of the bodies is
-   r, m, and their relative velocity is v, m/s. */
+/* Adds the terms of an axis: r, m, and v, m/s, are the components of the
+   relative position and velocity along it. */
 static inline void pair_add(struct pair *p, double r, double v)
 {
     p->r2 += r * r;
@@ -20,8 +20,8 @@ static inline void pair_add(struct pair *p, double r, double v)
     p->rv += r * v;
 }
 
-/* Returns the square of the smallest distance on straight paths, m^2
-   (12.12, eq:pair-nearest), or 0 if rounding makes it negative. */
+/* Returns the square of the smallest distance, m^2, if the paths are
+   straight (12.12, eq:pair-nearest), or 0 if rounding makes it negative. */
 static inline double pair_nearest2(const struct pair *p)
 {
     return fmax(p->r2 - p->rv * p->rv / p->v2, 0);

@@ -3,8 +3,8 @@
 
 #include <stdlib.h>
 
-/* Replaces the heavy bodies by their centre of mass. The running mean keeps
-   the coordinates of a single heavy body exactly. */
+/* Replaces the heavy bodies by their centre of mass. It is computed as a
+   running mean, so that a single heavy body keeps its exact coordinates. */
 void particles_gather(const struct particles *l, const struct scene *s,
                       const double x[], double q[])
 {
@@ -62,7 +62,7 @@ bool particles_is_light(const struct scene *s, size_t i, double heaviest)
     return s->mass[i] * 100 < heaviest;
 }
 
-/* Separates light bodies from heavy bodies, and sorts the light bodies.
+/* Separates the heavy bodies from the light ones, and sorts the latter.
    Returns false if memory runs out. */
 static bool split(struct particles *l, const struct scene *s,
                   double heaviest, size_t centre)
@@ -85,12 +85,14 @@ static bool split(struct particles *l, const struct scene *s,
     return sort_by_distance(l, s);
 }
 
-/* In Jacobi's coordinates the acceleration of light body i by the heavy
-   bodies has the factor M_i/M_0, where M_i includes the masses of all
-   bodies further in (12.3, eq:light-ellipse). If a body is fixed or another
-   force acts, momentum is not conserved, and these coordinates cannot be
-   used. Then each light body moves around the heavy bodies alone, as if it
-   had no mass. */
+/* In Jacobi coordinates the acceleration of light body i towards the heavy
+   bodies has the factor M_i/M_0. M_0 is the mass of the heavy bodies, and
+   M_i also includes the masses of the light bodies up to i (12.3,
+   eq:light-ellipse).
+
+   If a body is fixed or another force acts, momentum is not conserved, and
+   these coordinates cannot be used. Then each light body moves around the
+   heavy bodies as if it were the only one and had no mass. */
 bool particles_create(struct particles *l, const struct scene *s,
                       double heaviest, size_t centre, bool moving)
 {
@@ -120,9 +122,9 @@ void particles_free(struct particles *l)
     *l = (struct particles){0};
 }
 
-/* Converts positions or velocities x to Jacobi's coordinates by (12.2,
-   eq:light-jacobi), unless the heavy bodies are not moving. Sets centre to
-   the centre of mass of all bodies. */
+/* Converts positions or velocities x to Jacobi coordinates by (12.2,
+   eq:light-jacobi), if l->moving. In any case sets `centre` to the centre
+   of mass of all bodies. */
 static void to_jacobi(const struct particles *l, const struct scene *s,
                       double x[], double centre[])
 {
@@ -147,9 +149,9 @@ void particles_to_jacobi(struct particles *l, const struct scene *s,
     to_jacobi(l, s, v, l->drift);
 }
 
-/* Converts Jacobi's coordinates x back to positions or velocities. `centre`
-   is the centre of mass of all bodies. The heavy bodies are shifted
-   together. */
+/* Converts Jacobi coordinates x back to positions or velocities. `centre`
+   is the centre of mass of all bodies, or its velocity. All heavy bodies
+   are shifted by the same distance. */
 static void from_jacobi(const struct particles *l, const struct scene *s,
                         double x[], const double centre[])
 {

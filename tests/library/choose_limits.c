@@ -1,6 +1,6 @@
 /* Where the chooser draws its lines: overlaps at the start, pairs that the
-   tolerance does not see because of one body far away, bodies that come to
-   rest, and tolerances near the floor of rounding. */
+   tolerance does not see because of one body far away, and tolerances near
+   the floor of rounding. */
 #include "choosing/choose.h"
 #include "library/plans.h"
 #include "library/galleries.h"
@@ -77,53 +77,6 @@ TEST(test_hidden, "a pair that is hidden")
         }
 }
 
-/* Two of 1 kg and 0.1 m, 1.2 m apart, fall towards each other by (m +
-   M)/r^2 and bounce with half of their speed, again and again: flights of r
-   down to 0.2 take sqrt(r^3/4) (acos sqrt(0.2/r) + sqrt(0.2/r (1 -
-   0.2/r))). Their sum ends at 1.19782 s. */
-static double end_of_bounces(void)
-{
-    double t = 0, square = 4 * (1 / 0.2 - 1 / 1.2); /* of their speed */
-    for (int k = 0; k < 60; ++k) {
-        const double r = 1 / (1 / 0.2 - square / 4);
-        const double x = 0.2 / r;
-        t += (k > 0 ? 2 : 1) * sqrt(r * r * r / 4) *
-             (acos(sqrt(x)) + sqrt(x * (1 - x)));
-        square /= 4;
-    }
-    return t;
-}
-
-TEST(test_standstill, "bodies that come to rest")
-{
-    static const double every[] = {0.125, 2};
-    for (size_t k = 0; k < 2; ++k) {
-        FREED(scene) s;
-        char known[80];
-        UNIT_TRUE(scene_create(&s, 2));
-        s.contact = true;
-        s.restitution = 0.5;
-        s.k2 = 1;
-        s.radius[0] = s.radius[1] = 0.1;
-        PUT(s.position, -1, 0.2);
-        for (size_t c = 2; c < 6; ++c)
-            s.freedom[c] = 0;
-        const struct choose_request q = {.scene = &s,
-                                         .program = "choose",
-                                         .until = 2,
-                                         .every = every[k],
-                                         .tolerance = 1e-2,
-                                         .budget = 10};
-        CHOICE c;
-        UNIT_TRUE(choose(&c, &q));
-        snprintf(known, sizeof known,
-                 "collisions without end: after t = %g bodies",
-                 every[k] * floor(end_of_bounces() / every[k]));
-        UNIT_TRUE(strstr(c.refusal, known) == c.refusal);
-        UNIT_TRUE(!c.run.value && isinf(c.horizon));
-    }
-}
-
 /* A scene of the gallery, carried for a time. */
 static struct choose_choice carried(const char *name, double until,
                                     size_t rows, double tolerance)
@@ -172,29 +125,4 @@ TEST(test_floor, "near the floor of rounding")
         UNIT_EQUAL(c.horizon, 4.5);
         UNIT_TRUE(strstr(c.refusal, "horizon") == c.refusal);
     }
-}
-
-/* A reference of equal steps, p and 2 p + 1 to a row, that have none in
-   common but the last; the first of them is offered, too, and off by less
-   than what the two differ by, if that is next to nothing; else, for the
-   second is not exact either, by less than twice as much. */
-TEST(test_even, "references of equal steps")
-{
-    unsigned near = 0, far = 0;
-    for (double e = 1e-2; e > 1e-7; e /= 5) {
-        CHOICE c = carried("double-pendulum", 2, 4, e);
-        double offered = 0;
-        UNIT_TRUE(c.run.value != NULL);
-        UNIT_TRUE(c.reference.steps % 2 == 1 && c.doubt <= 0.2 * e);
-        for (size_t k = 0; k < c.points; ++k)
-            if (c.point[k].plan.model == c.reference.model &&
-                c.point[k].plan.steps == (c.reference.steps - 1) / 2 &&
-                c.point[k].plan.cuts == 0)
-                offered = c.point[k].error;
-        const bool little = c.doubt <= 0.05 * e;
-        UNIT_NEAR(offered, (little ? 1.05 : 2) * c.doubt, 1e-12 * offered);
-        near += little;
-        far += !little;
-    }
-    UNIT_TRUE(near > 2 && far > 2);
 }

@@ -36,27 +36,6 @@ static double moment(const struct scene *s, const double v[], size_t axis)
     return sum;
 }
 
-/* The listing of the paper, number by number. */
-TEST(test_sun_earth, "the Sun and the Earth are the paper's")
-{
-    FREED(scene) s;
-    make(&s, "sun-earth", (struct wish[]){{0}});
-    UNIT_EQUAL(s.bodies, 2);
-    UNIT_EQUAL(s.mass[1], 3e-6);
-    UNIT_EQUAL(s.position[1], 1);
-    UNIT_EQUAL(s.velocity[3], 0.0172);
-    UNIT_EQUAL(s.k2, 2.9584e-4);
-    UNIT_EQUAL(s.dt, 0.03);
-    UNIT_EQUAL(s.freedom[4] + s.freedom[5], 0);
-    UNIT_EQUAL(s.freedom[0] + s.freedom[3], 2);
-    /* the centre of mass drifts at m v / (1 + m) */
-    UNIT_NEAR(moment(&s, s.velocity, 1) / (1 + 3e-6), 5.15998452e-8, 1e-16);
-    scene_free(&s);
-    make(&s, "sun-earth", (struct wish[]){{"centred", 1}, {0}});
-    UNIT_NEAR(moment(&s, s.velocity, 1), 0, 1e-22);
-    UNIT_NEAR(moment(&s, s.position, 0), 0, 1e-20);
-}
-
 /* The elements that went in come out; the planets go round in the right
    time: Jupiter's year is 11.86 years. */
 TEST(test_planets, "the planets have their elements")

@@ -12,8 +12,7 @@ set trange [0:2*pi]
 set samples 400
 set xrange [-1.5:1.5]
 set yrange [-1.5:1.5]
-set xtics 1
-set ytics 1
+set tics 1
 set mxtics 2
 set mytics 2
 set zeroaxis ls 9 dt 3

@@ -9,8 +9,7 @@ set xlabel 'position {/:Italic x} (m)'
 set ylabel 'time {/:Italic t} (s)' offset 0.8
 set xrange [-0.1:8.1]
 set yrange [0:8]
-set xtics 2
-set ytics 2
+set tics 2
 eval edges(0.105, 0.98, 0.19, 0.97)
 set arrow 1 from 0,graph 0 to 0,graph 1 nohead ls 9 lw 4*thick
 set arrow 2 from 8,graph 0 to 8,graph 1 nohead ls 9 lw 4*thick

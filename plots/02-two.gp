@@ -10,8 +10,7 @@ set multiplot
 set size ratio -1
 set xrange [-1.25:1.25]
 set yrange [-1.25:1.25]
-set xtics 1
-set ytics 1
+set tics 1
 set xlabel '{/:Italic v}_1 √({/:Italic m}_1/2{/:Italic E})'
 set ylabel '{/:Italic v}_2 √({/:Italic m}_2/2{/:Italic E})' offset 0.8
 set parametric

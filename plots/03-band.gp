@@ -40,8 +40,7 @@ set size noratio
 set samples 801
 set xrange [-1:1]
 set yrange [0:1.6]
-set xtics 0.5
-set ytics 0.5
+set tics 0.5
 set xlabel '{/:Italic u}'
 set ylabel 'density {/:Italic p}({/:Italic u})' offset 1
 p(u,n) = gamma(n/2.0)/sqrt(pi)/gamma((n-1)/2.0)*(1 - u*u)**((n-3)/2.0)

@@ -8,8 +8,7 @@ set size square
 set multiplot layout 1,2 margins 0.085,0.985,0.18,0.97 spacing 0.12,0
 set xrange [0:11]
 set yrange [0:11]
-set xtics 2
-set ytics 2
+set tics 2
 set xlabel '{/:Italic x}_1  (m)'
 set ylabel '{/:Italic x}_2  (m)' offset 1
 dot = 0.22*big

@@ -15,8 +15,7 @@ set size square
 set multiplot layout 1,2 margins 0.085,0.985,0.18,0.97 spacing 0.12,0
 set xrange [-3.4:3.4]
 set yrange [-3.4:3.4]
-set xtics 1
-set ytics 1
+set tics 1
 set xlabel '{/:Italic v}_1  (m/s)'
 set ylabel '{/:Italic v}_2  (m/s)' offset 1
 dot = 0.22*big

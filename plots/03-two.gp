@@ -14,8 +14,7 @@ set xlabel '{/:Italic v}_1  (m/s)'
 set ylabel 'density  (s/m)' offset 1.5
 set xrange [-1.4:1.4]
 set yrange [0:3]
-set xtics 1
-set ytics 1
+set tics 1
 plot file index 0 using 1:5 with histeps ls 9 lw 1.4*thick, \
      file index 0 using 1:3:4 with yerrorbars ls 1 ps 0.4*big
 set ylabel '{/:Italic v}_2  (m/s)' offset 0.6

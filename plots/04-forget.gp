@@ -11,8 +11,7 @@ set xlabel 'position  ({/:Italic h})'
 set ylabel 'time  (swings)' offset 1
 set xrange [0:1.4]
 set yrange [0:2]
-set xtics 0.5
-set ytics 0.5
+set tics 0.5
 set samples 400
 set parametric
 set trange [0:2]

@@ -8,8 +8,7 @@ array part[3] = ['Euler', 'leapfrog', 'RK4']
 set multiplot layout 1,3 margins 0.085,0.985,0.18,0.97 spacing 0.03,0
 set xrange [-3.6:3.6]
 set yrange [-3.1:3.1]
-set xtics 1
-set ytics 1
+set tics 1
 set xlabel 'angle {/:Italic x}'
 do for [k=0:2] {
   set format y (k == 0 ? '%g' : '')

@@ -10,8 +10,7 @@ eval edges(0.07, 0.36, 0.21, 0.96)
 set size ratio -1
 set xrange [-3.2:3.6]
 set yrange [-2.2:3.7]
-set xtics 2
-set ytics 2
+set tics 2
 set xlabel '{/:Italic x}  (m)'
 set ylabel '{/:Italic y}  (m)' offset 0.9
 plot file index 0 using 2:3 with lines ls 1 lw thick notitle, \
@@ -24,8 +23,7 @@ set lmargin at screen 0.455
 set rmargin at screen 0.65
 set xrange [-1.7:1.7]
 set yrange [-1.5:1.8]
-set xtics 1
-set ytics 1
+set tics 1
 set xlabel '{/:Italic x}  (mm)'
 set ylabel '{/:Italic y}  (mm)' offset 0.9
 plot file index 1 using (1e3*$1):(1e3*$2) with linespoints ls 2 ps 0.25*big lw thick notitle, \

@@ -9,8 +9,7 @@ set multiplot layout 1,2 margins 0.07,0.985,0.16,0.97 spacing 0.14,0
 set size ratio -1
 set xrange [-2.6:2.6]
 set yrange [-2.6:2.6]
-set xtics 1
-set ytics 1
+set tics 1
 set xlabel '{/:Italic x}  (AU)'
 set ylabel '{/:Italic y}  (AU)' offset 1
 plot file index 0 using 2:3 with lines ls style_of('euler'), \

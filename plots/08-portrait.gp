@@ -8,8 +8,7 @@ array part[4] = ['Euler', 'symplectic Euler', 'leapfrog', 'RK4']
 set multiplot layout 2,2 margins 0.1,0.985,0.15,0.93 spacing 0.09,0.085
 set xrange [-3.3:3.3]
 set yrange [-2.9:2.9]
-set xtics 1
-set ytics 1
+set tics 1
 set samples 400
 do for [k=0:3] {
   set format x (k > 1 ? '%g' : '')

@@ -8,8 +8,7 @@ set multiplot layout 1,2 margins 0.08,0.985,0.16,0.97 spacing 0.12,0
 set size ratio -1
 set xrange [-2.4:2.4]
 set yrange [-2.4:2.4]
-set xtics 1
-set ytics 1
+set tics 1
 set xlabel '{/:Italic x}  (AU)'
 set ylabel '{/:Italic y}  (AU)' offset 1
 plot file using 4:5 with lines ls style_of('euler'), \

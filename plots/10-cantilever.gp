@@ -8,8 +8,7 @@ set size ratio -1
 set xrange [-0.6:5.6]
 set yrange [-5.4:1.5]
 set xlabel '{/:Italic x}  (m)'
-set xtics 2
-set ytics 2
+set tics 2
 array T[3] = ['two diagonals', 'one diagonal', 'none']
 do for [k=0:2] {
   set title T[k+1] offset 0,-0.5

@@ -2,18 +2,11 @@
    the stop at the tolerance, and refusals. */
 #include "unit.h"
 
+#include "library/galleries.h"
 #include "choosing/models.h"
 #include "library/asked.h"
 #include "scenes/gallery.h"
 #include "toolbox/random.h"
-
-/* The scene of the gallery with one key set. */
-static void make(struct scene *s, const char *name, const char *key,
-                 double value)
-{
-    UNIT_MUST(
-        !gallery_make(s, gallery_find(hard_scenes, name), key, value));
-}
 
 /* So many rods of different masses and radii between walls. */
 static void make_rods(struct scene *s, size_t n, double first, double last)
@@ -162,8 +155,7 @@ TEST(test_tonks, "every run shows Tonks's law to within its bound")
    says, and none is given. */
 TEST(test_two_disks, "two disks are near their law if there is time")
 {
-    FREED(scene) s;
-    make(&s, "four-disks", "particles", 2);
+    FREED(scene) s = made("four-disks", "particles", 2);
     struct averages_found f = ask(&s, "pressure", 1e6, 0.004, NULL);
     UNIT_TRUE(taken(&f, "events") && f.error <= 0.004);
     UNIT_NEAR(f.value, 1.2401672, 1.5 * f.error * f.scale);
@@ -179,8 +171,7 @@ TEST(test_two_disks, "two disks are near their law if there is time")
    (5.8, eq:wall-virial). Twice the error is four standard errors. */
 TEST(test_four_disks, "four disks have the pressure of the reference")
 {
-    FREED(scene) s;
-    make(&s, "four-disks", NULL, 0);
+    FREED(scene) s = made("four-disks", NULL, 0);
     struct averages_found f = ask(&s, "pressure", 1e6, 0.01, "events");
     UNIT_TRUE(taken(&f, "events") && f.error <= 0.01 && f.error > 0.001);
     UNIT_NEAR(f.value, 1.88926, 2 * f.error * f.value);
@@ -196,8 +187,7 @@ TEST(test_four_disks, "four disks have the pressure of the reference")
    and higher terms. */
 TEST(test_periodic, "in a periodic box the centre makes no pressure")
 {
-    FREED(scene) s;
-    make(&s, "four-disks", "radius", 0.05);
+    FREED(scene) s = made("four-disks", "radius", 0.05);
     s.wall[0] = s.wall[1] = SCENE_PERIODIC;
     const struct averages_found a =
         ask(&s, "pressure", 1e5, 0.005, "events");
@@ -213,8 +203,7 @@ TEST(test_periodic, "in a periodic box the centre makes no pressure")
 /* No more time than the tolerance needs, and more for more digits. */
 TEST(test_stop, "no more is simulated than the tolerance needs")
 {
-    FREED(scene) s;
-    make(&s, "four-disks", NULL, 0);
+    FREED(scene) s = made("four-disks", NULL, 0);
     const struct averages_found a =
         ask(&s, "pressure", 1e7, 0.02, "events");
     const struct averages_found b =
@@ -229,8 +218,7 @@ TEST(test_stop, "no more is simulated than the tolerance needs")
    of the first look gets that look again. */
 TEST(test_just_enough, "an error of just the tolerance will do")
 {
-    FREED(scene) s;
-    make(&s, "four-disks", NULL, 0);
+    FREED(scene) s = made("four-disks", NULL, 0);
     const struct averages_found a = ask(&s, "pressure", 1e7, 0.5, "events");
     const struct averages_found b =
         ask(&s, "pressure", 1e7, a.error, "events");
@@ -242,8 +230,7 @@ TEST(test_just_enough, "an error of just the tolerance will do")
 
 TEST(test_same_bits, "the same question has the same bits")
 {
-    FREED(scene) s;
-    make(&s, "four-disks", NULL, 0);
+    FREED(scene) s = made("four-disks", NULL, 0);
     const struct averages_found a = ask(&s, "x:0", 1e5, 0.03, NULL);
     const struct averages_found b = ask(&s, "x:0", 1e5, 0.03, NULL);
     UNIT_EQUAL(a.value, b.value);
@@ -320,8 +307,7 @@ TEST(test_read, "names are read, and others refused")
 {
     struct averages_quantity q;
     char message[AVERAGES_TEXT], symbol[32];
-    FREED(scene) s;
-    make(&s, "four-disks", NULL, 0);
+    FREED(scene) s = made("four-disks", NULL, 0);
     UNIT_TRUE(averages_read(&q, "y:3", &s, message));
     UNIT_EQUAL(q.body, 3);
     UNIT_EQUAL(q.axis, 1);
@@ -336,7 +322,6 @@ TEST(test_read, "names are read, and others refused")
                   strstr(message, "pressure"));
 }
 
-/* Says whether the reason is as expected. */
 static bool says(const struct scene *s, const char *name, const char *why)
 {
     const struct averages_found f = ask(s, name, 10, 0.01, NULL);
@@ -345,8 +330,7 @@ static bool says(const struct scene *s, const char *name, const char *why)
 
 TEST(test_refusals, "scenes without an average are refused")
 {
-    FREED(scene) s;
-    make(&s, "four-disks", NULL, 0);
+    FREED(scene) s = made("four-disks", NULL, 0);
     s.restitution = 0.9;
     UNIT_TRUE(says(&s, "pressure", "loses energy"));
     s.restitution = 1;
@@ -373,14 +357,13 @@ TEST(test_refusals, "scenes without an average are refused")
     UNIT_TRUE(says(&s, "pressure", "othing moves") ||
               says(&s, "pressure", "no force"));
     scene_free(&s);
-    make(&s, "galperin", NULL, 0);
+    s = made("galperin", NULL, 0);
     UNIT_TRUE(says(&s, "x:1", "held"));
 }
 
 TEST(test_short, "too short a time is refused with a better one")
 {
-    FREED(scene) s;
-    make(&s, "four-disks", NULL, 0);
+    FREED(scene) s = made("four-disks", NULL, 0);
     const struct averages_found f =
         ask(&s, "pressure", 1000, 1e-3, "events");
     UNIT_TRUE(refused(&f) && strstr(f.refusal, "need not"));
@@ -398,8 +381,7 @@ TEST(test_dear, "what is much too expensive is refused at little cost")
                  {"four-disks", "x:0", 1e-5},
                  {"four-disks", "pressure", 1e-6}};
     for (size_t k = 0; k < sizeof asked / sizeof asked[0]; ++k) {
-        FREED(scene) s;
-        make(&s, asked[k].scene, NULL, 0);
+        FREED(scene) s = made(asked[k].scene, NULL, 0);
         struct averages_request q = {.scene = &s,
                                      .until = 1e9,
                                      .tolerance = asked[k].tolerance,
@@ -414,11 +396,10 @@ TEST(test_dear, "what is much too expensive is refused at little cost")
     }
 }
 
-/* Four disks that cannot pass each other. */
 static struct scene locked(void)
 {
     struct scene s;
-    make(&s, "four-disks", NULL, 0);
+    s = made("four-disks", NULL, 0);
     for (size_t i = 0; i < 4; ++i) {
         s.radius[i] = 0.22;
         s.position[i] = i % 2 ? 0.75 : 0.25;
@@ -439,8 +420,7 @@ TEST(test_locked, "disks that are locked in are refused at little cost")
 
 TEST(test_offer, "the tolerance that is offered can be had")
 {
-    FREED(scene) s;
-    make(&s, "four-disks", NULL, 0);
+    FREED(scene) s = made("four-disks", NULL, 0);
     struct averages_request q = {
         .scene = &s, .until = 1e9, .tolerance = 1e-5, .budget = 0.2};
     struct averages_found f;
@@ -548,9 +528,8 @@ TEST(test_scatter, "errors cover what two runs differ by")
 {
     enum { STARTS = 200 };
     const double T = 300;
-    FREED(scene) s;
     double sum = 0, squares = 0;
-    make(&s, "four-disks", NULL, 0);
+    FREED(scene) s = made("four-disks", NULL, 0);
     for (int k = 0; k < STARTS; ++k) {
         FREED(scene) t;
         UNIT_MUST(scene_copy(&t, &s));

@@ -1166,7 +1166,6 @@ static void begin_fall(struct bonkers *b, enum bonkers_engine engine,
     bonkers_start(b, NULL);
 }
 
-/* No bit of two runs differs. */
 static void same(struct bonkers *a, struct bonkers *b)
 {
     const char *what = differs(a, b);

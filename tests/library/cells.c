@@ -169,7 +169,6 @@ static void finish(struct race *x)
 
 static bool alone; /* without pairs, which take most of the time */
 
-/* Runs both; returns what differs. */
 static const char *step(struct race *x, double until, uint64_t collisions)
 {
     const enum disks_stop b = cells_run(&x->c, until, collisions);

@@ -391,7 +391,6 @@ TEST(test_horizon, "beyond the horizon nothing is carried")
     UNIT_TRUE(isinf(c.horizon));
 }
 
-/* Three equal bodies on their circle. */
 static struct scene circle(void)
 {
     static const double x[] = {1, -0.5, -0.5};

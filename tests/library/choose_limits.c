@@ -77,7 +77,6 @@ TEST(test_hidden, "a pair that is hidden")
         }
 }
 
-/* A scene of the gallery, carried for a time. */
 static struct choose_choice carried(const char *name, double until,
                                     size_t rows, double tolerance)
 {

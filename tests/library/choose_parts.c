@@ -73,7 +73,6 @@ static void write_run(struct played p)
     script[written++] = p;
 }
 
-/* A run that is whole. */
 static void write_whole(double value)
 {
     write_run((struct played){MODELS_DONE, 4, value, 1e-3, 1, 0, NULL});
@@ -569,7 +568,6 @@ TEST(test_foreseen, "what a ladder promises")
     UNIT_TRUE(isinf(k->foreseen));
 }
 
-/* Refuses anew, with this text. */
 static void refuses(const char *text)
 {
     choice.refusal[0] = '\0';

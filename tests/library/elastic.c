@@ -3,15 +3,9 @@
    (springs_numbers.txt). */
 #include "unit.h"
 
+#include "library/galleries.h"
 #include "forces/elastic.h"
 #include "forces/springs.h"
-
-static void make(struct scene *s, const char *name, const char *key,
-                 double value)
-{
-    UNIT_MUST(
-        !gallery_make(s, gallery_find(elastic_scenes, name), key, value));
-}
 
 static void begin(struct springs *p, struct stepping *t, struct scene *s,
                   const char *method, double dt)
@@ -23,8 +17,7 @@ static void begin(struct springs *p, struct stepping *t, struct scene *s,
 
 TEST(test_pendulum, "the double pendulum hangs where it should")
 {
-    FREED(scene) s;
-    make(&s, "double-pendulum", NULL, 0);
+    FREED(scene) s = made("double-pendulum", NULL, 0);
     /* the sines of the series and those of the C library are both right to
        a rounding, of numbers below 1 */
     const double sine = sin(0.6), cosine = cos(0.6);
@@ -40,8 +33,7 @@ TEST(test_pendulum, "the double pendulum hangs where it should")
 
 TEST(test_membrane, "a membrane is symmetric to the last bit")
 {
-    FREED(scene) s;
-    make(&s, "membrane", "s", 2);
+    FREED(scene) s = made("membrane", "s", 2);
     const double *z = s.position + 128;
     for (size_t y = 0; y < 8; ++y)
         for (size_t x = 0; x < 8; ++x) {
@@ -89,9 +81,8 @@ TEST(test_naive, "the paper's membrane moves as computed elsewhere")
 TEST(test_truss, "a truss has the diagonals it was asked for")
 {
     for (int diagonals = 0; diagonals < 3; ++diagonals) {
-        FREED(scene) s;
         int left = 0;
-        make(&s, "cantilever", "diagonals", diagonals);
+        FREED(scene) s = made("cantilever", "diagonals", diagonals);
         for (size_t i = 0; i < s.springs; ++i)
             left += s.spring[i].b - s.spring[i].a == 5;
         UNIT_EQUAL(s.springs, 16 + 5 * diagonals);

@@ -9,7 +9,6 @@
     static inline void name(UNUSED void *what, UNUSED const double x[],    \
                             UNUSED const double v[], double a[])
 
-/* An orbit about the origin. */
 FORCES(orbit)
 {
     const double r2 = x[0] * x[0] + x[1] * x[1], r = sqrt(r2);

@@ -70,7 +70,6 @@ TEST(test_names, "every scene has its own name")
     UNIT_EQUAL(for_all(check_name), 0);
 }
 
-/* Writes and reads; says whether it is the same. */
 static bool comes_back(const struct scene *s)
 {
     static const char *const path = "build/tests/gallery.plist";

@@ -2,20 +2,10 @@
    II. */
 #include "unit.h"
 
+#include "library/galleries.h"
 #include "line/bonkers.h"
 #include "forces/hard.h"
 #include "forces/spheres.h"
-
-static void make(struct scene *s, const char *name, const char *key,
-                 double value)
-{
-    const char *wrong =
-        gallery_make(s, gallery_find(hard_scenes, name), key, value);
-    if (wrong) {
-        printf("%s: %s\n", name, wrong);
-        exit(1);
-    }
-}
 
 /* No two overlap by more than rounding does, and none sticks out. */
 static bool fits(const struct scene *s)
@@ -77,10 +67,9 @@ TEST(test_wrong, "what cannot be made is refused")
    it (chapter 7). */
 TEST(test_four_disks, "four disks are those of chapter 5")
 {
-    FREED(scene) s;
     FREED(disks) d, e;
     SEEDED(r, 7);
-    make(&s, "four-disks", "seed", 7);
+    FREED(scene) s = made("four-disks", "seed", 7);
     UNIT_TRUE(disks_create(&d, 2, 4));
     d.box[0] = d.box[1] = 1;
     for (size_t i = 0; i < 4; ++i)
@@ -102,11 +91,10 @@ TEST(test_lines, "the lines are those of chapters 2 to 4")
 {
     for (int k = 0; k < 3; ++k)
         for (int wide = 0; wide < 2; ++wide) {
-            FREED(scene) s;
             FREED(start) a, b;
             FREED(bonkers) x, y;
             size_t wrong;
-            make(&s, lines[k], "radius", wide ? 0.05 : 0);
+            FREED(scene) s = made(lines[k], "radius", wide ? 0.05 : 0);
             const struct start_request request = {.kind = kinds[k],
                                                   .seed = 1};
             UNIT_TRUE(start_fill(&a, &request) && hard_start(&b, &s));
@@ -133,12 +121,11 @@ TEST(test_lines, "the lines are those of chapters 2 to 4")
    2 s, up to one collision that is not yet found. */
 TEST(test_line_by_steps, "a line collides as often by steps")
 {
-    FREED(scene) s;
     FREED(spheres) p;
     FREED(start) start;
     FREED(bonkers) b;
     size_t wrong;
-    make(&s, "thermal", NULL, 0);
+    FREED(scene) s = made("thermal", NULL, 0);
     UNIT_TRUE(hard_start(&start, &s) &&
               bonkers_begin(&b, &start, 1, BONKERS_SCAN, &wrong));
     bonkers_run(&b, 2, UINT64_MAX);
@@ -156,8 +143,7 @@ TEST(test_line_by_steps, "a line collides as often by steps")
 /* A hanging ball feels no force: string and weight cancel. */
 TEST(test_strings, "hanging balls hang")
 {
-    FREED(scene) s;
-    make(&s, "cradle", "string", 1);
+    FREED(scene) s = made("cradle", "string", 1);
     UNIT_EQUAL(s.bodies, 10);
     UNIT_EQUAL(s.springs, 5);
     for (size_t i = 0; i < 5; ++i) {

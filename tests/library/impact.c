@@ -95,7 +95,6 @@ TEST(test_last_bounce, "the last bounce of e = 0.8")
     come_to_rest("radau15");
 }
 
-/* Three balls that attract each other in a box. */
 static void make_three(struct scene *s, double k2, double dt)
 {
     static const double x[] = {-0.6,  0.1, 0.7, 0,  0.05,

@@ -11,7 +11,6 @@ static struct scene scene;
 static struct stepping stepping;
 static struct impact impact;
 
-/* n points in a row along x, 1 m apart, at rest in open space. */
 static void make(size_t n)
 {
     UNIT_MUST(scene_create(&scene, n));

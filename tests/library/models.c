@@ -28,7 +28,6 @@ static void make(const char *name, const struct wish wishes[])
     UNIT_TRUE(g->build(&scene, value) == NULL);
 }
 
-/* Bodies on which nothing acts. */
 static void make_bodies(size_t n)
 {
     scene_free(&scene);

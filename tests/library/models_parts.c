@@ -450,7 +450,6 @@ TEST(test_bill_of_steps, "the bill of steps")
                         5),
             known[k].passes);
     UNIT_EQUAL(body_passes(method("leapfrog"), 5), 5);
-    /* A row. */
     t.motion = (struct motion){.scene = &s, .orbits = false};
     t.motion.stepping.method = method("leapfrog");
     t.motion.stepping.steps = 20;

@@ -2,6 +2,7 @@
    own computations (membrane_modes.dat, springs_numbers.txt). */
 #include "unit.h"
 
+#include "library/galleries.h"
 #include "forces/elastic.h"
 #include "forces/modes.h"
 
@@ -9,13 +10,6 @@ static void find(struct modes *m, const struct scene *s)
 {
     FREED(springs) p;
     UNIT_MUST(springs_create(&p, s) && modes_find(m, &p, s->position));
-}
-
-static void make(struct scene *s, const char *name, const char *key,
-                 double value)
-{
-    UNIT_MUST(
-        !gallery_make(s, gallery_find(elastic_scenes, name), key, value));
 }
 
 static int rising(const void *a, const void *b)
@@ -53,10 +47,9 @@ TEST(test_taut, "all modes of a taut membrane are those of the formula")
    stiffness across. */
 TEST(test_membranes, "a membrane at rest length has 36 loose modes")
 {
-    FREED(scene) s;
     FREED(modes) m;
     int loose = 0;
-    make(&s, "membrane", "amplitude", 0);
+    FREED(scene) s = made("membrane", "amplitude", 0);
     find(&m, &s);
     for (size_t i = 0; i < m.size; ++i)
         loose += fabs(m.square[i]) < 1e-10;
@@ -66,10 +59,9 @@ TEST(test_membranes, "a membrane at rest length has 36 loose modes")
 
 TEST(test_cantilever, "the cantilever's frequencies and deflection")
 {
-    FREED(scene) s;
     FREED(modes) m;
     double a[36] = {0}, u[36] = {0};
-    make(&s, "cantilever", NULL, 0);
+    FREED(scene) s = made("cantilever", NULL, 0);
     find(&m, &s);
     UNIT_NEAR(sqrt(m.square[0]), 1.76355068, 1e-8);
     UNIT_NEAR(sqrt(m.square[1]), 8.93555667, 1e-8);
@@ -87,9 +79,8 @@ TEST(test_cantilever, "the cantilever's frequencies and deflection")
 /* Modes of length 1, at right angles, each a solution of its equation. */
 TEST(test_orthogonal, "modes are at right angles")
 {
-    FREED(scene) s;
     FREED(modes) m;
-    make(&s, "cantilever", "diagonals", 1);
+    FREED(scene) s = made("cantilever", "diagonals", 1);
     find(&m, &s);
     for (size_t i = 0; i < m.size; ++i)
         for (size_t j = 0; j < m.size; ++j) {

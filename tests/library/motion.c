@@ -249,7 +249,6 @@ TEST(test_held, "what is held stays")
     UNIT_NEAR(motion_time(&m), 10, 1e-12);
 }
 
-/* Whether the two have the same places and velocities to the last bit. */
 static bool is_same(const struct scene *a, const struct scene *b)
 {
     const size_t size = 3 * a->bodies * sizeof *a->position;
@@ -281,7 +280,6 @@ TEST(test_cuts, "how a run is cut changes no bit")
 
 static const char *const path = "build/tests/motion-saved.plist";
 
-/* Saves the motion to a file and reads that again. */
 static void save(struct motion *m, struct scene *again)
 {
     UNIT_MUST(motion_note(m));

@@ -13,7 +13,6 @@ static double mass[BODIES], x[3 * BODIES];
 static const double k2 = 0.7, softening = 1e-3;
 static char message[OPENCL_MESSAGE];
 
-/* A heavy body and light ones about it, in a cube of 1 m. */
 static void make_bodies(void)
 {
     SEEDED(r, 1);

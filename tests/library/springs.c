@@ -29,7 +29,6 @@ static void forces(const struct scene *s, double a[])
     springs_accelerate(&p, s->position, s->velocity, a);
 }
 
-/* The springs of a scene, and its motion by a method. */
 static void begin(struct springs *p, struct stepping *t, struct scene *s,
                   const char *method, double dt)
 {
@@ -160,7 +159,6 @@ static double noise(void)
     return (double)(noise_state >> 11) / 9007199254740992.0 - 0.5;
 }
 
-/* Shakes all places and velocities. */
 static void shake(struct scene *s)
 {
     for (size_t i = 0; i < 3 * s->bodies; ++i) {

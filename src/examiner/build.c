@@ -10,10 +10,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* Returns the text of build/check/flags, a file that make writes: the
-   compiler's command on line 1, the libraries on line 2. The flags are not
-   read from the environment, because objects from two compilers with
-   different sanitizers cannot be linked. */
+/* Returns the text of build/check/flags, which make writes: the compiler's
+   command on line 1 and the libraries on line 2. Flags in the environment
+   are ignored, because objects compiled with different sanitizers cannot be
+   linked. */
 static char *flags_read(void)
 {
     char *flags = text_read("build/check/flags");
@@ -54,10 +54,10 @@ void build_suite(const char *exercise)
 }
 
 /* The shell script that compiles and links the student's file. It includes
-   a header with the types of the exercise's functions, because the linker
-   does not notice wrong types and the results would look like wrong
-   physics. Only the kit's own tests set `strict', which turns warnings into
-   errors: an unfinished file may have an unused variable and still be worth
+   a header that declares the exercise's functions, because the linker does
+   not notice wrong types and the results would look like wrong physics.
+   `strict` turns warnings into errors. Only the kit's own tests set it: an
+   unfinished file may have an unused variable and still be worth
    running. */
 static char function[] = BUILD_MEMBERS
     "types=build/check/$5.types.h && [ -f $types ] || types=\n"
@@ -68,9 +68,9 @@ static char function[] = BUILD_MEMBERS
 static char runner[] = "exec $1 -o \"$3/runner\" build/check/$5.suite.o $6";
 /* The shell script that builds a project several times, each time with
    another version of the function that the project's header declares.
-   Version 0 is right and the others are wrong. Only the first program is
-   built with sanitizers and warnings: the others would give the same
-   warnings, and compile in half the time without sanitizers. */
+   Version 0 is right and the others are wrong. Only version 0 is built with
+   sanitizers and warnings: the other versions would give the same warnings,
+   and they compile in half the time without sanitizers. */
 static char program[] =
     "given=build/check/$5.given.o law=1\n"
     "name=$(sed -n 's/^void \\([a-z]*\\)_0(.*/\\1/p' \\\n"
@@ -88,11 +88,10 @@ static char program[] =
     "done\n";
 
 /* Runs one of the scripts above and returns whether it succeeded. Names are
-   passed to the script as arguments, because a quotation mark in a name
-   could start a command if the name were part of the script. The compiler
-   writes its messages in English and without colours, because this file
-   parses them. A compiler that needs more than 30 s for an exercise is in
-   an endless loop. */
+   passed as arguments: if they were part of the script, a quotation mark in
+   a name could start a command. The compiler writes its messages in English
+   and without colours, because this file parses them. A compiler that needs
+   more than 30 s for an exercise is in an endless loop. */
 static bool compile(const char *folder, const char *exercise, char *source,
                     bool strict, char *script)
 {
@@ -142,8 +141,8 @@ static const char *find_line(const char *text, const char *start,
     return NULL;
 }
 
-/* Returns how often word occurs in text. The blanks in " error: " exclude
-   names, notes and warnings. */
+/* Returns how often word occurs in text. The word " error: " is searched
+   for with its blanks, so that a name ending in "error" is not counted. */
 static int count(const char *text, const char *word)
 {
     int found = 0;
@@ -152,12 +151,13 @@ static int count(const char *text, const char *word)
     return found;
 }
 
-/* Returns the line of the first error or warning in the student's file,
-   because later errors often follow from the first. A missing return is
-   reported only if there is no other error, because the compiler may have
-   stopped before it read the function to its end. A warning that has an
-   explanation is preferred: others, such as a warning about an unused
-   variable, seldom help a beginner. */
+/* Returns the line of the error or warning that the student should see. Of
+   the errors in the student's file, this is the first, since later ones
+   often follow from it. A missing return is reported only if there is no
+   other error: after that error, the compiler may not have read the
+   function to its end. Of the warnings, it is the first that has an
+   explanation or, if none has, the first: a warning about an unused
+   variable, for example, seldom helps a beginner. */
 static const char *find_first(const char *text, const char *source,
                               const char *word)
 {
@@ -170,8 +170,8 @@ static const char *find_first(const char *text, const char *source,
 }
 
 /* Explains an error that the compiler found in a header. System headers
-   have no errors, so the cause is the end of the line above the student's
-   #include. */
+   have no errors, so the mistake is in the student's file, above the
+   #include: for example, a missing semicolon. */
 static void tell_header(const char *text, const char *source, FILE *story)
 {
     char place[4200];
@@ -189,9 +189,10 @@ static void tell_header(const char *text, const char *source, FILE *story)
 }
 
 /* Returns whether the error in this line is about the types of a function
-   or the members of a structure, and copies its name to name. If the
-   definition of a function is in the old style, with the types after the
-   parenthesis, only the message above the error contains the name. */
+   or the members of a structure. If so, copies the name of that function or
+   structure to `name`. If a function is defined in the old style, with the
+   types after the parentheses, the name is not in this line but in a line
+   above it. */
 static bool name_function(const char *text, const char *line,
                           char name[MESSAGE_NAME])
 {
@@ -213,9 +214,9 @@ static bool name_function(const char *text, const char *line,
     return *name;
 }
 
-/* Returns the exercise's declaration of the function or structure `name',
-   or NULL. The header contains these declarations as comments
-   (tests/types.awk). */
+/* Returns the exercise's declaration of the function or structure `name`,
+   or NULL. tests/types.awk writes these declarations into the header as
+   comments. */
 static char *given_function(char *header, const char *name)
 {
     const size_t length = strlen(name);
@@ -269,10 +270,11 @@ void build_tell(const char *text, const char *source, const char *types,
     const char *line = own ? own : find_line(text, "", "error:");
     if (!own && line)
         tell_header(text, source, story);
-    /* The linker reports two kinds of errors, and each has one cause here.
-       The linker names each file before the errors of that file, and the
-       student's file first. An error before the suite's name is therefore
-       about a call in the student's file. */
+    /* The linker names each file before that file's errors, and the
+       student's file comes first. So an undefined reference that is
+       reported before the suite's name is a call in the student's file; a
+       later one is a call in the tests. A multiple definition is a name
+       that the tests define as well. */
     const char *lost = strstr(text, "undefined reference");
     const char *twice = strstr(text, "multiple definition");
     const char *tests = strstr(text, ".suite.o");

@@ -5,11 +5,12 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-/* A shell function: `members TYPES FILE COMPILER...' compares the
-   structures of the student's file with those of the exercise. If they
-   differ, it prints an error for build_tell and returns 1. It compiles the
-   header TYPES after the file: the compiler then says which structure
-   differs, and where the file defines it (tests/types.awk). */
+/* The shell function `members TYPES FILE COMPILER...` compares the
+   structures in FILE, the student's file, with those in the exercise's
+   header TYPES. If they differ, it prints an error for build_tell and
+   returns 1. The header is compiled after the file, so that the compiler
+   reports which structure differs and where FILE defines it
+   (tests/types.awk). */
 #define BUILD_MEMBERS                                                      \
     "members() (\n"                                                        \
     "    types=$1 file=$2 && shift 2\n"                                    \

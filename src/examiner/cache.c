@@ -10,8 +10,8 @@
 #include <unistd.h>
 
 /* Returns whether an #include names a system header or a header that the
-   kit gives to students. Like the compiler, looks for a name in angle
-   brackets among the kit's own headers first. */
+   kit gives to students. A name in angle brackets may also be one of the
+   kit's own headers, where the compiler looks first. */
 static bool harmless(const char *what)
 {
     char name[64], path[128];
@@ -28,8 +28,9 @@ static bool harmless(const char *what)
     return access(path, F_OK) != 0;
 }
 
-/* Returns whether a file includes no other file of the student. If it did,
-   the verdict would depend on a file that is not read here. */
+/* Returns whether the file includes none of the student's other files. The
+   key does not cover included files, so a verdict that depends on them
+   cannot be stored. */
 static bool stands_alone(const char *path)
 {
     char *text = text_read(path);
@@ -66,10 +67,10 @@ static uint64_t sum_common(void)
     return sum;
 }
 
-/* Never returns 0 for a verdict that can be stored. File times are not part
-   of the key: a file restored from an archive is older than the verdict on
-   the file it replaces. A whole course has a few megabytes, which takes a
-   few milliseconds to read. */
+/* Returns 0 only if the verdict cannot be stored. The key does not contain
+   the times of files: a file restored from an archive may be older than the
+   verdict on the file that it replaces. Reading the files takes a few
+   milliseconds, since a whole course has only a few megabytes. */
 uint64_t cache_key(const struct exercise *e, bool strict, int seconds)
 {
     char path[64];
@@ -89,8 +90,7 @@ uint64_t cache_key(const struct exercise *e, bool strict, int seconds)
 
 enum { CACHE_SIZE = 1 << 16 };
 
-/* Reads a stored verdict byte for byte; text_read would escape some
-   bytes. */
+/* Reads a stored verdict unchanged; text_read would escape some bytes. */
 static bool load(const char *name, char text[CACHE_SIZE])
 {
     char path[64];

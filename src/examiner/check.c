@@ -20,8 +20,8 @@
 #include <sys/syscall.h>
 #endif
 
-/* Uses 32 buffers in turn: the header promises 20, and the others are for
-   this file. Suites call this function in initializers, where allocated
+/* Uses 32 buffers in turn: 20 as promised in the header, and 12 for calls
+   in this file. Suites call this function in initializers, where allocated
    memory could not be freed. */
 const char *check_text(const char *format, ...)
 {
@@ -38,12 +38,13 @@ const char *check_text(const char *format, ...)
 static pid_t report_owner;
 static char report_nonce[REPORT_NONCE + 1];
 
-/* Writes one line of the report. A single write makes the line whole or
-   absent when the process dies. The line begins with a newline, in case the
-   program has left half a line. Only the process that opened the report
-   writes: a copy that the student's code made with fork must not report. If
-   the descriptor is closed, the process ends with a nonzero status, which
-   the examiner sees. A line has room for every text of check_text. */
+/* Writes one line of the report. It is written in one piece, so that a
+   process that dies leaves either the whole line or nothing. It begins with
+   a newline, in case the program has left half a line. Only the process
+   that opened the report writes: a child that the student's code has forked
+   must not report. If the descriptor is closed, the process ends with a
+   nonzero status, which the examiner sees. REPORT_LINE has room for every
+   text of check_text. */
 static void report(const char *word, const char *text)
 {
     char line[REPORT_LINE];
@@ -67,8 +68,8 @@ static bool report_open(void)
            fcntl(REPORT_FILE, F_SETFD, FD_CLOEXEC) == 0;
 }
 
-/* Reports that the student's code reached a gap, and ends the process. If
-   NOT_DONE_YET returned its value instead, a loop might wait for another
+/* Reports that the student's code has reached a gap, and ends the process.
+   If NOT_DONE_YET returned its value instead, a loop might wait for another
    value for ever. */
 void exercise_not_done(const char *file, int line)
 {
@@ -87,8 +88,8 @@ void check_tell(const char *label, const char *text)
     say(label, text);
 }
 
-/* A NaN is written without its sign, which means nothing and differs
-   between compilers. */
+/* Writes x with this many digits. A NaN has no sign, because the sign means
+   nothing and differs between compilers. */
 static void number_text(char *text, size_t room, int digits, double x)
 {
     if (isnan(x))
@@ -97,8 +98,8 @@ static void number_text(char *text, size_t room, int digits, double x)
         snprintf(text, room, "%.*g", digits, x);
 }
 
-/* Writes x and y with ten digits. If they look equal, writes them with 17,
-   which distinguish any two doubles: "expected 1, got 1" would explain
+/* Writes x and y with ten digits or, if they look equal, with 17, which
+   distinguish any two doubles: "expected 1, got 1" would explain
    nothing. */
 static void number_pair(char *one, char *other, size_t room, double x,
                         double y)
@@ -112,8 +113,8 @@ static void number_pair(char *one, char *other, size_t room, double x,
 }
 
 /* Returns whether two numbers agree. A NaN agrees with nothing, because
-   every comparison with a NaN is false. (The condition !(fabs(got -
-   expected) > tolerance) would be true for a NaN.) The first comparison is
+   every comparison with it is false. (The condition !(fabs(got - expected)
+   > tolerance) would be true for a NaN.) The test for equality is needed
    for equal infinities, whose difference is a NaN. */
 static bool near(double got, double expected, double tolerance)
 {
@@ -133,13 +134,13 @@ static bool is_empty(double got)
     return is_mark(got, CHECK_EMPTY);
 }
 
-/* Returns whether got has the value of this mistake. The comparison adds
-   1e-9 of the value to the tolerance, because the suite and the student
-   compute the value in different ways. A mistake with the expected value
-   does no harm and explains nothing: a radius of 1, for example, equals its
-   square. A NaN is explained only by the value CHECK_EMPTY or CHECK_NAN.
-   Otherwise every mistake with a NaN as its value would explain every
-   NaN. */
+/* Returns whether this mistake explains the answer got. The tolerance is
+   increased by 1e-9 of the mistake's value, because the suite and the
+   student compute that value in different ways. A mistake that gives the
+   expected value explains nothing: for example, squaring a radius of 1 by
+   mistake does no harm. Only the values CHECK_EMPTY and CHECK_NAN explain a
+   NaN; otherwise every mistake that happens to give a NaN would explain
+   it. */
 static bool explains(const struct check_mistake *mistake, double got,
                      const struct check *c)
 {
@@ -172,7 +173,7 @@ static const struct check_mistake *mistake_behind(double got,
 
 /* Returns the question for an answer that is a NaN. It replaces the suite's
    question about physics, because a NaN has many causes and the input does
-   not tell them apart. */
+   not show which one it was. */
 static const char *ask_of_nan(double got)
 {
     return is_empty(got)
@@ -185,8 +186,8 @@ static const char *ask_of_nan(double got)
                  "value yet?";
 }
 
-/* Reports a failed check. If the answer is a known mistake, prints the hint
-   instead of the question, which would lead away from the mistake. */
+/* Reports a failed check. If the answer shows a known mistake, prints its
+   hint instead of the question, which would distract from the mistake. */
 static void say_failure(double got, const struct check *c)
 {
     char wanted[64], found[64];
@@ -211,8 +212,8 @@ static void say_failure(double got, const struct check *c)
 
 /* Reports only the first failure of a test: a loop over a thousand inputs
    could otherwise report the same failure a thousand times. CUnit also
-   counts passed comparisons, because a test without comparisons must not
-   pass. */
+   counts comparisons that pass, because a test without any comparison must
+   not pass. */
 bool check_near(const char *file, int line, double got, struct check c)
 {
     const bool passed = near(got, c.expected, c.tolerance);
@@ -272,14 +273,14 @@ void check_demand(const char *what, double asked, double most)
 static struct random inputs;
 
 /* Makes the inputs of a test independent of the tests that ran before. The
-   odd factor with many bits keeps neighbouring seeds and tests from sharing
-   a sequence. */
+   factor is odd and has many bits set, so that neighbouring seeds and tests
+   get different sequences. */
 static void seed_inputs(uint64_t seed, int number)
 {
     random_seed(&inputs, seed + (uint64_t)number * 0x9e3779b97f4a7c15u);
 }
 
-/* Computes its own seed from the report's nonce, which is new in each
+/* The seed is computed from the report's nonce, which is new in each
    run. */
 void check_shuffle(int order[], int count)
 {
@@ -297,8 +298,8 @@ void check_shuffle(int order[], int count)
     }
 }
 
-/* printf rounds the number to four digits. strtod then returns the nearest
-   double, as the compiler does for a number in a source file. */
+/* printf rounds the number to four digits. strtod then returns the same
+   double as the compiler does for these digits in a source file. */
 double check_draw(double low, double high)
 {
     char text[32];
@@ -321,10 +322,10 @@ static bool is_idle(const struct check_test *t)
     return false;
 }
 
-/* Prints the suite's file, title and minutes. Then prints a line for each
+/* Prints the suite's file, title and minutes, and then a line for each
    test: its points, its points with another seed, whether it is idle (0 or
-   1), and its name. Make must run this only in programs without a student's
-   code, which could change the list. */
+   1; see struct check_suite), and its name. Make must run this only in
+   programs without a student's code, which could change the list. */
 static int list_suite(void)
 {
     printf("file %s\ntitle %s\nminutes %d\n", check_suite.file,
@@ -342,9 +343,9 @@ int __lsan_do_recoverable_leak_check(void) __attribute__((weak));
 #endif
 static bool leaks_wanted = true;
 
-/* Lets the sanitizer print which memory was leaked. A child process does
-   this, because the sanitizer ends its process if tracing is not allowed. A
-   leak costs no points, so this happens after the verdict. */
+/* Makes the sanitizer report memory that was leaked. This happens in a
+   child process, because the sanitizer ends its process if tracing is not
+   allowed. It happens after the verdict, because a leak costs no points. */
 static void look_for_leaks(void)
 {
 #ifdef __linux__
@@ -359,9 +360,9 @@ static void look_for_leaks(void)
 #endif
 }
 
-/* Returns whether the test has passed. A test without a check fails:
-   everybody would pass it because of a mistake in the suite, such as a loop
-   over an empty range. */
+/* Returns whether the test has passed. A test that checked nothing fails;
+   otherwise a mistake in the suite, such as a loop over an empty range,
+   would let everybody pass. */
 static bool has_passed(void)
 {
     const bool checked = CU_get_number_of_asserts() > 0;
@@ -371,11 +372,11 @@ static bool has_passed(void)
     return checked && CU_get_number_of_failures() == 0;
 }
 
-/* Runs one test with CUnit, which counts the checks, and reports the
-   verdict in the last line. Each process runs only one test, because CUnit
+/* Runs one test with CUnit, which counts the checks, and writes the verdict
+   as the report's last line. Each process runs only one test, because CUnit
    does not survive a crash and does not notice that a student called
-   exit(0). Buffered output is written before the verdict. If that output
-   exceeds the file size limit, the program is killed and has no verdict. */
+   exit(0). Buffered output is flushed before the verdict: if it exceeds the
+   file size limit, the program is killed without a verdict. */
 static int run_test(const struct check_test *t)
 {
     CU_pSuite suite = NULL;
@@ -397,7 +398,7 @@ static int run_test(const struct check_test *t)
 
 #ifdef __linux__
 /* Gives up the rights that a judge does not need, and changes to this user.
-   Only the grader links this function; in other programs the pointer is
+   Only the grader links this function; in other programs its address is
    NULL. */
 void judge_confine(long user) __attribute__((weak));
 #endif
@@ -418,12 +419,13 @@ static const struct check_test *find_test(int number)
 long syscall(long number, ...);
 #endif
 
-/* Waits for orders and forks for each one. Returns the order in the child,
-   which then runs one test. A runner with sanitizers takes as long to start
-   as ten tests take to run, so it starts only once. It forks before it has
-   run any of the student's code. CLONE_PARENT makes the examiner the parent
-   of the child, so the examiner can wait for the child and get its status
-   from the kernel. The C library has no function for that. */
+/* Waits for orders and forks a child for each. Returns the order in the
+   child, which then runs that one test. A runner with sanitizers takes as
+   long to start as ten tests take to run, so it starts only once. It forks
+   before it has run any of the student's code. CLONE_PARENT makes the
+   examiner the parent of the child, so the examiner can wait for the child
+   and get its status from the kernel. The C library has no function for
+   that. */
 static struct report_order next_order(void)
 {
 #ifdef __linux__
@@ -444,12 +446,11 @@ static struct report_order next_order(void)
 }
 
 /* Lists the suite or runs one test. Output is flushed at each line end,
-   because the last lines before a crash matter most to a student. The
-   process ends with _exit, which skips handlers: a handler that the
-   student's code registered could call exit(1) and turn a passed test into
-   a crash. To start a runner by hand, for example in a debugger, use:
-   `printf %032d 0 >report; build/check/01a.stub 1 3<>report; cat
-   report`. */
+   because the last lines before a crash help a student most. The process
+   ends with _exit, which skips exit handlers: one that the student's code
+   registered could call exit(1) and turn a passed test into a crash. To
+   start a runner by hand, for example in a debugger, use: `printf %032d 0
+   >report; build/check/01a.stub 1 3<>report; cat report`. */
 int main(int argc, char **argv)
 {
     if (argc == 2 && strcmp(argv[1], "--list") == 0)

@@ -11,7 +11,7 @@
    gives for the input of a check. If a student's answer has this value, the
    report shows the hint and, in brackets, the name of the mistake. The
    kit's own tests use the name to check that each mistake gets its hint.
-   Values are compared instead of source code, because two different
+   The value is enough to recognize a mistake, because two different
    mistakes seldom agree in ten digits. */
 struct check_mistake {
     const char *name; /* short, with hyphens: "mass-not-inverse" */
@@ -19,21 +19,21 @@ struct check_mistake {
     const char *hint; /* shown to the student; not the solution */
 };
 
-/* The value of every output before the call. Arithmetic never produces this
-   NaN, but passes it on. An output that still has this value was never
+/* The value of every output before the call: a NaN that arithmetic passes
+   on but never produces. An output that still has this value was never
    written. */
 #define CHECK_EMPTY __builtin_nan("0xe3b7")
 
-/* The value of a mistake that gives a NaN as the answer. A mistake with any
-   other NaN as its value, except CHECK_EMPTY, matches no answer. Suites use
-   such a NaN if the mistake cannot be made with the current input. */
+/* The value of a mistake whose result is a NaN. A mistake with any other
+   NaN as its value, except CHECK_EMPTY, matches no answer; suites use NAN
+   for a mistake that cannot be made with the current input. */
 #define CHECK_NAN __builtin_nan("0x4a7")
 /* One comparison, and the texts that are reported if it fails. Suites set
-   the fields by name, because a call with nine unnamed arguments would not
-   show that two strings were exchanged. Fields that are not set are not
-   printed. Every tolerance needs a reason in `because'. A tolerance that is
-   too small rejects a right answer computed in another order. A tolerance
-   that is too large accepts an answer with a missing term. */
+   the fields by name: in a call with nine unnamed arguments, two strings in
+   the wrong order would go unnoticed. Fields that are not set are not
+   printed. Every tolerance needs a reason in `because`: one that is too
+   small rejects a right answer computed in another order, and one that is
+   too large accepts an answer with a missing term. */
 struct check {
     const char *quantity; /* the name of the quantity compared */
     const char *unit;     /* "m/s"; NULL or "" for a pure number */
@@ -46,7 +46,7 @@ struct check {
     struct check_mistake mistakes[12]; /* unused entries have no name */
 };
 /* A test. Its name is a true statement, such as "momentum is conserved".
-   Tests are listed from the simplest case to the most difficult, because
+   Tests are listed from the simplest to the most difficult case, because
    only the first failure is reported in full. A test with random inputs
    earns further points when a lecturer grades it with another seed. */
 struct check_test {
@@ -56,19 +56,20 @@ struct check_test {
     int hidden; /* points with another seed; 0: no random inputs */
 };
 
-enum { CHECK_TESTS = 32 }; /* largest number of tests, plus 1 */
+enum { CHECK_TESTS = 32 }; /* maximum number of tests, plus 1 */
 
 /* The tests of one exercise. Every suite defines one of these structs,
-   named check_suite. A function that does nothing passes the idle tests: if
-   it returns the velocities it was given, it conserves momentum. Idle tests
-   therefore earn points only if a test that is not idle has passed. The
-   kit's tests find the idle tests by running each suite with stubs that do
-   nothing. */
+   named check_suite. Idle tests are those that a function that does nothing
+   passes: for example, it conserves momentum if it returns the velocities
+   that it was given. They earn points only if a test that is not idle has
+   passed. The kit's tests find the idle tests by running each suite with
+   stubs that do nothing. */
 struct check_suite {
     const char *file; /* "01a-collide.c", in exercises/ and solutions/ */
     const char *title;
-    int minutes; /* time that a student needs */
-    /* Label of the equation that failures name, such as "eq:difference". */
+    int minutes; /* time that a student needs, min */
+    /* Label of the equation that is named after a failure:
+       "eq:difference". */
     const char *equation;
     struct check_test tests[CHECK_TESTS]; /* the last has no name */
     void (*idle[8])(void);                /* the idle tests */
@@ -89,7 +90,7 @@ struct check_overrun {
 };
 
 /* Compares got with c.expected and tells CUnit the result. Returns whether
-   they agree; a test can use this to stop at the first failure. A NaN never
+   they agree, so that a test can stop at the first failure. A NaN never
    agrees. An infinity agrees only with the same infinity. */
 bool check_near(const char *file, int line, double got, struct check c);
 
@@ -103,12 +104,12 @@ bool check_near(const char *file, int line, double got, struct check c);
 const char *check_text(const char *format, ...);
 
 /* Draws a random number from low to high and rounds it to four significant
-   digits. Rounding may move it past low or high by half a unit of the
-   fourth digit. Each test has its own sequence, which depends only on the
-   seed and the test's number. At home all students get the same numbers. A
-   lecturer's seed gives different numbers, which students cannot know by
-   heart. With only four digits, a student who types a number from a report
-   gets exactly the same double. */
+   digits, so that a student who types a number from a report gets exactly
+   the same double. Rounding may move it past low or high by half a unit of
+   the fourth digit. Each test has its own sequence, which depends only on
+   the seed and the test's number. At home all students get the same
+   numbers. A lecturer's seed gives other numbers, which no student can know
+   by heart. */
 double check_draw(double low, double high);
 
 /* Draws a random whole number from low to high, both included. */
@@ -120,13 +121,13 @@ int check_draw_whole(int low, int high);
    order. */
 void check_shuffle(int order[], int count);
 
-/* Ends the test as failed if `asked', the number of items that the
-   student's function has requested, is more than `most'. `what' names the
-   items, such as samples. */
+/* Fails and ends the test if `asked`, the number of items that the
+   student's function has requested, exceeds `most`. `what` names the items:
+   for example, "samples". */
 void check_demand(const char *what, double asked, double most);
 
-/* Fails the test because the function wrote outside an output. Reports the
-   place of the write. */
+/* Fails the test because the function wrote outside an output, and reports
+   where. */
 void check_overrun(const struct check_overrun *overrun);
 
 /* Adds one line to the report of a failing test: a label of at most 12

@@ -5,9 +5,9 @@
 #ifdef EXAMINER_GIVES
 void collide(double m1, double m2, double *v1, double *v2);
 #else
-/* Changes the velocities *v1 and *v2 [m/s] of two bodies with the masses m1
-   and m2 [kg] as an elastic collision does: in the frame of the centre of
-   mass both velocities are reversed (1.4, eq:reverse). */
+/* Changes the velocities *v1 and *v2 [m/s] of two bodies with masses m1 and
+   m2 [kg] by an elastic collision: in the frame of the centre of mass, both
+   velocities are reversed (1.4, eq:reverse). */
 static inline void collide(double m1, double m2, double *v1, double *v2)
 {
     const double before = *v1 - *v2;

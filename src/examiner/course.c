@@ -8,10 +8,10 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Sets path to the file that matches the pattern `where' with `name' for
-   %s, or to "". If two files match (one may be a copy), asks the student to
-   move one. Refuses files that are not plain: opening a named pipe would
-   wait for its writer. */
+/* Sets path to the file that matches the pattern `where`, with `name` in
+   place of %s, or to "" if there is none. If two files match, asks the
+   student to move one, which may be a copy. Refuses files that are not
+   plain: opening a named pipe would wait for its writer. */
 static void find_one(const char *where, const char *name,
                      char path[COURSE_PATH])
 {
@@ -31,8 +31,8 @@ static void find_one(const char *where, const char *name,
     globfree(&found);
 }
 
-/* If the file is missing, looks for a similar name: 01a_collide.c is a
-   likely slip. */
+/* If the file is missing, looks for one with a similar name, such as
+   01a_collide.c. */
 void course_find_file(struct exercise *e)
 {
     find_one("exercises/%s-*.c", e->name, e->file);
@@ -51,8 +51,8 @@ static void learn_test(struct exercise *e, const char *text)
     e->tests[e->count++] = name + strspn(name, " ");
 }
 
-/* The stub must exist, because an exercise counts as begun if the student's
-   file differs from the stub. */
+/* The stub must exist: an exercise counts as begun if the student's file
+   differs from its stub. */
 static void find_files(struct exercise *e)
 {
     find_one("tests/exercises/%s/stub.c", e->name, e->stub);
@@ -65,11 +65,11 @@ static void find_files(struct exercise *e)
 
 /* Reads the title, tests and minutes of an exercise from
    build/check/NAME.list. The strings point into the text of that file. The
-   list also has the usual name of the student's file, because the student
-   may have deleted the file. tests/lists.awk makes the lists from the
-   source of the suites, because building forty runners only for their lists
-   took half a minute. A test compares the lists with the output of the
-   runners. */
+   list also contains the usual name of the student's file, in case the
+   student has deleted that file. tests/lists.awk makes the lists from the
+   sources of the suites, because building forty runners to print them took
+   half a minute. A test compares these lists with those that the runners
+   print. */
 static bool read_about(struct exercise *e, const char *name)
 {
     char path[64];
@@ -133,9 +133,10 @@ struct exercise *course_choose(struct course *course, const char *name)
     exit(2);
 }
 
-/* Compares the file with its stub. File times cannot replace this: git
-   clone gives all files the same time. Nor can a search for NOT_DONE_YET: a
-   stub may be a whole program with a mistake in it. */
+/* Compares the file with its stub. The times of the files do not show
+   whether it was changed: git clone gives all files the same time. Nor does
+   a search for NOT_DONE_YET: a stub may be a whole program with a mistake
+   in it. */
 bool course_touched(const struct exercise *e)
 {
     return *e->file && sum_file(0, e->file) != sum_file(0, e->stub);

@@ -17,7 +17,7 @@ struct exercise {
     const char *title;
     const char *tests[CHECK_TESTS];
     int worth[CHECK_TESTS]; /* points of each test */
-    bool idle[CHECK_TESTS]; /* a function that does nothing passes */
+    bool idle[CHECK_TESTS]; /* passed by a function that does nothing */
     int count, minutes, points;
     char file[COURSE_PATH];     /* the student's file; "": none */
     char stub[COURSE_PATH];     /* the original file of the kit */

@@ -150,13 +150,16 @@ static long milliseconds_of(struct timeval t)
     return 1000 * (long)t.tv_sec + (long)t.tv_usec / 1000;
 }
 
-/* Returns whether the state of the process alone decides what it does next.
-   It must have no other threads to wait for, and must have spent less than
-   a fifth of its time in the kernel: a larger share suggests a loop that
-   asks the system until the answer changes. */
+/* Returns whether the state of the process alone determines what it does
+   next. The process must have no other threads, which it might be waiting
+   for. It must have spent less than a fifth of its time in the kernel: a
+   larger share suggests a loop that asks the system until the answer
+   changes. */
 static bool is_alone(void)
 {
-    enum { ONE_THREAD = 3 }; /* links of a folder with one folder in it */
+    enum {
+        ONE_THREAD = 3
+    }; /* links of a folder that contains one folder */
     struct rusage used;
     struct stat tasks;
     getrusage(RUSAGE_SELF, &used);
@@ -166,10 +169,9 @@ static bool is_alone(void)
                milliseconds_of(used.ru_utime) / 4;
 }
 
-/* Replaces the library's time(), which makes no system call and returns the
-   same number for a whole second. With the library's time(), a loop that
-   waits for the next second would look endless. This function counts each
-   call as new input. */
+/* Replaces the C library's time(), which makes no system call and returns
+   the same number for a whole second: a loop that waits for the next second
+   would look endless. This function counts each call as new input. */
 time_t time(time_t *when)
 {
     struct timespec now = {0, 0};

@@ -15,7 +15,7 @@
 
 struct settings {
     struct verdict_rules rules;
-    int task; /* letter of the option that names it; 0: check */
+    int task; /* letter of the option that chose it; 0: check */
     const char *as, *file, **names;
 };
 
@@ -87,9 +87,8 @@ static struct settings read_settings(int argc, char **argv)
     return s;
 }
 
-/* Uses the file that --file names as the student's file for the exercise
-   that --as names. This is for tests and lecturers. The verdict is not
-   stored. */
+/* Makes the file given by --file the student's file for the exercise given
+   by --as. This is for tests and lecturers. The verdict is not stored. */
 static void take_file(struct course *course, const struct settings *s)
 {
     struct exercise *e = course_choose(course, s->as);
@@ -147,9 +146,9 @@ static void give_hint(struct course *course,
                names[0] ? names[0] : "Everything here");
 }
 
-/* Does what the command line asks. Returns whether all exercises that are
-   begun pass. Tasks without a verdict return true, because make would
-   otherwise print "Error 1" below their output. */
+/* Does what the command line asks. Returns false if an exercise that is
+   begun does not pass. Tasks without a verdict return true, because make
+   would otherwise print "Error 1" below their output. */
 static bool do_task(struct course *course, const struct settings *s)
 {
     const struct verdict_rules *rules = &s->rules;
@@ -172,8 +171,8 @@ static bool do_task(struct course *course, const struct settings *s)
     return true;
 }
 
-/* Returns 0 if all exercises that are begun pass, as in a fresh copy, and 1
-   if one does not. Exits with status 2 if nothing could be checked. */
+/* Returns 0 if all exercises that are begun pass (also if none is begun),
+   and 1 otherwise. Exits with status 2 if nothing could be checked. */
 int main(int argc, char **argv)
 {
     const struct settings s = read_settings(argc, argv);

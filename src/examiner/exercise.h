@@ -4,11 +4,10 @@
 
 /* Marks a gap in a stub. `return NOT_DONE_YET(0.0);` compiles like `return
    0.0;`, but ends the test that reaches it, and the examiner reports "not
-   begun" instead of "failed". Without the mark the stub would return 0, a
-   wrong answer. A stub must compile and link, because a linker error would
-   be a bad first message for a beginner. The comma operator gives the gap
-   the type of its value. abort() would also end the test, but as a
-   crash. */
+   begun". Without the mark, 0 would count as a wrong answer; abort() would
+   count as a crash. A stub must compile and link, because a linker error
+   would be a bad first message for a beginner. The comma operator gives the
+   gap the type of its value. */
 #define NOT_DONE_YET(value) (exercise_not_done(__FILE__, __LINE__), (value))
 
 /* Ends the running test as not begun. NOT_DONE_YET calls this function. */

@@ -11,7 +11,7 @@
 
 enum { LOOK_IN = O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC };
 
-/* Opens a folder to remove its content. First restores the owner's
+/* Opens a folder in order to empty it. First restores the owner's
    permissions, which a program may have taken away. */
 static int open_folder(int above, const char *name)
 {
@@ -28,9 +28,9 @@ static bool is_own_name(const char *name)
 }
 
 /* Removes an entry of a folder. If the entry is a folder that is not empty,
-   moves it into the folder `top' with a number as its name, to be removed
-   later. A tree of any depth therefore needs only two open folders, and no
-   path becomes too long. */
+   moves it into the folder `top`, with a number as its name, to be removed
+   later. So a tree of any depth needs only two open folders, and no path
+   becomes too long. */
 static bool remove_entry(int folder, const char *name, int top,
                          unsigned long *number)
 {

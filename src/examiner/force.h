@@ -7,10 +7,10 @@ void force(int n, const double m[], const double x[], double f[]);
 #else
 #include <math.h>
 
-/* Sets f to the forces [N] on n bodies with the masses m [kg] at the
-   positions x [m]. Body i is at (x[2 i], x[2 i + 1]) and feels the force
-   (f[2 i], f[2 i + 1]). Two bodies at the distance d attract each other
-   with the force m1 m2/d^2, as if G were 1. */
+/* Sets f to the forces [N] on n bodies with masses m [kg] at positions x
+   [m]. Body i is at (x[2 i], x[2 i + 1]) and feels the force (f[2 i], f[2 i
+   + 1]). Two bodies at distance d attract each other with the force m1
+   m2/d^2, as if G were 1. */
 static inline void force(int n, const double m[], const double x[],
                          double f[])
 {

@@ -137,7 +137,7 @@ static void check_name(const struct batch *b, const char *word)
 }
 
 /* Keeps only the exercises that --exercises names, in the order of the
-   book. "01" means all exercises of the chapter. A word that matches no
+   book. "01" means all exercises of chapter 1. A word that matches no
    exercise is refused, because its table would be empty. */
 static void choose_kits(struct batch *b)
 {
@@ -203,10 +203,10 @@ static void make_folder(const char *path)
         text_fail("cannot make '%s': %s", path, strerror(errno));
 }
 
-/* Returns the prefix that all graders on this system give to the names of
-   their work folders. The prefix identifies the boot of the kernel and the
-   process namespace: if machines share the folder, a process number is
-   ambiguous. */
+/* Returns the prefix for the names of work folders. It is the same for all
+   graders on this system, and differs between boots of the kernel and
+   between process namespaces: if several machines share the folder, a
+   process number alone is ambiguous. */
 static const char *name_machine(void)
 {
     static char name[32];
@@ -237,8 +237,8 @@ static void remove_abandoned(void)
     globfree(&found);
 }
 
-/* Returns whether `inner' is, or would be, inside `outer'. `inner' need not
-   exist: the part of its path that exists is resolved, including links. */
+/* Returns whether `inner` is inside `outer`, or would be if it existed. The
+   part of its path that exists is resolved, including links. */
 static bool is_within(const char *inner, const char *outer)
 {
     char path[4200], *real, *around = realpath(outer, NULL);
@@ -527,10 +527,10 @@ static void take_pages(const struct batch *b, struct job *job)
     job->page.place = place;
 }
 
-/* Grades a job in this child process. Ends with _exit, which skips the
-   parent's clean-up. If the parent is killed, PR_SET_PDEATHSIG ends this
-   process and with it the sandbox. If interrupted, writes nothing, because
-   half a grading is no result. */
+/* Grades a job in this child process, which then ends with _exit to skip
+   the parent's clean-up. If the parent is killed, PR_SET_PDEATHSIG ends
+   this process and with it the sandbox. If interrupted, writes nothing,
+   because half a grading is no result. */
 static _Noreturn void work(const struct batch *b, const struct job *job)
 {
     struct marks marks = blank_marks(b, job);
@@ -576,11 +576,11 @@ static void show_progress(const struct batch *b)
                 b->count * b->kit_count);
 }
 
-/* Waits until a worker has ended. Polls, because a signal could come
-   between the check for a signal and an unlimited wait. After a signal,
-   stops the workers, and kills them if they still run after five seconds. A
-   worker that failed has written no result and is counted in b->failed.
-   Repeating the command tries it again. */
+/* Waits until a worker has ended. Polls, because a signal that comes just
+   before an unlimited wait would not end that wait. After a signal, stops
+   the workers; kills those that still run five seconds later. A worker that
+   failed has written no result and is counted in b->failed. If the command
+   is repeated, it grades that job again. */
 static void wait_for_one(struct batch *b)
 {
     int status, i = 0;
@@ -608,8 +608,9 @@ static void wait_for_one(struct batch *b)
     show_progress(b);
 }
 
-/* Refuses a line break, which would split the command. Students' names are
-   encoded and have none. */
+/* Prints a word in quotation marks for the shell. Refuses a line break,
+   which would split the command. Students' names are encoded and have
+   none. */
 static void put_word(const char *word)
 {
     if (strchr(word, '\n'))
@@ -652,10 +653,10 @@ static void check_job(const struct batch *b, const struct job *job)
 }
 
 /* Starts a job as soon as fewer than --jobs jobs are running. With --list,
-   only prints the command of the job. The default of --jobs is one more
-   than the number of processors: with one job for each processor, a quarter
-   of the time was idle. A job waits for disks, for programs that sleep, and
-   while judge and sandbox take turns. */
+   only prints the command of the job. By default, --jobs is one more than
+   the number of processors: with one job for each processor, a quarter of
+   the time was idle, because jobs wait for disks and for programs that
+   sleep, and judge and sandbox take turns. */
 static void start_job(struct batch *b, const struct job *job)
 {
     if (b->settings.list && job->bytes) {
@@ -698,10 +699,9 @@ static size_t first_alike(struct batch *b, uint64_t sum,
     return b->alike[i].student;
 }
 
-/* Copies the marks of the student `first', who handed in the same file,
-   because equal files are graded only once. Returns false if that student
-   has no marks. Projects are graded for each student, because of their
-   figures. */
+/* Copies the marks of the student `first`, who handed in the same file:
+   equal files are graded only once. Returns false if that student has no
+   marks. Projects are graded for each student, because of their figures. */
 static bool copy_marks(struct batch *b, const struct job *job, size_t first)
 {
     char path[4400];
@@ -774,11 +774,11 @@ static void grade_round(struct batch *b, enum round round)
         wait_for_one(b);
 }
 
-/* Grades in three rounds. The first round grades all files. The second
-   round repeats, one at a time, the jobs that reached the wall-clock limit:
-   on a busy machine a program may be late without being slow. A test that
-   is late again earns nothing. The third round copies the marks of equal
-   files. */
+/* Grades in three rounds. The first round grades all files, but equal files
+   only once. The second round repeats, one at a time, the jobs that reached
+   the wall-clock limit: on a busy machine a program may time out without
+   being slow. A test that times out again earns nothing. The third round
+   copies the marks of equal files. */
 static void grade_all(struct batch *b)
 {
     b->alike = text_must(calloc(b->count + 1, sizeof *b->alike));
@@ -791,8 +791,8 @@ static void grade_all(struct batch *b)
     free(b->alike);
 }
 
-/* If an exercise could not be graded, it has no result and is reported as
-   "not graded", never as zero points. */
+/* Reads the marks of all students. An exercise that could not be graded has
+   no result and is reported as "not graded", never as zero points. */
 static struct marks *read_results(const struct batch *b)
 {
     char path[4400];
@@ -856,10 +856,10 @@ static void publish_all(struct batch *b)
                 b->failed);
 }
 
-/* Finds all submissions. Exercises are chosen later, because an answer to
-   any exercise of the course is not a stray file. With --job, reads only
-   names that begin like the student's, because there may be ten thousand
-   students. */
+/* Finds all submissions. Exercises are chosen later; otherwise answers to
+   other exercises of the course would be reported as stray files. With
+   --job, reads only names that begin like the student's, because there may
+   be ten thousand students. */
 static void find_submissions(struct batch *b)
 {
     const char **usual = text_must(calloc(b->kit_count + 1, sizeof *usual));

@@ -52,7 +52,7 @@ static void read_line(struct kit *kit, char *line)
     }
 }
 
-/* Moves the public tests to the front. If a report is cut short, it then
+/* Moves the public tests to the front, so that a report that is cut short
    loses hidden tests first. */
 static void public_first(struct kit *kit)
 {
@@ -66,9 +66,9 @@ static void public_first(struct kit *kit)
 }
 
 /* Reads the list of tests of each exercise. Exits if a list has no title or
-   no test: a full disk leaves such lists, and with them nobody would get a
-   point. Skips an exercise without a list: it has no remote.c and is not
-   graded, as make has reported. */
+   no test, as after a full disk: otherwise nobody would get a point. Skips
+   an exercise without a list: it has no remote.c and is not graded, as make
+   has reported. */
 size_t grading_kits(struct kit **kits)
 {
     glob_t found = {0};
@@ -101,16 +101,16 @@ size_t grading_kits(struct kit **kits)
 
 enum {
     MOST_LATE = 3,
-    LATER_SECONDS = 1, /* time limit once a test has timed out */
-    SLOW_MS = 200,     /* after a longer test the full limit stays */
+    LATER_SECONDS = 1, /* time limit of a test after a time-out */
+    SLOW_MS = 200,     /* after such a test, the limit stays */
     MOST_BUILDING = 60,
     PRINTS_KEPT = 4096,
     STORY_KEPT = 8192
 };
 
 /* One exercise of one student while it is graded. The student's file is
-   copied to its usual path, exercises/01a-collide.c, which messages of the
-   compiler then name. */
+   copied to its usual path, such as exercises/01a-collide.c, so that the
+   compiler's messages name this path. */
 struct job {
     const struct grading *grading;
     const struct kit *kit;
@@ -119,10 +119,10 @@ struct job {
     struct sandbox sandbox;
     bool open;
     int prints;
-    int late, waited;   /* time-outs: all, those by wall clock */
+    int late, waited;   /* number of time-outs: all; wall clock */
     bool slow;          /* a test took SLOW_MS or longer */
-    int crashed, named; /* crashes, failures with known mistakes */
-    int left;           /* tests that wrote outside an output */
+    int crashed, named; /* number of crashes; of known mistakes */
+    int left;           /* number of tests that wrote outside an output */
     char mistake[64];   /* name of the first known mistake */
     char types[8192], judge[4096], name[256], header[64];
 };
@@ -153,7 +153,7 @@ static void enter_new_folder(const struct grading *g, const char *exercise)
                   strerror(errno));
 }
 
-/* Returns the header that the stub includes, "kit/exercise.h" if none is
+/* Returns the header that the stub includes, or "kit/exercise.h" if none is
    found. */
 static const char *find_header(struct job *job)
 {
@@ -212,17 +212,17 @@ static char *read_kit(const struct job *job, const char *name, int line)
 
 /* Returns the time limit, in seconds, for the tests after a time-out; 0
    means the usual limit. One second is enough, since these tests usually
-   run into the same endless loop. A project keeps the usual limit. So does
-   a program that was slow before: then only its late tests should fail. */
+   run into the same endless loop. Projects and slow programs keep the usual
+   limit; otherwise tests that are merely slow would fail, too. */
 static int later_seconds(const struct job *job)
 {
     return *job->kit->exercise == 'P' || job->slow ? 0 : LATER_SECONDS;
 }
 
-/* Counts a time-out. marks->late asks the grader for a second try. That
-   helps only after the limit on wall-clock time, since only that time
-   passes while other programs run. In a project both limits count, because
-   run.c reports both as SIGXCPU. */
+/* Counts a time-out. marks->late asks the grader for a second try. This
+   helps only if the wall-clock limit was reached, since wall-clock time
+   also passes while other programs run. For a project any time-out counts,
+   because run.c reports both limits as SIGXCPU. */
 static void note_late(struct job *job, bool by_the_wall)
 {
     const int later = later_seconds(job);
@@ -234,8 +234,8 @@ static void note_late(struct job *job, bool by_the_wall)
         job->order.seconds = later;
 }
 
-/* Opens a sandbox. Returns PASSED, or the state of the exercise if the
-   sandbox is not ready. Inside, the driver is called sandbox.suite.o,
+/* Opens a sandbox. Returns PASSED if it is ready; otherwise returns the
+   state of the exercise. Inside, the driver is called sandbox.suite.o,
    because build.c searches the linker's errors for ".suite.o". */
 static enum state open_box(struct job *job, FILE *story)
 {
@@ -277,9 +277,9 @@ static void close_box(struct job *job)
     job->open = false;
 }
 
-/* Runs a test as the examiner does, with the judge as its runner. Closes
-   the sandbox after a time-out, or if the test's process cannot be ended.
-   The next test then opens a new sandbox, so that no test affects a later
+/* Runs a test as the examiner does, with the judge as its runner. After a
+   time-out, or if the test's process cannot be ended, closes the sandbox.
+   The next test then opens a new one, so that no test affects a later
    one. */
 static enum state run_test(struct job *job, const struct kit_test *test,
                            FILE *story)
@@ -313,9 +313,9 @@ static enum state run_test(struct job *job, const struct kit_test *test,
 }
 
 /* Runs test i, unless its result is known or too many tests have timed out.
-   In a second try (`before` is not NULL), a test that ended in the first
-   try keeps its mark. The others run again until one of them times out
-   again: then the load of the machine was not the cause. A test that an
+   In a second try (`before` is not NULL), a test that came to an end in the
+   first try keeps its mark. The others run again until one of them times
+   out again: then the load of the machine was not the cause. A test that an
    empty function passes (`idle`) always runs again, because its points
    depend on the other tests. */
 static enum state try_test(struct job *job, int i, FILE *story)
@@ -335,10 +335,10 @@ static enum state try_test(struct job *job, int i, FILE *story)
                            : state;
 }
 
-/* Replaces a hint that names a different mistake from the first hint. The
-   first mistake may make a later test return a value that looks like
-   another mistake. So the student is asked to correct the first mistake
-   first. */
+/* Replaces the hint if it names a different mistake from the first hint of
+   this exercise: because of the first mistake, a later test may return a
+   value that looks like another mistake. The student is asked to correct
+   the first mistake first. */
 static void name_once(char *mistake, size_t room, char **text, size_t *size)
 {
     char *hint = strstr(*text, "\n  hint "), *end, *name;
@@ -412,9 +412,9 @@ static void keep_prints(struct marks *marks)
     fclose(file);
 }
 
-/* If only tests that an empty function passes (`idle`) have passed, marks
-   them as failed and adds the reason. They are not just left without
-   points, because reports that count tests would then disagree with reports
+/* If every test that passed is one that an empty function passes (`idle`),
+   marks these tests as failed and adds the reason. If they stayed passed
+   but earned nothing, reports that count tests would disagree with reports
    that count points. */
 static void settle_idle(const struct kit *kit, struct marks *marks)
 {
@@ -499,9 +499,9 @@ static void sum_up(struct marks *marks)
 
 /* Runs the public tests once more, with sanitizers. A test in which they
    find a mistake does not pass: `make check` uses sanitizers as well, and
-   both must give the same verdict. This run is half the cost of grading.
-   grading_run skips it if a known mistake explains a failure, unless a test
-   crashed or wrote outside of an output. */
+   both must give the same verdict. This run takes half the time of grading.
+   grading_run skips it if a known mistake explains a failure and no test
+   crashed or wrote outside an output. */
 static void ask_sanitizers(struct job *job)
 {
     char *text = NULL;

@@ -30,7 +30,7 @@ struct grading {
     const char *work; /* absolute path for temporary folders */
     enum sandbox_kind kind;
     uint64_t seed;              /* seed of the hidden tests */
-    int seconds;                /* limit of processor time of a test */
+    int seconds;                /* limit on processor time per test, s */
     const struct marks *before; /* the marks of the first try, or NULL */
     struct grading_page *page;  /* the figure of a project, or NULL */
 };
@@ -41,7 +41,7 @@ struct grading_page {
     size_t length;
     char *refusal;     /* why the script was refused, or NULL */
     const char *place; /* path of the figure, for the note */
-    char *figure;      /* a PNG; if NULL the note says why */
+    char *figure;      /* a PNG file; NULL: the note says why */
     size_t drawn;      /* size of the figure, bytes */
 };
 
@@ -49,7 +49,7 @@ struct grading_page {
    exercises. Exits with status 2 if a list is damaged or none exists. */
 size_t grading_kits(struct kit **kits);
 
-/* Grades a student's file as an answer to the exercise `kit`. bytes are the
+/* Grades a student's file as an answer to the exercise `kit`. bytes is the
    content of the file, or NULL if there is no file. Sets the state, the
    tests, the texts and the times of *marks. Changes the working folder, so
    it must be called in a process of its own. */

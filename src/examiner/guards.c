@@ -9,13 +9,13 @@
 
 /* Each output lies between two guards of 512 doubles, since an index meant
    for another array may be off by that much. Without guards, a function
-   could write beyond the end of an array and still get full points, because
-   that memory belonged to the kit. */
+   could write beyond the end of an array, into the kit's memory, and still
+   get full points. */
 enum { GUARD = 4096, MOST = 8 };
 
-/* Returns byte i of a guard. Eight of these bytes are a NaN as a double,
-   and larger than any index as a size_t. So a function gains nothing by
-   reading them. */
+/* Returns byte i of a guard. Eight of these bytes, read as a double, are a
+   NaN; read as a size_t, they are larger than any index. So a function
+   gains nothing by reading them. */
 static unsigned char filling(size_t i)
 {
     static const unsigned char bytes[] = {0xa5, 0xa5, 0xa5, 0xa5,
@@ -44,10 +44,10 @@ void __asan_poison_memory_region(const volatile void *x, size_t n) WEAK;
 void __asan_unpoison_memory_region(const volatile void *x, size_t n) WEAK;
 
 /* Forbids access to the guards of an output, or allows it again if `on` is
-   false. An address sanitizer then notices reads, too, and reports the
-   line. The two functions are weak symbols, NULL without a sanitizer,
-   because one driver serves programs with and without sanitizers. Only ELF
-   has weak symbols. */
+   false. The address sanitizer then also notices reads, and reports the
+   line. The two functions are weak symbols, which are NULL without a
+   sanitizer, because the same driver is used in programs with and without
+   sanitizers. Only ELF has weak symbols. */
 static void forbid(const struct place *p, bool on)
 {
     void (*const tell)(const volatile void *x, size_t n) =

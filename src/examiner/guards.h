@@ -6,8 +6,8 @@
 
 #include <stdbool.h>
 
-/* Returns whether a guard of the present call's outputs has changed. If so,
-   describes the first change in *overrun. */
+/* Returns whether a guard around an output of the current call has changed.
+   If so, describes the first change in *overrun. */
 bool guards_overrun(struct check_overrun *overrun);
 
 /* Frees the outputs of the last call. */

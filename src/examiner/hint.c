@@ -65,8 +65,8 @@ void hint_forget(const struct exercise *e)
         remember(e->name, 0);
 }
 
-/* Returns the number of hints for a stage. Prints hint number `wanted`;
-   prints none if wanted is 0. */
+/* Returns the number of hints for a stage. Prints hint number `wanted`, or
+   none if wanted is 0. */
 static int find_hint(char *text, int stage, int wanted)
 {
     int number = 0;

@@ -24,9 +24,9 @@ enum { ANSWERS = 5, REQUESTS = 6 };
 
 #ifdef __linux__
 /* The system calls that a judge needs: it reads and writes files that are
-   already open, allocates memory, forks and ends. Even a student's program
-   that took over the judge by the data it sends could not reach a file, the
-   network or another process. */
+   already open, allocates memory, forks and ends. Even if a student's
+   program took over the judge through the data that it sends, it could not
+   reach a file, the network or another process. */
 static const int allowed[] = {
     SYS_read,         SYS_write,          SYS_writev,
     SYS_pread64,      SYS_ftruncate,      SYS_lseek,
@@ -80,8 +80,8 @@ void judge_confine(long user);
 
 /* Gives up the rights that a judge does not need. A judge knows the
    expected values, reads data from a sandbox, and may have been started by
-   root. It keeps its rights where the kernel has no filters, or where a
-   container refuses this user id. */
+   root. It keeps its rights if the kernel has no filters, or if a container
+   refuses this user id. */
 void judge_confine(long user)
 {
     if (user > 0 && syscall(SYS_setgroups, 0, NULL) == 0 &&
@@ -96,7 +96,7 @@ void transport_lost(void)
     _exit(EXIT_FAILURE);
 }
 
-/* Ends the judge by the same signal or status as the test's process, so
+/* Ends the judge with the same signal or status as the test's process, so
    that trial.c reports the end as it does without a sandbox. */
 static _Noreturn void end_like(int status)
 {
@@ -110,8 +110,8 @@ static _Noreturn void end_like(int status)
 static bool opened, begun, calling;
 
 /* Ends a call that got no answer: the suite has left it by longjmp, but the
-   process in the sandbox is still in the student's function. Ends that
-   process; the next call starts a new one. */
+   process in the sandbox is still in the student's function. That process
+   is ended; the next call starts a new one. */
 static void break_off(void)
 {
     int how[TRANSPORT_HOW];

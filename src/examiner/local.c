@@ -26,10 +26,10 @@ static void grow(size_t bytes)
 }
 
 /* Sends bytes by copying them into `messages`, or receives bytes by copying
-   them out. The student's function thus gets its arguments in the same kind
+   them out. So the student's function gets its arguments in the same kind
    of memory as in the grader. Both sides and the function are linked into
-   one program, in which a name can be defined only once. So the makefile
-   renames the functions of the suite, for example to
+   one program, in which a name can be defined only once. Therefore the
+   makefile renames the functions of the suite, for example to
    suite_velocities_after. */
 void transport_move(void *x, size_t bytes)
 {

@@ -38,8 +38,9 @@ bool marks_late(const struct marks *marks)
     return false;
 }
 
-/* Shows an escaped byte as two hexadecimal digits, not as a question mark:
-   a student who prints values to find an error needs to know the byte. */
+/* Escaped bytes are shown as two hexadecimal digits, not as a question
+   mark: a student who prints values to find an error needs to know the
+   byte. */
 char *marks_text(const char *bytes, size_t length, size_t most)
 {
     const size_t kept = length < most ? length : most;
@@ -52,7 +53,7 @@ char *marks_text(const char *bytes, size_t length, size_t most)
     return longer;
 }
 
-/* Returns a test's mark as JSON. A state is written by its name, so that a
+/* Returns a test's mark as JSON. A state is written as its name, so that a
    file stays valid if the numbers of the states change. */
 static json_t *json_of_mark(const struct mark *mark)
 {
@@ -97,9 +98,9 @@ static enum state state_of(const char *name)
     return state;
 }
 
-/* Reads a test's mark. Returns false if anything is missing, for example
-   after a full disk or an edit by hand. The exercise is then graded
-   again. */
+/* Reads a test's mark. Returns false if anything is missing, because the
+   disk was full or somebody has edited the file. The exercise is then
+   graded again. */
 static bool mark_of_json(struct mark *mark, json_t *json)
 {
     const char *name, *state, *story;

@@ -7,9 +7,9 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* The result of one test for one student. The points of public and of
-   hidden tests are always kept apart: a student may know only that hidden
-   tests exist. */
+/* The result of one test for one student. The points of public and hidden
+   tests are always kept apart: students may know only that hidden tests
+   exist. */
 struct mark {
     char *name;
     bool hidden; /* inputs must not be shown */
@@ -21,7 +21,7 @@ struct mark {
 
 enum { MARKS_MOST = 96 };
 
-/* The result of one exercise for one student. The texts are UTF-8 without
+/* The result of one exercise for one student. The texts are UTF-8, without
    control characters except line ends, and none is NULL. Each result is
    written to a file at once, and reports are made only from these files. So
    an interrupted run of the grader can be continued, and a new report needs
@@ -44,8 +44,8 @@ struct marks {
     bool late; /* a limit on wall-clock time was reached */
 };
 
-/* Return the points earned, or the points possible, in the hidden tests or,
-   if `hidden` is false, in the public tests. */
+/* Return the points earned or the points possible: in the hidden tests if
+   `hidden` is true, otherwise in the public tests. */
 int marks_earned(const struct marks *marks, bool hidden);
 int marks_possible(const struct marks *marks, bool hidden);
 
@@ -53,8 +53,8 @@ int marks_possible(const struct marks *marks, bool hidden);
 bool marks_late(const struct marks *marks);
 
 /* Returns bytes as text, escaped by text_escaped; the caller frees it.
-   Keeps at most the first `most` bytes; if there are more, the text ends
-   with a line that gives their number. */
+   Keeps only the first `most` bytes; if there are more, the text ends with
+   a line that gives the total number of bytes. */
 char *marks_text(const char *bytes, size_t length, size_t most);
 
 /* Writes marks to a file. `key` is a checksum of everything that the marks

@@ -9,11 +9,11 @@
    The first matching row is used, so special cases come before general
    ones. In an explanation, NAME stands for the first name that the message
    quotes. A row without an explanation is for a name that the compiler does
-   not know. No row explains a message whose meaning would be a guess:
-   students believe a wrong explanation, and that costs more than a missing
-   one. */
+   not know. There is no row for a message whose meaning could only be
+   guessed: students believe a wrong explanation, which costs more than a
+   missing one. */
 static const struct meaning {
-    const char *gcc, *clang; /* words in messages; NULL: as gcc */
+    const char *gcc, *clang; /* words in messages; clang NULL: as gcc */
     const char *text;
 } meanings[] = {
     {"expected ';'", "expected ',' or ';'",
@@ -91,12 +91,12 @@ static const struct meaning {
     {"lvalue required", "expression is not assignable",
      "On the left of = must stand something that can be changed, and this "
      "is a formula."},
-    /* C lets a function end without a return. The caller then gets the
-       content of a register, perhaps the right number. One wrong answer in
-       the kit's tests passed that way, because clang assumed that the path
+    /* C lets a function end without a return. The caller then gets whatever
+       is in a register, perhaps the right number. One wrong answer in the
+       kit's tests passed that way, because clang assumed that the path
        without a return is never taken. So the makefile turns this warning
-       into an error, and two others that newer compilers treat as errors
-       anyway. */
+       into an error. It does the same with two warnings that newer
+       compilers treat as errors anyway. */
     {"reaches end of non-void", "void function does not return a value",
      "There is a way through the function on which it ends without a "
      "return. What is its value then?"},
@@ -117,7 +117,7 @@ static const struct meaning {
      "This line computes something and throws it away. Is an = or a return "
      "missing?"},
     /* The remaining rows explain warnings. A warning is shown only if a
-       test has failed, as the likeliest reason. */
+       test has failed: it is then the likeliest reason. */
     {"uninitialized", NULL,
      "NAME has no value yet when it is used. What should it begin with?"},
     {"integer absolute value", NULL,
@@ -151,7 +151,8 @@ static const struct {
 
 enum { LINE_ROOM = 512 };
 
-/* Copies a line without its end, and returns its row of the table. */
+/* Copies a line without its newline and returns the matching row of the
+   table `meanings`, or NULL. */
 static const struct meaning *meaning_of(char copy[LINE_ROOM],
                                         const char *line)
 {
@@ -176,8 +177,8 @@ void message_quoted(char name[MESSAGE_NAME], const char *from)
     snprintf(name, MESSAGE_NAME, "%.*s", (int)length, mark ? mark + 1 : "");
 }
 
-/* Returns the header that declares a name. The blanks around names keep
-   exp from being found in expm1. */
+/* Returns the header that declares a name. Each name is compared with a
+   blank on either side, so that exp is not found in expm1. */
 static const char *header_of(const char *name)
 {
     char word[MESSAGE_NAME + 2];
@@ -188,9 +189,9 @@ static const char *header_of(const char *name)
     return NULL;
 }
 
-/* Explains an unknown name. Proposes the header that declares the name
-   before it uses the compiler's suggestion: for NAN without <math.h> a
-   compiler may suggest any other name of three letters. */
+/* Explains an unknown name. If a header declares the name, proposes that
+   header and not the name that the compiler suggests: for NAN without
+   <math.h>, a compiler may suggest any other name of three letters. */
 static void explain_stranger(FILE *story, const char *line)
 {
     char name[MESSAGE_NAME], meant[MESSAGE_NAME], text[LINE_ROOM];
@@ -213,8 +214,9 @@ static void explain_stranger(FILE *story, const char *line)
     text_field(story, "means", text);
 }
 
-/* Writes a sentence with the quoted name in place of NAME. The table does
-   not use %s, because compilers cannot check formats from a table. */
+/* Writes the sentence `text`, with the first name that `line` quotes in
+   place of NAME. The table does not use %s, because compilers cannot check
+   formats from a table. */
 static void explain_known(FILE *story, const char *text, const char *line)
 {
     char name[MESSAGE_NAME], sentence[LINE_ROOM];

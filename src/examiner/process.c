@@ -24,8 +24,8 @@ static volatile sig_atomic_t caught;
 /* Stores the signal; a handler can do little else safely. Ctrl-C does not
    reach the tested program, which has a process group of its own. It
    reaches the examiner, whose loop in wait_for_end then kills the program.
-   If the examiner ended at once, a student's endless loop would run on
-   unnoticed. */
+   If the handler ended the examiner at once, a student's endless loop would
+   run on unnoticed. */
 static void catch_signal(int signal)
 {
     caught = signal;
@@ -44,11 +44,11 @@ int process_signal(void)
     return caught;
 }
 
-/* Lowers the soft limit of a resource to `most`. This guards against
-   accidents; a program can raise the limit again. A process that exceeds
-   its processor time gets SIGXCPU; if it exceeds a file size it gets
-   SIGXFSZ. The limit on memory is one on address space, because every Unix
-   has that. */
+/* Lowers the soft limit of a resource to `most`. This guards only against
+   accidents, since a program can raise the limit again. A process that
+   exceeds its processor time gets SIGXCPU; one that exceeds a file size
+   gets SIGXFSZ. Memory is limited by its address space, because every Unix
+   has that limit. */
 static void restrain(int resource, rlim_t most)
 {
     struct rlimit limit;
@@ -59,8 +59,8 @@ static void restrain(int resource, rlim_t most)
 }
 
 /* Closes all descriptors from `first` on. Linux has had a system call for
-   this since 2020. On other systems the loop stops at 1024, since some
-   machines allow a million open files. */
+   this since 2020. Without it, the loop stops at 1024, since some machines
+   allow a million open files. */
 static void close_from(int first)
 {
 #ifdef SYS_close_range
@@ -74,8 +74,8 @@ static void close_from(int first)
 }
 
 /* Moves the descriptors in `kept` to 3, 4, ... and returns the next number.
-   Copies them to high numbers first, because a descriptor may have a number
-   that another one is to get. The copies stay open on exec. */
+   First copies them to high numbers, because the number that one descriptor
+   is to get may still belong to another. The copies stay open on exec. */
 static int hand_over(const int kept[6])
 {
     int high[6], count = 0;
@@ -88,11 +88,11 @@ static int hand_over(const int kept[6])
     return 3 + count;
 }
 
-/* Replaces this process, which was just forked, by the command. Never
+/* Replaces this process, which was just forked, with the command. Never
    returns. The limits, the process group and the descriptors survive the
    exec. Standard input is empty; otherwise an exercise that reads a number
-   would wait for it and seem to hang. All other descriptors are closed, for
-   example the pipe by which make -j limits its jobs. */
+   would wait for it and seem to hang. All other descriptors are closed: for
+   example, the pipe that make -j uses to limit its jobs. */
 static void become(char *const command[], const char *folder,
                    const struct process_files *files,
                    const struct process_limits *limits)
@@ -123,9 +123,9 @@ double process_clock(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/* Returns whether a process has ended; a stopped process has not. Does not
-   collect the status: until somebody does, no other process can get this
-   process number, and the process group can be killed safely. */
+/* Returns whether a process has ended; a stopped process has not. Leaves
+   the status to be collected later: until then no other process can get
+   this process number, and the process group can be killed safely. */
 static bool has_ended(pid_t pid)
 {
     siginfo_t about = {0};
@@ -134,10 +134,10 @@ static bool has_ended(pid_t pid)
            about.si_pid == pid;
 }
 
-/* Returns whether a process uses more memory than `most` bytes. The
-   second number in statm is the memory in use, in pages. Copies of a
-   runner need this check: no limit of the kernel fits, since sanitizers
-   map terabytes. */
+/* Returns whether a process uses more than `most` bytes of memory. The
+   second number in statm is the memory in use, in pages. Copies of a runner
+   need this check, because a limit on address space is impossible:
+   sanitizers map terabytes. */
 static bool uses_more(pid_t pid, rlim_t most)
 {
     char path[64];
@@ -164,10 +164,11 @@ int process_watch(pid_t pid)
 }
 
 /* Waits for a process. Returns whether it ran longer than `seconds`. Kills
-   its process group if it runs too long, uses more than `memory` bytes, or
-   the user interrupts. Kills the group again at the end, for children left
-   behind. waitpid has no time limit, so this function polls: every 20 ms if
-   the kernel reports the end at once (pidfd), otherwise every 2 ms. */
+   its process group if it runs too long, if it uses more than `memory`
+   bytes, or if the user interrupts. Kills the group again at the end,
+   because the process may have left children. waitpid has no time limit, so
+   this function polls: every 20 ms if a pidfd reports the end and the
+   memory is not limited, otherwise every 2 ms. */
 static bool wait_for_end(pid_t pid, double seconds, rlim_t memory)
 {
     struct pollfd end = {process_watch(pid), POLLIN, 0};
@@ -201,10 +202,10 @@ static bool is_stray(int child)
 }
 
 /* Returns a child that process_start did not start, or 0. A program's child
-   can leave its process group by setsid. On Linux it becomes a child of
-   this process when its parent ends (PR_SET_CHILD_SUBREAPER), and a file in
-   /proc lists all children. On other systems it escapes, but no program
-   does this by accident. */
+   can leave its process group by calling setsid. On Linux, when its parent
+   ends, such a child becomes a child of this process
+   (PR_SET_CHILD_SUBREAPER), and a file in /proc lists all children. On
+   other systems it escapes, but no program does this by accident. */
 static int find_stray(void)
 {
     int child = 0;
@@ -245,10 +246,10 @@ static void collect(pid_t pid, double seconds, rlim_t memory,
     kill_strays();
 }
 
-/* Starts a command in a new process. Flushes all buffers first, because the
-   new process would print their content again. Parent and child both set
-   the process group, since either may run first. A shell with timeout and
-   ulimit could not replace this: it cannot tell a segmentation fault from
+/* Starts a command in a new process. Flushes all buffers first; otherwise
+   the new process would print their content again. Parent and child both
+   set the process group, since either may run first. A shell with timeout
+   and ulimit is no substitute: it cannot tell a segmentation fault from
    exit(139), and timeout does not kill children. */
 static pid_t launch(char *const command[], const char *folder,
                     const struct process_files *files,
@@ -300,8 +301,6 @@ struct process_end process_stop(void)
     return end;
 }
 
-/* Sends the order. The answer is the process number of the copy, which no
-   other process learns. */
 bool process_copy(int orders, const void *order, size_t length, int seconds,
                   rlim_t memory_bytes, struct process_end *end)
 {

@@ -8,14 +8,14 @@
 #include <sys/types.h>
 
 /* The limits of a program; RLIM_INFINITY means no limit. The limit on
-   processor time stops an endless loop and is fair on a busy machine. A
-   program that sleeps uses no processor time, so it is stopped after twice
-   that time by the wall clock. */
+   processor time stops an endless loop, and is fair on a busy machine. A
+   program that sleeps uses no processor time, so there is also a limit on
+   wall-clock time, which is twice as long. */
 struct process_limits {
     int seconds;         /* processor time, s; wall-clock time: twice */
     rlim_t memory_bytes; /* address space, bytes */
     rlim_t file_bytes;   /* size of each file written, bytes */
-    rlim_t processes;    /* processes and threads of the user */
+    rlim_t processes;    /* number of processes and threads of the user */
 };
 
 /* Open descriptors for a program, and a function called before it
@@ -35,9 +35,10 @@ struct process_end {
 
 /* Runs a command, a NULL-terminated list, in the given folder. Its first
    word is looked up in PATH. The command gets a process group of its own,
-   empty input, these descriptors and limits, and makes no core file.
-   Returns after it has ended and its process group is killed. Returns false
-   if no process could be started; errno says why. */
+   an empty standard input, and these descriptors and limits; it makes no
+   core file. Returns when the command has ended and its process group has
+   been killed. Returns false if no process could be started; errno says
+   why. */
 bool process_run(char *const command[], const char *folder,
                  const struct process_files *files,
                  const struct process_limits *limits,
@@ -52,15 +53,16 @@ bool process_start(char *const command[], const char *folder,
                    const struct process_limits *limits);
 
 /* Sends an order through the socket `orders` to a process started by
-   process_start. That process copies itself and answers with the process
-   number of the copy. The copy is a child of this process and has a process
-   group of its own. Waits for the copy at most 2 * seconds, and kills it if
-   it uses more than memory_bytes. Returns false if there was no copy. */
+   process_start. That process forks a copy of itself and answers with the
+   copy's process number. The copy is a child of this process and has a
+   process group of its own. Waits for the copy to end. Kills it if it uses
+   more than memory_bytes, or after twice the given number of seconds.
+   Returns false if there was no copy. */
 bool process_copy(int orders, const void *order, size_t length, int seconds,
                   rlim_t memory_bytes, struct process_end *end);
 
-/* Kills the process that was last started by process_start, with its
-   process group, and returns how it ended. Does nothing if there is
+/* Kills the process that process_start started last, together with its
+   process group. Returns how the process ended. Does nothing if there is
    none. */
 struct process_end process_stop(void);
 
@@ -68,7 +70,7 @@ struct process_end process_stop(void);
    the system has no such descriptors. */
 int process_watch(pid_t pid);
 
-/* Returns the time of the monotonic clock, s. This clock cannot be set back
+/* Returns the time of the monotonic clock, s, which cannot be set back
    during a test. */
 double process_clock(void);
 

@@ -94,9 +94,8 @@ static void leap(project_pull *pull, const void *of, int n, long double x[],
 }
 
 /* Extrapolates from leapfrog runs with 1, 2, ..., 8 steps to infinitely
-   many steps (Richardson). A leapfrog is symmetric, so its error has only
-   even powers of the step. The error of the result has the sixteenth
-   power. */
+   many steps (Richardson). The leapfrog is symmetric, so its error contains
+   only even powers of the step. The error of the result is of order 16. */
 void project_exactly(project_pull *pull, const void *of, int n,
                      long double x[], long double v[], double t, int parts)
 {

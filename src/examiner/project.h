@@ -6,13 +6,12 @@
 #include "examiner/run.h"
 
 /* Returns a number between low and high, drawn as by check_draw. It depends
-   on the year of the course and, when marks are given, on the grader's
-   seed. */
+   on the year of the course and, in the grader, on the grader's seed. */
 double project_draw(int year, double low, double high);
 
 /* Checks that the program ended with status 0 and printed `rows` rows of
-   `columns` numbers. If the number of columns is wrong, the report asks the
-   student the question. */
+   `columns` numbers. If the number of columns is wrong, the report asks
+   `question`. */
 bool project_form(const struct run *run, const char *input, size_t rows,
                   size_t columns, const char *question);
 
@@ -29,8 +28,9 @@ double project_remark(const struct run *run, const char *words,
 double project_cut(const char *format, double x);
 
 /* Solves x'' = a(x) for n coordinates x with velocities v over the time t,
-   exact to rounding. `pull` computes a from x and `of`. The time is divided
-   into `parts` pieces; in each piece the path must bend little. */
+   up to rounding errors. `pull` computes a from x and `of`. The time is
+   divided into `parts` pieces; in each piece the path must be only slightly
+   curved. */
 typedef void project_pull(const void *of, const long double x[],
                           long double a[]);
 enum { PROJECT_PLACES = 16 };

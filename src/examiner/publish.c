@@ -79,8 +79,8 @@ static double seconds_of_all(const struct course *c, size_t s)
     return sum;
 }
 
-/* Returns a formatted and escaped text; the caller frees it. All texts are
-   escaped here: the course's name is that of a folder, and others come from
+/* Returns a formatted and escaped text; the caller frees it. Every text is
+   escaped: the course's name is that of a folder, and other texts come from
    the environment. */
 static char *compose(const char *format, ...)
 {
@@ -97,9 +97,9 @@ static char *compose(const char *format, ...)
     return text;
 }
 
-/* Cuts a text to at most `most` bytes, between two characters, and returns
-   it. In UTF-8 only a byte that continues a character begins with the bits
-   10. */
+/* Cuts a text to at most `most` bytes without splitting a character, and
+   returns it. In UTF-8 a byte that begins with the bits 10 continues a
+   character. */
 static char *shorten(char *text, size_t most)
 {
     if (strlen(text) <= most)
@@ -110,10 +110,10 @@ static char *shorten(char *text, size_t most)
     return text;
 }
 
-/* Returns the name of a test that students may see. They do not see the
-   name of a hidden test, which may reveal its subject. They also see
-   neither its report, which contains the inputs, nor the program's output,
-   which might be the inputs. */
+/* Returns the name under which students see a test. They do not see the
+   name of a hidden test, which may reveal what it tests. Nor do they see
+   its report, which contains the inputs, or the program's output, which
+   might be the inputs. */
 static const char *shown_name(const struct marks *m, int test,
                               char room[32])
 {
@@ -126,8 +126,8 @@ static const char *shown_name(const struct marks *m, int test,
     return room;
 }
 
-/* Returns the state of a test that students see. If the file does not
-   build, the marks say that each test is not begun; students see "does not
+/* Returns the state that students see for a test. If the file does not
+   build, every test is "not begun" in the marks, but students see "does not
    build". */
 static enum state state_of(const struct marks *m, int test)
 {
@@ -136,9 +136,9 @@ static enum state state_of(const struct marks *m, int test)
                                                             : state;
 }
 
-/* Returns the state of an exercise that students see, from the public tests
-   only. The state of all tests would reveal hidden ones, for example as
-   "failed" above 9 of 9 points. */
+/* Returns the state that students see for an exercise; only the public
+   tests count. Otherwise students would learn about hidden tests, for
+   example from "failed" above 9 of 9 points. */
 static enum state shown_state(const struct marks *m)
 {
     for (int i = 0; i < m->count; ++i)
@@ -174,7 +174,7 @@ static void make_folder(const char *path)
 }
 
 /* Makes the path of a report. A path that is too long is an error, because
-   a cut path would be that of another file. */
+   after a cut it would be the path of another file. */
 static void draft_name(struct draft *draft, const char *folder,
                        const char *name)
 {
@@ -206,8 +206,8 @@ static void draft_remove(const char *folder, const char *name)
 }
 
 /* Finishes a report and gives it its name. All errors are checked here:
-   fprintf only fills a buffer, so a full disk is noticed late, and fsync
-   waits for the disk. */
+   fprintf only fills a buffer, so a full disk may be noticed only now.
+   fsync waits for the disk. */
 static void draft_close(struct draft *draft)
 {
     if (fflush(draft->file) != 0 || ferror(draft->file) ||
@@ -219,8 +219,8 @@ static void draft_close(struct draft *draft)
         text_fail("cannot write '%s': %s", draft->path, strerror(errno));
 }
 
-/* Returns whether a student's name is unique. If it is not, the marks of
-   one student would overwrite those of another. */
+/* Returns whether a student's name is unique. Otherwise the marks of one
+   student would overwrite those of another. */
 static bool alone(const struct course *c, size_t s)
 {
     const char *student = marks_of(c, s, 0)->student;
@@ -234,8 +234,9 @@ enum { FILE_NAME = 180 };
 
 /* Makes a file name from a student's name and returns its length. Keeps
    letters, digits, space, . - _ and all characters that are not ASCII.
-   Other characters become % and two digits. So does a dot at the beginning,
-   which would hide the file, or a minus, which would be an option of rm. */
+   Replaces any other character with % and two hexadecimal digits. Does the
+   same with a dot at the beginning, which would hide the file, and with a
+   minus at the beginning, which rm would take for an option. */
 static size_t spell(const char *text, char *name)
 {
     static const char plain[] =
@@ -262,10 +263,10 @@ static char *file_name(const struct course *c, size_t s)
                : compose("%s%%_%zu.json", name, s + 1);
 }
 
-/* Returns whether a spreadsheet would take a cell for a formula. A formula
-   begins with =, +, - or @, with the wide form of such a sign, or with a
-   tab or line end. A student may call a folder =HYPERLINK(...). An
-   apostrophe before it makes the cell text. */
+/* Returns whether a spreadsheet would take a cell for a formula: a student
+   may call a folder =HYPERLINK(...). A formula begins with =, +, - or @,
+   with the full-width form of such a sign, or with a tab or line end. An
+   apostrophe before a formula makes it text. */
 static bool is_formula(const char *text)
 {
     static const char *const signs[] = {
@@ -634,8 +635,8 @@ static json_t *classroom_test(const struct marks *m, int test)
 
 /* Returns the value of an environment variable, or `otherwise` if it is not
    set. Classroom 50 sets these variables, which identify the student and
-   the task. Without them its collector refuses the file until somebody
-   fills in the values. */
+   the task. If they are missing, its collector refuses the file until
+   somebody fills in the values. */
 static json_t *known(const struct course *c, const char *variable,
                      const char *otherwise)
 {
@@ -671,8 +672,8 @@ static void put_owner(json_t *json, const struct course *c, size_t s)
 }
 
 /* Returns a student's result for Classroom 50. datetime should be the time
-   when the work was handed in, which decides whether it is late. We know
-   only the time of grading; the collector's own runner corrects it. */
+   when the work was handed in, which decides whether it is late. Only the
+   time of grading is known here; the collector's own runner corrects it. */
 static json_t *classroom(const struct course *c, size_t s)
 {
     json_t *json = json_object(), *tests = json_array();
@@ -735,10 +736,10 @@ static json_t *github(const struct course *c, size_t s)
     return json;
 }
 
-/* A report in JUnit's XML while it is written. The format has no standard;
-   GitLab and Jenkins must be able to read the report. GitLab drops the
-   second of two cases with the same class and name, so the name of a case
-   contains the student and the test's number. */
+/* A report in JUnit's XML format while it is being written. The format has
+   no standard; GitLab and Jenkins must be able to read the report. GitLab
+   drops the second of two cases with the same class and name, so the name
+   of a case contains the student and the test's number. */
 struct junit {
     struct draft draft;
     xmlTextWriterPtr xml;
@@ -750,8 +751,8 @@ static void checked(int result)
         text_fail("out of memory");
 }
 
-/* Writes bytes for libxml2. Always reports success, since libxml2 would
-   print messages of its own; ferror finds errors at the end. */
+/* Writes bytes for libxml2. Always reports success; otherwise libxml2 would
+   print messages of its own. draft_close finds errors with ferror. */
 static int write_bytes(void *context, const char *bytes, int length)
 {
     struct junit *j = context;
@@ -834,9 +835,9 @@ static void put_tally(struct junit *j, const struct tally *tally)
     attribute(j, "time", compose("%.3f", tally->seconds));
 }
 
-/* Writes how a test ended. If the file does not build, the first test has
-   the compiler's messages. This holds even for a hidden test, since the
-   messages are only about the student's file. */
+/* Writes how a test ended. If the file does not build, the first test gets
+   the compiler's messages. The test may be hidden, since these messages are
+   only about the student's file. */
 static void put_ending(struct junit *j, const char *element,
                        const struct marks *m, int test)
 {
@@ -926,10 +927,10 @@ static void report_junit(const struct course *c, const char *folder)
 }
 
 /* Returns how many columns the next character takes: two for a Chinese
-   character, none for an accent. wcwidth needs a UTF-8 locale for this.
-   Returns -1 if a question mark should replace the character: if it is
-   unknown, or changes the direction of writing, which would also affect the
-   numbers after a name. */
+   character, none for a combining accent. wcwidth needs a UTF-8 locale for
+   this. Returns -1 if a question mark should replace the character: because
+   it is unknown, or because it changes the direction of writing, which
+   would also affect the numbers after a name. */
 static int columns(const char *text, size_t *bytes)
 {
     mbstate_t state = {0};
@@ -946,8 +947,8 @@ static int columns(const char *text, size_t *bytes)
 }
 
 /* Returns how many of `room` columns a text fills, and sets *length to the
-   number of bytes in them. That number is limited as well: a name of ten
-   thousand accents is as wide as a letter. */
+   number of bytes in them. The number of bytes is limited as well: a letter
+   with ten thousand accents is one column wide. */
 static int fit(const char *text, int room, size_t *length)
 {
     int taken = 0;
@@ -1096,8 +1097,8 @@ static void show_line(void *to, const char *student, const char *exercise,
         putchar('\n');
 }
 
-/* Prints the whole table, with the kind of isolation in its first line. The
-   locale is changed only here. */
+/* Prints the whole table, with the kind of isolation in its first line.
+   Changes the locale meanwhile. */
 static void report_table(const struct course *c, const char *folder)
 {
     const locale_t utf8 = newlocale(LC_CTYPE_MASK, "C.UTF-8", (locale_t)0);
@@ -1122,8 +1123,8 @@ static void report_table(const struct course *c, const char *folder)
         text_fail("cannot write the table: %s", strerror(errno));
 }
 
-/* The reports. If `write` is not NULL it writes the report; otherwise
-   `build` returns a JSON file for each student. */
+/* The reports. If `write` is not NULL, it writes the report; otherwise
+   `build` returns the content of one student's JSON file. */
 static const struct {
     const char *name;
     void (*write)(const struct course *course, const char *folder);

@@ -9,7 +9,7 @@ bool transport_sending;
 
 size_t remote_bytes(size_t count, size_t size)
 {
-    enum { ROOM = 8 }; /* reserve: callers may double a count */
+    enum { ROOM = 8 }; /* margin: callers may double a count */
     if (count > SIZE_MAX / ROOM / size)
         transport_lost();
     return count * size;
@@ -36,8 +36,8 @@ void remote_unsigneds(unsigned x[], size_t count)
 }
 
 /* Sends or receives bools as ints: a bool whose byte is neither 0 nor 1 may
-   be true in one place and false in the next. Doubles need no such care,
-   since any eight bytes are a double. */
+   count as true in one place and as false in another. Doubles need no such
+   care, since any eight bytes are a valid double. */
 void remote_bools(bool x[], size_t count)
 {
     for (size_t i = 0; i < count; ++i) {

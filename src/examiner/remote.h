@@ -5,12 +5,13 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Send count numbers from x or, on the side that receives, receive them
-   into x. Both sides must call the same functions in the same order. So an
-   exercise has one function for the arguments, which both sides call. If
+/* Send count numbers from x or, on the receiving side, receive them into x.
+   Both sides must call the same functions in the same order; therefore each
+   exercise has one function for its arguments, which both sides call. If
    the other side has ended, the program ends. An array that the student
-   should only write to is also sent: the suite has filled it to see which
-   values stay unchanged, so the sandbox needs the same values. */
+   should only write to is sent as well: the suite has filled it in order to
+   see which values stay unchanged, and the sandbox needs the same
+   values. */
 void remote_doubles(double x[], size_t count);
 void remote_sizes(size_t x[], size_t count);
 void remote_ints(int x[], size_t count);
@@ -18,13 +19,13 @@ void remote_unsigneds(unsigned x[], size_t count);
 void remote_bools(bool x[], size_t count);
 
 /* Returns memory for data that the student's function only reads; the
-   caller frees it. It has exactly this size, so that a sanitizer notices an
-   access beyond its end. Ends the program if memory runs out. */
+   caller frees it. The block has exactly this size, so that a sanitizer
+   notices an access beyond its end. Ends the program if memory runs out. */
 void *remote_memory(size_t bytes);
 
 /* Returns memory as remote_memory does, for count elements of this size.
-   The other side may send any count: if the product does not fit a size_t,
-   the program ends. */
+   Ends the program if the product is too large, since the other side may
+   send any count. */
 void *remote_array(size_t count, size_t size);
 
 /* Returns count * size. Ends the program if the product exceeds an eighth
@@ -43,24 +44,24 @@ void remote_restart(void);
    arguments. */
 void remote_call(void);
 
-/* Ends the arguments and waits for the answer. Serves callbacks meanwhile,
-   by remote_serve_callback. Next, the caller must receive the values of the
-   answer. */
+/* Ends the arguments and waits for the answer. Meanwhile, serves callbacks
+   by calling remote_serve_callback. Next, the caller must receive the
+   values of the answer. */
 void remote_wait(void);
 
 /* Serves callback number `which` on the judge's side: receives the
    arguments, calls remote_callback_reply and sends the values of the
    answer. Defined by an exercise whose function takes a function.
 
-   It may also send the answers to likely next calls. In exercise 12b the
-   next step begins where the last one ended; in 03a the function halves an
-   interval repeatedly. A wrong guess costs no more than the call. This
-   leaves four to thirty of every hundred round trips. The calls of 05c
-   cannot be guessed. There the sandbox has a copy of the disks and sends a
-   list of all calls and results. The judge repeats them with its own disks
-   and checks the results. Grading a course of 25 students took 10 s of
-   processor time with a round trip for each call, and takes 2.5 s this
-   way. */
+   It may also send the answers to the calls that are likely to come next.
+   In exercise 12b the next step begins where the last one ended; in 03a the
+   function halves an interval repeatedly. A wrong guess costs no more than
+   the call. Guessing leaves four to thirty of every hundred round trips.
+   The calls of 05c cannot be guessed. Instead, the sandbox has a copy of
+   the disks and sends a list of all calls and results. The judge repeats
+   the calls with its own disks and checks the results. Grading a course of
+   25 students took 10 s of processor time with a round trip for each call,
+   and takes 2.5 s this way. */
 void remote_serve_callback(int which);
 
 /* Ends the arguments of a callback. Next, the caller must send the
@@ -74,7 +75,7 @@ void remote_serve(void);
 
 /* Returns memory for an output of the student's function, between two
    guards. It is freed at the next call. `name` is shown to a student whose
-   function writes outside of this memory. */
+   function writes outside this memory. */
 void *remote_output(const char *name, size_t bytes);
 
 /* Return memory as remote_output does, for count numbers, and receive their

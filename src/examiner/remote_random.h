@@ -6,9 +6,9 @@
 
 double uniform(void);
 
-/* The number of random numbers in a block. Sending single numbers would
-   take thousands of round trips. Blocks of 64 numbers took a tenth longer;
-   blocks of more than 128 save nothing. */
+/* The number of random numbers in a block. Single numbers would take
+   thousands of round trips. Blocks of 64 numbers take a tenth longer than
+   this; blocks of more than 128 save nothing. */
 enum { BLOCK = 128 };
 
 #ifdef REMOTE_SERVER
@@ -17,9 +17,10 @@ static struct {
     size_t left;
 } block;
 
-/* Receives a block of numbers that the judge has not drawn yet. With its
-   answer the sandbox sends how many numbers of the last block are left; the
-   judge then draws the numbers that were used. */
+/* Receives a block of numbers that the judge has copied but not yet drawn
+   from its generator. With its answer the sandbox sends how many numbers of
+   the last block are left; the judge then draws the numbers that were
+   used. */
 static void take_block(void)
 {
     remote_doubles(block.u, BLOCK);

@@ -7,12 +7,13 @@
 
 /* The report on a test consists of lines `NONCE WORD TEXT`. The runner
    writes them; the examiner reads them after the runner has ended. The
-   nonce is a random word. The file contains only the nonce at first. The
-   runner removes it before any of the student's code runs, and then begins
-   each line with it. (Arguments and environment would stay readable for the
-   whole life of the process.) The nonce guards against accidents, such as a
-   program that writes to every descriptor. It does not guard against
-   attacks, because the student's code shares the runner's memory.
+   nonce is a random word. At first, the file contains only the nonce. The
+   runner removes the nonce before any of the student's code runs, and then
+   begins each line with it. (If the nonce were an argument or an
+   environment variable, it could be read for the whole life of the
+   process.) The nonce guards against accidents, such as a program that
+   writes to every descriptor. It does not guard against attacks, because
+   the student's code shares the runner's memory.
 
    The report is a file, not a pipe. A reader sees the end of a pipe only
    when every process that has it open has ended, so a forgotten child would
@@ -33,8 +34,8 @@ struct report_order {
 #define REPORT_UNDONE "undone"   /* TEXT: FILE:LINE of a NOT_DONE_YET */
 #define REPORT_VERDICT "verdict" /* TEXT: passed or failed; comes last */
 
-/* The signal that ends a program found to loop for ever
-   (examiner/endless.h), and then the judge of that test. */
+/* The signal that ends a program in an endless loop (examiner/endless.h),
+   and then the judge of that test. */
 #define REPORT_ENDLESS SIGVTALRM
 
 #endif

@@ -39,10 +39,10 @@ static bool copy_to(const char *from, const char *to)
 
 enum { KEPT = COURSE_PATH + 64 };
 
-/* Gives the student's file a second name that ends with the date; a name in
-   .c would be taken for an answer. A link is made in a single step, and
-   fails if the name is taken. The stub replaces the first name only
-   afterwards, so nothing is ever lost. */
+/* Gives the student's file a second name that ends with the date. (A name
+   that ends in .c would be taken for an answer.) A link is made in a single
+   step, and fails if the name is taken. Only then does the stub replace the
+   file under its first name, so nothing is ever lost. */
 static bool save(const char *file, char kept[KEPT])
 {
     char date[32];
@@ -59,7 +59,7 @@ static bool save(const char *file, char kept[KEPT])
     return false;
 }
 
-/* Replaces the student's file by the stub. The new file keeps the
+/* Replaces the student's file with the stub. The new file keeps the
    permissions of the old one, which a lecturer may have set for a group. */
 static bool replace(const char *file, const char *stub)
 {

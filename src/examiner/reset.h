@@ -1,4 +1,4 @@
-/* Replaces a student's file by the stub, and keeps the file. */
+/* Replaces a student's file with the stub, and keeps a dated copy. */
 #ifndef RESET_H
 #define RESET_H
 

@@ -19,7 +19,7 @@ static const char *colour(enum state state)
 }
 
 /* Flushes the output, so that a long round shows its progress. The kit's
-   tests read these columns. */
+   tests rely on these columns. */
 void round_line(const struct exercise *e)
 {
     const char *code = colour(e->state);
@@ -50,9 +50,9 @@ void round_solution(const struct exercise *e)
                e->name, e->name);
 }
 
-/* Returns the urgency of an exercise, 0 if it passes. Exercises named by
-   the user come first. In both groups, a failure comes before an unfinished
-   exercise (`gap`), and that before an exercise not begun. */
+/* Returns the urgency of an exercise, or 0 if it passes. Exercises named by
+   the user come first. In both groups, an exercise that fails comes first,
+   then an unfinished one (`gap`), then one that is not begun. */
 static int urgency(const struct exercise *e)
 {
     if (e->judged && e->state == PASSED)
@@ -132,10 +132,10 @@ void round_learn(struct course *course, const struct verdict_rules *rules)
     }
 }
 
-/* Prints the reports on exercises: in a full round, those on the first
-   failure and on missing files; otherwise, those on the exercises that were
-   named. If the compiler has no sanitizers, says that a pass is less
-   certain. */
+/* Prints the reports on exercises. After a full round these are the reports
+   on the first failure and on missing files; otherwise they are the reports
+   on the exercises that were named. If the compiler has no sanitizers, adds
+   that a pass is less certain. */
 static void tell_stories(const struct course *course, bool named)
 {
     bool told = false, run = false;
@@ -155,8 +155,8 @@ static void tell_stories(const struct course *course, bool named)
                "pass unseen.\n");
 }
 
-/* After a signal, exits before the present exercise is printed, because its
-   test was killed. */
+/* After a signal, exits before it prints the current exercise, whose test
+   was killed. */
 bool round_check(struct course *course, const struct verdict_rules *rules,
                  bool named)
 {

@@ -71,9 +71,10 @@ static void send_order(const struct run_order *o)
 }
 
 /* Reads at most `most` numbers from a line into x. Returns how many numbers
-   the line has, or 0 if it has anything else. If no blank separates two
-   numbers, sets r->glued, and r->broken to the first of them: strtod reads
-   1e-3001.5 as 1e-3001 and 0.5, not as 1e-300 and 1.5. */
+   the line has, or 0 if it contains anything else. If no blank separates
+   two numbers, sets r->glued, and sets r->broken to the first of them. Such
+   numbers cannot be told apart: strtod reads 1e-3001.5 as 1e-3001 and 0.5,
+   not as 1e-300 and 1.5. */
 static size_t read_row(struct run *r, const char *line, double x[],
                        size_t most)
 {
@@ -115,7 +116,8 @@ static void add_row(struct run *r, const char *line)
 }
 
 /* Reads the rows and remarks in the program's output. Moves the remarks to
-   the front of the text, over rows that were already read. */
+   the front of the text, where they overwrite rows that were already
+   read. */
 static void read_table(struct run *r, char *text)
 {
     char *rest = text, *remarks = text;
@@ -178,7 +180,7 @@ static void end_like(const struct run_order *o, int status, bool late)
     _exit(EXIT_FAILURE);
 }
 
-/* Receives the result in the order in which run_server.c sends it. Ends the
+/* The result arrives in the order in which run_server.c sends it. Ends the
    test if the sandbox announces more output than is allowed. */
 const struct run *run_program(const struct run_order *order)
 {

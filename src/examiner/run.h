@@ -6,10 +6,10 @@
 #include <stddef.h>
 
 enum {
-    RUN_WORDS = 8, /* most arguments, the NULL included */
+    RUN_WORDS = 8, /* maximum number of arguments, including the NULL */
     RUN_FILES = 2,
-    RUN_PRINTS = 16000000,  /* most bytes that a run may print */
-    RUN_COMPLAINT = 1 << 14 /* bytes kept of standard error */
+    RUN_PRINTS = 16000000,  /* limit on the output of a run, bytes */
+    RUN_COMPLAINT = 1 << 14 /* bytes of standard error that are kept */
 };
 
 /* How to count the calls of the function that the kit gives to a
@@ -24,7 +24,7 @@ enum run_count {
 enum {
     RUN_COUNTER = 3, /* descriptor of the shared memory, or of the socket to
                         the other process */
-    RUN_BODIES = 64  /* most bodies in a call */
+    RUN_BODIES = 64  /* maximum number of bodies in a call */
 };
 
 /* An order to run a project, as `P1 ARGUMENTS`, in a folder that contains
@@ -36,25 +36,26 @@ struct run_order {
     } files[RUN_FILES]; /* an unused entry has no name */
     int given;          /* number of the function to link */
     enum run_count count;
-    double constant;  /* constant of the law, with RUN_OUTSIDE */
-    double most;      /* most calls answered, with RUN_OUTSIDE */
+    double constant;  /* constant of the law, if count is RUN_OUTSIDE */
+    double most;      /* maximum number of calls answered, if count is
+                         RUN_OUTSIDE */
     const char *late; /* question after a time-out */
 };
 
 /* The table that a program printed, and how the program ended. A table
-   consists of rows, which have equally many numbers, and of remarks, which
-   begin with #. Any other line is an error. */
+   consists of rows, which all have the same number of columns, and of
+   remarks, which begin with #. Any other line is an error. */
 struct run {
     int status;
     bool flooded; /* more than RUN_PRINTS was printed */
     size_t rows, columns;
     double *numbers;    /* all rows, one after the other */
     const char *broken; /* the first line in error, or "" */
-    bool glued;         /* no blank separates the first numbers of broken,
-                           which then is the end of the line */
-    char *remarks;      /* the lines that begin with a # */
-    char *complaint;    /* output on standard error */
-    double calls;       /* calls of the function; -1: unknown */
+    bool glued;    /* no blank separates the first two numbers of `broken`,
+                      which is then only the end of the line */
+    char *remarks; /* the lines that begin with a # */
+    char *complaint; /* output on standard error */
+    double calls;    /* calls of the function; -1: unknown */
 };
 
 /* Runs the program. The result is valid until the next call. Ends the test
@@ -71,8 +72,8 @@ int run_remark(const struct run *run, const char *words, double x[],
                int count);
 
 /* Sets f to the forces on n bodies with masses m and positions x, by law
-   number `which` with this constant. Defined, with REMOTE_SERVER, by a
-   project whose calls are counted outside. */
+   number `which` with this constant. A project whose calls are counted
+   outside (RUN_OUTSIDE) defines this function, with REMOTE_SERVER. */
 void run_law(int which, double constant, int n, const double m[],
              const double x[], double f[]);
 

@@ -58,7 +58,7 @@ static void write_file(const char *name, const char *text)
 struct order {
     int given;
     enum run_count how;
-    double of_law[2]; /* constant of the law, most calls */
+    double of_law[2]; /* constant of the law; maximum number of calls */
 };
 
 /* Receives an order and writes its files into a new folder. Stores the
@@ -89,12 +89,12 @@ static struct order take_order(void)
 
 int __lsan_do_recoverable_leak_check(void) __attribute__((weak));
 
-/* Replaces this process by the program. The program gets a process group of
-   its own, the standard descriptors, the counter, and a folder that
+/* Replaces this process with the program. The program gets a process group
+   of its own, the standard descriptors, the counter, and a folder that
    contains only the files of the order. Its environment is empty, except
-   for options of a sanitizer. It is started through a link named after the
-   project, which hides the number of the function that the program is
-   linked with. */
+   for the options of a sanitizer. A link named after the project starts it,
+   which hides the number of the function that the program is linked
+   with. */
 static _Noreturn void become(int given, int out, int complain, int counter)
 {
     char program[32], *none[] = {NULL, NULL, NULL};
@@ -134,7 +134,7 @@ struct stream {
 
 /* Reads new output of the program. Returns whether there was any. Output
    goes through pipes, which are read while the program runs. So no file of
-   16 MB is needed, and a child that keeps printing is not waited for. */
+   16 MB is needed, and nobody waits for a child that keeps printing. */
 static bool take_down(struct stream *s)
 {
     static char spill[1 << 16];
@@ -171,11 +171,12 @@ static double seconds_allowed(void)
     return 5.0;
 }
 
-/* Reads the program's output until it ends. Kills the program if it prints
-   too much, or after a wall-clock time of 1.8 times its limit on processor
-   time, since a program that sleeps uses none. Sets how[0] to the status,
-   how[1] to whether it ran too long, and how[2] to whether it printed too
-   much; then how[0] and how[1] are 0. */
+/* Reads the program's output until the program ends. Kills the program if
+   it prints too much, or if its wall-clock time exceeds 1.8 times its limit
+   on processor time, since a program that sleeps uses no processor time.
+   Sets how[0] to the status, how[1] to whether the program ran too long,
+   and how[2] to whether it printed too much. If it did, how[0] and how[1]
+   are 0. */
 static void watch(pid_t pid, struct stream s[2], int how[3])
 {
     const double allowed = seconds_allowed(), start = now();
@@ -202,7 +203,8 @@ static void watch(pid_t pid, struct stream s[2], int how[3])
 }
 
 /* Starts the program and watches it. Reading the pipes does not block;
-   otherwise it would wait for children that the program leaves behind. */
+   otherwise a child that the program leaves behind could keep us
+   waiting. */
 static void run(int given, struct stream s[2], int how[3], int counter)
 {
     int out[2], complain[2];
@@ -227,8 +229,8 @@ static void run(int given, struct stream s[2], int how[3], int counter)
             close(s[i].file);
 }
 
-/* Counts calls of the given function: in shared memory, or by a process
-   that answers them. */
+/* Counts the calls of the function that the kit gives: in shared memory, or
+   in a process that answers the calls. */
 struct counter {
     int program, ours; /* two ends of a socket, or one file twice */
     int told;          /* pipe from the process that counts, or -1 */
@@ -241,7 +243,7 @@ void run_law(int which, double constant, int n, const double m[],
 
 /* Answers each request with the forces, until the other end is closed, a
    request is malformed, or there are too many requests. Then sends the
-   number of requests. This runs in a process of its own, so that the
+   number of requests. This happens in a process of its own, so that the
    student's program cannot read the constant of the law. */
 static _Noreturn void answer_questions(const struct order *order, int ear,
                                        int told)
@@ -262,7 +264,7 @@ static _Noreturn void answer_questions(const struct order *order, int ear,
         if (send(ear, f, 2 * masses, MSG_NOSIGNAL) < 0)
             break;
     }
-    shutdown(ear, SHUT_RDWR); /* unlike close, ends it for all processes */
+    shutdown(ear, SHUT_RDWR); /* close would affect only this process */
     _exit(write(told, &calls, sizeof calls) == sizeof calls ? EXIT_SUCCESS
                                                             : EXIT_FAILURE);
 }

@@ -30,7 +30,7 @@ long syscall(long number, ...);
 
 #define MEMORY_KIB 524288     /* address space of each process, KiB */
 #define DISK_BYTES "33554432" /* size of the sandbox's folder, bytes */
-#define DISK_FILES "2000"     /* most files in that folder */
+#define DISK_FILES "2000"     /* maximum number of files in it */
 #define OUTER_WORK "/mnt"     /* mount point of that folder outside */
 
 enum {
@@ -65,7 +65,7 @@ static const char *number(struct words *w, long long x)
 }
 
 /* Returns the first of the user ids user, user + 2, user + 4, ... that
-   nobody has. */
+   belongs to no account. */
 static long free_user(long user)
 {
     while (getpwuid((uid_t)user))
@@ -73,13 +73,13 @@ static long free_user(long user)
     return user;
 }
 
-/* Returns the user id for the sandboxes of this process. It is an even
-   number; judges have odd numbers. The kernel counts processes by user, so
-   a fork bomb in one sandbox would keep other sandboxes of the same user
-   from forking. The id depends on our process number, so that two graders
-   on one machine use different ids. Only root can give a sandbox another
-   user. For other users Linux, since 5.14, counts the processes of each
-   user namespace separately. */
+/* Returns the user id for the sandboxes of this process: an even number,
+   since judges have odd ones. The kernel counts processes by user, so a
+   fork bomb in one sandbox would keep other sandboxes of the same user from
+   forking. The id depends on our process number, so that two graders on one
+   machine use different ids. Only root can give a sandbox another user. For
+   other users, Linux has counted the processes of each user namespace
+   separately since version 5.14. */
 static long sandbox_user(void)
 {
     return free_user(20000 + 2 * ((long)getpid() % 20000));
@@ -101,10 +101,10 @@ static void add_user(struct words *w)
 }
 
 static bool bounded; /* whether mount_disk works; set by sandbox_probe */
-/* Settings for enter(). A new process calls enter() before it becomes
-   bubblewrap: it empties its environment, changes its user and mounts a
-   folder. The commands for these steps (setpriv, env, unshare, mount) took
-   longer to start than bubblewrap itself. */
+/* Settings for enter(), which a new process calls before it becomes
+   bubblewrap: enter() empties the environment, changes the user and mounts
+   a folder. The commands for these steps (setpriv, env, unshare, mount)
+   took longer to start than bubblewrap itself. */
 static long new_user; /* user of the next sandbox; 0: our user */
 static bool new_view; /* make a new user namespace */
 static bool own_disk; /* mount a writable folder by mount_disk */
@@ -119,8 +119,8 @@ static void give_up(const char *what)
 extern char **environ;
 
 /* Removes everything but PATH from the environment before bubblewrap
-   starts. bubblewrap is a process in the sandbox, where /proc shows its
-   environment, and a server that grades may keep secret keys there. */
+   starts: a server that grades may keep secret keys in its environment.
+   bubblewrap is a process in the sandbox, where /proc would show them. */
 static void forget_environment(void)
 {
     static char path[4096], *only[] = {path, NULL};
@@ -153,8 +153,8 @@ static void put(const char *path, const char *text)
 }
 
 /* Enters new user and mount namespaces, in which this process is root, but
-   only over its own mounts. Some machines allow this only to bubblewrap.
-   There the writable folder has a limit on bytes, but none on files. */
+   only over its own mounts. Some machines allow only bubblewrap to do this;
+   there the writable folder has a limit on bytes, but none on files. */
 static void become_root_of_a_view(void)
 {
     char users[32], groups[32];
@@ -169,7 +169,8 @@ static void become_root_of_a_view(void)
 }
 
 /* Mounts the writable folder, with limits on bytes and on files: a million
-   empty files fill the memory, too. bubblewrap can limit only the bytes. */
+   empty files would fill the memory, too. bubblewrap can limit only the
+   bytes. */
 static void mount_disk(void)
 {
     if (new_view)
@@ -206,9 +207,9 @@ static void plan_entry(enum sandbox_kind kind)
 }
 
 /* Adds the files that the program can see: the compiler, its libraries, and
-   one writable folder. /dev and the root are file systems in memory without
-   a limit. They are made read-only at the end; otherwise a program could
-   fill / and write its own /etc. */
+   one writable folder. /dev and the root directory are in memory, without a
+   limit. They are made read-only at the end; otherwise a program could fill
+   / and write its own /etc. */
 static void add_system(struct words *w)
 {
     ADD(w, "--ro-bind", "/usr", "/usr", "--symlink", "usr/bin", "/bin",
@@ -226,8 +227,8 @@ static void add_system(struct words *w)
         "/exercises");
 }
 
-/* Adds copies of the order's files, made from open descriptors. The
-   sandbox's user then needs no access to our folders and learns no path to
+/* Adds copies of the order's files, made from open descriptors. So the
+   sandbox's user needs no access to our folders and learns no path to
    them. */
 static void add_copies(struct words *w, const struct sandbox_order *order)
 {
@@ -275,9 +276,10 @@ static void add_walls(struct words *w, enum sandbox_kind kind,
 
 #if defined(__linux__) && (defined(__x86_64__) || defined(__aarch64__))
 /* System calls that fail with EPERM. shmget and memfd_create give memory
-   that belongs to no process and that no limit counts; a few lines could
-   take all memory. The others help to attack the kernel and are not needed
-   to compute. Sanitizers need ptrace to search for leaks. */
+   that belongs to no process and that no limit counts, so a few lines of
+   code could take all memory. The other calls help to attack the kernel and
+   are not needed to compute. Sanitizers may use ptrace, which they need to
+   search for leaks. */
 static const int forbidden[] = {
     SYS_ptrace, /* must be first: allowed for sanitizers */
     SYS_shmget,      SYS_memfd_create,    SYS_unshare,
@@ -300,9 +302,9 @@ static const unsigned OUR_CALLS = AUDIT_ARCH_AARCH64;
         (struct sock_filter)BPF_JUMP(BPF_JMP | c | BPF_K, value, yes, no)
 
 /* Returns a pipe that contains the filter of system calls, a BPF program.
-   It loads the number of the call and compares it with the forbidden
-   numbers. x86 has three sets of call numbers; a call from another set ends
-   the program. On processors other than x86-64 and ARM64 the filter is
+   The filter compares the number of each call with the forbidden numbers.
+   x86 has three sets of call numbers; a call from another set than ours
+   ends the program. On processors other than x86-64 and ARM64 the filter is
    empty. */
 static int open_filter(bool sanitized)
 {
@@ -366,8 +368,8 @@ static bool try_disks(enum sandbox_kind kind)
 }
 
 /* Returns the best kind of sandbox in which a command can be started. Also
-   tries the compiler in it: without a compiler no student's program would
-   build, and only the marks would show it. */
+   tries the compiler in it: if the compiler were missing, no student's
+   program would build, and only the marks would show it. */
 enum sandbox_kind sandbox_probe(const char *compiler)
 {
     enum sandbox_kind kind = SANDBOX_SEALED;
@@ -437,8 +439,9 @@ static void copy(int from, const char *name)
     close(to);
 }
 
-/* Makes the folder that replaces the sandbox with --unsafe. Root gives it
-   to another user; otherwise the program would have root's rights. */
+/* Makes the folder that --unsafe uses instead of a sandbox. Root gives
+   another user access to it, because the program must not run with root's
+   rights. */
 static void furnish_folder(const struct sandbox_order *order)
 {
     static const char *const folders[] = {"kit", "exercises", "work"};
@@ -512,7 +515,7 @@ static enum sandbox_stage wait_for_main(struct sandbox *sandbox,
 
 /* Starts a sandbox and waits until its program is ready or has failed.
    Closes our copies of the sandbox's ends of the pipes; otherwise we would
-   not notice its end. */
+   not notice when the sandbox ends. */
 enum sandbox_stage sandbox_open(struct sandbox *sandbox,
                                 const struct sandbox_order *order,
                                 int prints)
@@ -560,11 +563,11 @@ static bool end_test(struct sandbox *sandbox)
 }
 
 /* Ends the test's process and returns whether the sandbox can run another
-   test. end_test is not enough: nine bytes from a program that never stops
-   writing may look like a status. An empty pipe does not prove that such a
-   program has stopped: of 400 such programs, 8 had just been suspended. So
-   the driver must also return a byte that is sent to it. A program that
-   keeps writing would send other bytes first. */
+   test. end_test is not enough: if a program never stops writing, nine of
+   its bytes may look like a status. An empty pipe does not prove that such
+   a program has ended: of 400 such programs, 8 were only suspended at that
+   moment. So the driver must also return a byte that is sent to it. A
+   program that keeps writing would send other bytes first. */
 bool sandbox_settle(struct sandbox *sandbox)
 {
     sandbox->test_ms = 0;
@@ -574,9 +577,9 @@ bool sandbox_settle(struct sandbox *sandbox)
            wait_for_byte(sandbox->answers, 0) == LATE;
 }
 
-/* Kills the processes of a sandbox with --unsafe and removes its folder.
+/* Kills the processes that --unsafe has started, and removes their folder.
    `kill -1` runs as the sandbox's user and kills only that user's
-   processes. Run by root it would kill all processes. */
+   processes. Run by root, it would kill all processes. */
 static void sweep_folder(void)
 {
     char command[256];
@@ -618,9 +621,9 @@ static bool take_figure(int file, char *figure, size_t room, size_t *length)
 }
 
 /* Draws a project's figure. A gnuplot script can call the shell, and is
-   meant to, since its tables come from the student's program. So it runs in
-   a sandbox with that program. Only a picture of at most four megabytes
-   leaves the sandbox. */
+   meant to, since its tables come from the student's program. Therefore it
+   runs in a sandbox, together with that program. Only a picture of at most
+   four megabytes leaves the sandbox. */
 enum sandbox_drawing sandbox_draw(const struct sandbox_order *order,
                                   int script, int prints, char *figure,
                                   size_t room, size_t *length)

@@ -6,14 +6,15 @@
 #include <stddef.h>
 
 /* The kinds of sandboxes, best first; sandbox_probe tries them in this
-   order. A container may refuse new namespaces. An older kernel cannot keep
-   a program from making more of them. Only root can give a program another
-   user. If none of the three works, only limits protect the machine, and a
-   lecturer must ask for that with --unsafe. */
+   order. An older kernel cannot keep a program from making more namespaces,
+   so the first kind may fail. A container may refuse new namespaces to
+   users, so the second may fail. The third needs root, since only root can
+   give a program another user. If all three fail, only limits protect the
+   machine, and a lecturer must ask for that with --unsafe. */
 enum sandbox_kind {
     SANDBOX_SEALED, /* own namespaces; the program can make no others */
     SANDBOX_USER,   /* own namespaces; the program could make others */
-    SANDBOX_ROOT,   /* made by root, where users may make none */
+    SANDBOX_ROOT,   /* namespaces made by root */
     SANDBOX_NONE    /* no sandbox: limits only */
 };
 
@@ -27,7 +28,7 @@ struct sandbox_order {
     const char *included; /* the header's name, "kit/exercise.h" */
     int header;           /* the header that the stub includes */
     int inside;           /* object with the driver and the remote calls */
-    const char *script;   /* text of sandbox.sh, to compile and start it */
+    const char *script;   /* text of the script sandbox.sh */
     const char *compiler; /* compiler with flags, split at blanks */
     const char *terse;    /* flag that omits source lines in messages */
     const char *lean;     /* flags for less debugging information */
@@ -35,10 +36,10 @@ struct sandbox_order {
     const char *types;    /* header to include first, or "" */
     const char *keep;     /* options of objcopy: symbols to keep */
     bool sanitized;       /* compiled with sanitizers */
-    int seconds;          /* limit of processor time of a test */
+    int seconds;          /* limit on processor time per test, s */
 };
 
-/* A sandbox with a program that runs. */
+/* A sandbox and the program that runs in it. */
 struct sandbox {
     int requests, answers; /* descriptors of our ends of the pipes */
     int prints;            /* file to which all its programs print */
@@ -55,9 +56,9 @@ enum sandbox_stage {
     SANDBOX_READY
 };
 
-/* Returns the best kind of sandbox that this machine allows,
-   SANDBOX_NONE if none. Exits with status 2 when the compiler cannot be
-   started in it. */
+/* Returns the best kind of sandbox that this machine allows, or
+   SANDBOX_NONE. Exits with status 2 if the compiler cannot be started in
+   it. */
 enum sandbox_kind sandbox_probe(const char *compiler);
 
 /* Returns an unused user id for the judges of this process, or 0 if we are
@@ -68,13 +69,13 @@ long sandbox_judge(void);
 const char *sandbox_name(enum sandbox_kind kind);
 
 /* Builds and starts a program in a new sandbox. Its output is appended to
-   `prints`, an empty file opened to append. Only one sandbox may be open.
-   Exits with status 2 if no process can be started. */
+   `prints`, an empty file opened for appending. Only one sandbox may be
+   open at a time. Exits with status 2 if no process can be started. */
 enum sandbox_stage sandbox_open(struct sandbox *sandbox,
                                 const struct sandbox_order *order,
                                 int prints);
 
-/* Ends the process of the present test. Returns whether the sandbox can be
+/* Ends the process of the current test. Returns whether the sandbox can be
    used for another test. */
 bool sandbox_settle(struct sandbox *sandbox);
 
@@ -89,10 +90,10 @@ enum sandbox_drawing {
     SANDBOX_DRAWS_LATE /* gnuplot took too long and was stopped */
 };
 
-/* Builds the project of the order in a new sandbox and runs a gnuplot
-   script, an open file, in a folder with the program. Copies at most `room`
-   bytes of the figure, such as P1.png, to `figure` and sets *length to
-   their number. `prints` is as for sandbox_open. */
+/* Builds the project of the order in a new sandbox. Then runs the gnuplot
+   script in the open file `script`, in a folder with the program. Copies at
+   most `room` bytes of the figure, such as P1.png, to `figure` and sets
+   *length to their number. `prints` is as for sandbox_open. */
 enum sandbox_drawing sandbox_draw(const struct sandbox_order *order,
                                   int script, int prints, char *figure,
                                   size_t room, size_t *length);

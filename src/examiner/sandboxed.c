@@ -23,8 +23,9 @@ void transport_lost(void)
     _exit(EXIT_FAILURE);
 }
 
-/* Begins the answer. First sends a message if a guard was changed. A
-   student who forges the answer gains nothing: it only hides an overrun. */
+/* Begins the answer. If a guard was changed, first sends a message about
+   that. A student who forges the answer gains nothing, because that would
+   only hide an overrun. */
 void remote_reply(void)
 {
     struct check_overrun overrun;
@@ -41,9 +42,9 @@ void remote_callback(int which)
     remote_ints(&which, 1);
 }
 
-/* Waits for the answer to a callback. If a callback was called too often,
-   the suite leaves the call by longjmp. Another message then comes, and
-   this process ends. */
+/* Waits for the answer to a callback. If the function calls back too often,
+   the suite leaves the call by longjmp. Then another message arrives
+   instead of the answer, and this process ends. */
 void remote_callback_wait(void)
 {
     endless_forget();
@@ -70,8 +71,8 @@ int __sanitizer_install_malloc_and_free_hooks(
 static unsigned long blocks;
 
 /* Counts allocated blocks. A search for leaks goes through all memory and
-   takes longer than most tests. It is skipped if only the kit has allocated
-   memory. */
+   takes longer than most tests, so it is skipped if only the kit has
+   allocated memory. */
 static void count_taken(const volatile void *block, size_t bytes)
 {
     (void)block, (void)bytes;
@@ -110,9 +111,9 @@ static double children_seconds(void)
            1e-6 * (double)(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
 }
 
-/* Returns a status, with SIGXCPU in place of SIGKILL if the time was used
-   up. SIGKILL alone is ambiguous: the kernel also sends it when memory runs
-   out. */
+/* Returns the status, but with SIGXCPU in place of SIGKILL if the processor
+   time was used up. SIGKILL alone is ambiguous: the kernel also sends it
+   when memory runs out. */
 static int name_clock(int status, double seconds)
 {
     struct rlimit limit;
@@ -124,10 +125,10 @@ static int name_clock(int status, double seconds)
 }
 
 /* Runs a test in a child process, which is far cheaper than a new sandbox
-   and begins with fresh static variables. Kills its process group at the
-   end, for any children left behind. The message about the end comes from
-   the sandbox and proves nothing, but a student who forges it only claims
-   to have crashed. */
+   and begins with fresh static variables. At the end kills the child's
+   process group, because the student's code may have left processes
+   running. The message about the end comes from the sandbox and proves
+   nothing, but a student who forges it can only claim to have crashed. */
 static void run_test(void)
 {
     char message[1 + TRANSPORT_HOW * sizeof(int)] = {TRANSPORT_ENDED};
@@ -149,8 +150,8 @@ static void run_test(void)
         exit(EXIT_FAILURE);
 }
 
-/* Limits the address space to 512 MiB more than is mapped. An earlier limit
-   is impossible, since sanitizers map terabytes before main. */
+/* Limits the address space to 512 MiB more than is mapped now. The limit
+   cannot be set earlier, since sanitizers map terabytes before main. */
 static void limit_addresses(void)
 {
     struct rlimit limit;
@@ -168,10 +169,10 @@ static void limit_addresses(void)
 }
 
 /* Waits for tests and runs each in a child. Reads without stdio, whose
-   buffer would also take bytes meant for the child. Sends back a byte that
-   does not begin a test; this tells the judge that no child was there to
-   read it. PR_SET_DUMPABLE prevents children, which run as the same user,
-   from writing to this process's memory through /proc. */
+   buffer would also take bytes meant for the child. Any byte that does not
+   begin a test is sent back, which tells the judge that no child was there
+   to read it. PR_SET_DUMPABLE prevents children, which run as the same
+   user, from writing to this process's memory through /proc. */
 int main(void)
 {
     char word = TRANSPORT_READY;

@@ -18,7 +18,7 @@
 
 /* Opens the folder `name` in the folder `parent`. A student's file might be
    a link to /etc/passwd, or a named pipe. So all functions here use
-   descriptors and follow no links: no file can be exchanged between its
+   descriptors and follow no links: nobody can replace a file between its
    check and its opening, and no name is given to a shell. */
 static int open_folder(int parent, const char *name)
 {
@@ -69,11 +69,12 @@ static void free_names(char **names, size_t count)
     free(names);
 }
 
-/* The most notes on one student. If there are more, a last line says so. */
+/* The maximum number of notes on one student. If there are more, a last
+   line says so. */
 enum { NOTES = 12 };
 
 /* Returns a formatted line; the caller frees it. Also escapes line ends,
-   which marks_text keeps, because a name may contain them. */
+   which a file's name may contain and marks_text would keep. */
 static char *compose(const char *format, ...)
 {
     char raw[8192], *text, *line, *end;
@@ -90,7 +91,7 @@ static char *compose(const char *format, ...)
     return line;
 }
 
-/* Returns a path without the student's folder, which the notes name
+/* Returns a path without the student's folder, which every note names
    anyway. */
 static const char *below(const char *path)
 {
@@ -130,8 +131,8 @@ static bool is_exercise(const char *name)
 }
 
 /* Returns where the name of an exercise begins in a file's name, or NULL.
-   The name may be in capitals, 01A-SOMETHING.C, because of Windows. A
-   platform may have put a prefix before it that ends in _. */
+   The name may be in capitals, as on Windows: 01A-SOMETHING.C. A platform
+   may have put a prefix before it that ends in _. */
 static const char *find_exercise(const char *name)
 {
     const char *found = is_exercise(name) ? name : NULL;
@@ -162,13 +163,14 @@ static const char *const made[] = {".o", ".exe", ".out", ".h", NULL};
 static const char canvas[] =
     "^((LATE_)?anon_[[:alnum:]]+|[^_]+(_LATE)?_[0-9]+)_[0-9]+_";
 
-/* The owner of a file, from the name of the file or its folder. Moodle puts
-   the student's name, a number and assignsubmission_file_ before the file's
-   name, or makes a folder with such a name. Canvas puts the student's name,
-   LATE if the file was late, and the numbers of user and file; where names
-   are hidden, anon and some letters replace the name. Any other text before
-   the name of an exercise is taken as the owner, with a note: one student
-   too many is better than one too few. */
+/* The owner of a file, read from the name of the file or its folder. Moodle
+   puts the student's name, a number and assignsubmission_file_ before the
+   file's name, or makes a folder with such a name. Canvas puts the
+   student's name, LATE if the file was late, and the numbers of user and
+   file before it. If names are hidden, Canvas replaces the student's name
+   with anon and some letters. Any other text before the name of an exercise
+   is taken for the owner's name, with a note: one student too many is
+   better than one too few. */
 struct owner {
     char name[256]; /* the student's name, without LATE_ */
     bool late, guessed, canvas;
@@ -176,9 +178,9 @@ struct owner {
 };
 
 /* Regular expressions for names with a date. Blackboard writes
-   TASK_USER_attempt_2026-11-28-09-05-00_FILE, where the date sorts by time.
-   Brightspace writes 123-456 - NAME - Nov 28, 2026 905 AM - FILE, or makes
-   a folder of that name without the file. */
+   TASK_USER_attempt_2026-11-28-09-05-00_FILE. Brightspace writes 123-456 -
+   NAME - Nov 28, 2026 905 AM - FILE, or makes a folder of that name without
+   the file. */
 static const char blackboard[] =
     "^(.+)_attempt_([0-9]{4}-[0-9]{2}-[0-9]{2}-[0-9]{2}-[0-9]{2}-[0-9]{2})"
     "(_(.*)|\\.txt)?$";
@@ -221,7 +223,7 @@ static long long read_date(const char *text)
 }
 
 /* Returns whether a name matches the regular expression `form`, and fills
-   in the parts. */
+   in the places of its groups. */
 static bool matches(const char *name, const char *form, regmatch_t part[5])
 {
     regex_t compiled;
@@ -294,10 +296,10 @@ static const char *part_name(const char *name, struct owner *owner)
     return rest;
 }
 
-/* Terms that add up to an answer's rank; the lowest rank is best. DEEPER is
-   added for each folder above the file, ELSEWHERE if the folder is not
-   called exercises, UNUSUAL for an unusual name, and MISNAMED for a name
-   that does not end in .c. */
+/* Terms of an answer's rank, which is their sum; the lowest rank is best.
+   DEEPER is added for each folder above the file, ELSEWHERE if the folder
+   is not called exercises, UNUSUAL for an unusual name, and MISNAMED for a
+   name that does not end in .c. */
 enum { DEEPER = 4, ELSEWHERE = 2, UNUSUAL = 1, MISNAMED = 1000 };
 
 /* Returns the number that Canvas adds to the name of a file handed in
@@ -352,9 +354,9 @@ static const char *page_key(const char *name)
     return key;
 }
 
-/* Adds a file to the student's answers, or notes why not. Also adds a text
-   or C++ file with the name of an exercise: a note mentions it if there is
-   no better file. */
+/* Adds a file to the student's answers, or a note that says why not. A text
+   or C++ file with the name of an exercise is added, too: if there is no
+   better file, a note mentions it. */
 static void take(struct submission *s, const char *const usual[],
                  const char *path, const char *name, mode_t mode, int depth)
 {
@@ -395,9 +397,9 @@ static mode_t mode_of(int folder, const char *name)
 }
 
 /* Returns whether a folder is part of a copy of the whole kit: its name is
-   one of the kit's, and a folder `exercises` is beside it. Such folders
-   have files with the names of answers, some of them solutions, which are
-   not the student's. */
+   one of the kit's, and a folder `exercises` is beside it. In such a
+   folder, files that look like answers, some of them solutions, are not the
+   student's. */
 static bool is_kit(int folder, const char *name)
 {
     static const char *const kit[] = {"tests",    "solutions", "src",
@@ -436,9 +438,10 @@ static void walk(struct submission *s, const char *const usual[],
     close(folder);
 }
 
-/* Returns the submission of a student, and adds it if it is new. There is a
-   student for each folder and for each owner in the name of a file. If
-   there are only files of exercises, they all belong to one student. */
+/* Returns the submission of a student, after adding it if it is new. There
+   is one student for each folder, and one for each owner in the name of a
+   file. If there are only files of exercises, they all belong to one
+   student. */
 static struct submission *student(struct submissions *all,
                                   const char *entry, const char *name)
 {
@@ -518,8 +521,8 @@ static int compare_entries(const void *a, const void *b)
     return strcmp(one->entry, other->entry);
 }
 
-/* Returns whether a name begins with `start`, or with LATE_, which Canvas
-   puts before hidden names. */
+/* Returns whether a name begins with `start` or with LATE_, which Canvas
+   may put before any student's name. */
 static bool is_wanted(const char *name, const char *start)
 {
     return text_after(name, start) || text_after(name, "LATE_");
@@ -569,8 +572,8 @@ struct submissions submissions_find(const char *folder,
 
 /* Returns a positive number if the answer `one` is better, a negative
    number if `other` is better, and 0 if they are equal. A file that can be
-   graded is better than one that cannot; among equals, a later attempt is
-   better, and then a lower rank. */
+   graded is better than one that cannot. Then the later attempt is better,
+   and then the lower rank. */
 static int prefer(const struct answer *one, const struct answer *other)
 {
     const bool graded = one->rank < MISNAMED;
@@ -589,9 +592,9 @@ static bool together(const char *one, const char *other)
     return one[length] && strncmp(one, other, length + 1) == 0;
 }
 
-/* Returns the best answer to an exercise, or NULL if there is none, it
-   cannot be graded, or two are equally good. Sets *note to a remark on the
-   choice. */
+/* Returns the best answer to an exercise, or NULL if there is none, if it
+   cannot be graded, or if two are equally good. Sets *note to a remark on
+   the choice. */
 static const struct answer *choose(const struct submission *s,
                                    const char *usual, char **note)
 {
@@ -645,8 +648,8 @@ static const struct answer *choose(const struct submission *s,
     return best->rank >= MISNAMED || tie ? NULL : best;
 }
 
-/* Opens the file `path` below a folder, one name after the other. None of
-   the names may be a link. */
+/* Opens the file `path` below a folder. Opens one folder of the path after
+   the other, because none of the names may be a link. */
 static int open_below(const char *folder, const char *path)
 {
     int at = open_folder(AT_FDCWD, folder);
@@ -671,8 +674,9 @@ static int open_below(const char *folder, const char *path)
     return -1;
 }
 
-/* Returns the bytes of a file, or NULL if it is too large. Reads up to one
-   byte more than is allowed, to notice a file that grows meanwhile. */
+/* Returns the bytes of a file, or NULL if it is too large. Tries to read
+   one byte more than is allowed, in order to notice a file that is
+   growing. */
 static char *read_all(int file, size_t *length)
 {
     char *bytes = malloc(SUBMISSIONS_BYTES + 1);

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { SUBMISSIONS_BYTES = 1 << 20 }; /* most bytes of a student's file */
+enum { SUBMISSIONS_BYTES = 1 << 20 }; /* limit on a student's file, bytes */
 
 /* A file that may be a student's answer to an exercise. */
 struct answer {
@@ -27,16 +27,16 @@ struct submission {
 };
 
 /* All submissions. Every file that may be a student's work is graded, or a
-   note tells the lecturer why not. Otherwise an archive that nobody
+   note tells the lecturer why not. Without notes, an archive that nobody
    unpacked, a file 01a.txt, or a second answer would give zero points
    without any message. */
 struct submissions {
     struct submission *list; /* students, in order of entry */
     size_t count;
-    struct submission nobody; /* notes on files of no student */
+    struct submission nobody; /* notes on files that belong to no student */
 };
 
-/* Finds the submissions in a folder. The folder has a folder for each
+/* Finds the submissions in a folder. The folder contains a folder for each
    student, or files whose names begin with the students' names, or the
    files of one student. `usual` lists the names of all exercises' files,
    such as "01a-collide.c", and ends with NULL. Only students whose names

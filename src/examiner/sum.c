@@ -5,9 +5,9 @@
 #include <string.h>
 
 /* Mixes a number into a sum. The multiplication moves bits only upwards;
-   the shift moves the high bits down. Two files have equal sums with a
-   probability of 5e-20. That protects against accidents only: somebody can
-   make files with equal sums on purpose. */
+   the shift moves the high bits down. Two different files have equal sums
+   with a probability of 5e-20. That protects only against accidents,
+   because files with equal sums can be made on purpose. */
 uint64_t sum_number(uint64_t sum, uint64_t number)
 {
     sum = (sum ^ number) * 0x9e3779b97f4a7c15u;

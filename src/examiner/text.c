@@ -34,8 +34,9 @@ FILE *text_stream(char **text, size_t *size)
     return text_must(open_memstream(text, size ? size : &ignored));
 }
 
-/* Returns the length of the UTF-8 character at s, which has `left` bytes,
-   or 0 if there is none. Sets *code to the character's number. */
+/* Returns the length of the UTF-8 character at s, where `left` bytes are
+   left, or 0 if the bytes are not valid. Sets *code to the character's
+   number. */
 static size_t character(const unsigned char *s, size_t left,
                         unsigned long *code)
 {
@@ -63,9 +64,9 @@ static size_t character(const unsigned char *s, size_t left,
 
 /* Returns whether a character is safe to show. Unsafe characters are
    control characters (below 32, and 127 to 159); characters that change the
-   direction of writing, which can make one line of code look like another;
-   Unicode's line ends; two characters without width; and two that XML
-   forbids. */
+   direction of writing, since they can make one line of code look like
+   another; Unicode's line ends; two characters without width; and two that
+   XML forbids. */
 static bool is_seen(unsigned long code)
 {
     static const unsigned long unseen[][2] = {
@@ -108,9 +109,9 @@ bool text_plain(const char *path)
     return stat(path, &about) == 0 && S_ISREG(about.st_mode);
 }
 
-/* Reads at most 1 MiB, the limit on a test's output. Without escapes, a
-   student's program could move the cursor up and write "passed" over the
-   line above. */
+/* Reads at most 1 MiB, the limit on a test's output. Escapes are necessary;
+   otherwise a student's program could move the cursor up and write "passed"
+   over the line above. */
 char *text_read(const char *path)
 {
     FILE *file = text_plain(path) ? fopen(path, "r") : NULL;
@@ -161,7 +162,7 @@ const char *text_after(const char *line, const char *prefix)
     return strncmp(line, prefix, length) == 0 ? line + length : NULL;
 }
 
-/* Does not break a word that is longer than a line, because a path with a
+/* A word that is longer than a line is not broken, because a path with a
    line break in it cannot be copied. */
 size_t text_fold(const char *text, size_t room)
 {
@@ -184,9 +185,10 @@ void text_field(FILE *out, const char *label, const char *text)
     }
 }
 
-/* Writes a line after a bar, so that a "passed" from a student's program is
-   not taken for the examiner's. Cuts long lines instead of folding them,
-   because a compiler's caret in the next line may point at a column. */
+/* Writes a line after a bar, so that nobody takes a "passed" from a
+   student's program for the examiner's. Cuts long lines instead of folding
+   them, because a compiler's caret in the next line may point at a
+   column. */
 static void quote(FILE *out, const char *line, size_t length)
 {
     const size_t room = TEXT_WIDTH - 4;

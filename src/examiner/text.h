@@ -10,16 +10,16 @@ enum { TEXT_WIDTH = 78, TEXT_LABEL = 13, TEXT_LIMIT = 1 << 20 };
 /* Returns whether this is a plain file, not a folder or a pipe. */
 bool text_plain(const char *path);
 
-/* Returns bytes as text that is safe to show; the caller frees it. UTF-8
-   and line ends stay. Bytes that are not UTF-8 and control characters
-   become \x1b and the like. Characters that change the direction of writing
-   or cannot be seen become \u202e and the like. All output of students is
-   escaped in this way before it is shown. */
+/* Returns bytes as text that is safe to show; the caller frees it. Keeps
+   line ends and other UTF-8 characters. Bytes that are not UTF-8 and
+   control characters become \x1b and the like. Characters that change the
+   direction of writing or cannot be seen become \u202e and the like. All
+   output of students is escaped in this way before it is shown. */
 char *text_escaped(const char *bytes, size_t length);
 
-/* Returns the first TEXT_LIMIT bytes of a file, escaped, with blanks for
-   tabs and carriage returns; the caller frees them. Returns NULL if the
-   file cannot be read. */
+/* Returns the first TEXT_LIMIT bytes of a file, escaped, with tabs and
+   carriage returns replaced by blanks; the caller frees them. Returns NULL
+   if the file cannot be read. */
 char *text_read(const char *path);
 
 /* Returns whether a file is UTF-16, with two bytes for each letter, as
@@ -43,8 +43,8 @@ size_t text_fold(const char *text, size_t room);
 void text_field(FILE *out, const char *label, const char *text);
 
 /* Writes the first lines of a text, at most `lines` of them, cut at
-   TEXT_WIDTH columns. A bar before each line sets the text apart from our
-   own words. */
+   TEXT_WIDTH columns. A bar before each line shows that the text is not the
+   examiner's own. */
 void text_quote(FILE *out, const char *text, int lines);
 
 /* Writes line `number` of a file as text_quote does, if the file has that

@@ -42,13 +42,13 @@ int transport_receive(void);
 /* true if this side sends, false if it receives */
 extern bool transport_sending;
 
-/* Sends or receives `bytes` bytes at x, as transport_sending says. Messages
-   contain no lengths. The receiver reads as many bytes as it expects, so
-   that the other side cannot give a false length. */
+/* Sends or receives `bytes` bytes at x, depending on transport_sending.
+   Messages contain no lengths. The receiver reads as many bytes as it
+   expects, so that the other side cannot give a false length. */
 void transport_move(void *x, size_t bytes);
 
 /* Ends the program, because the other side has ended or sent nonsense. Each
-   side defines it. */
+   side has its own definition. */
 _Noreturn void transport_lost(void);
 
 #endif

@@ -31,11 +31,12 @@ bool state_wrong(enum state state)
     return state != NOT_BEGUN && state != PASSED;
 }
 
-/* The limits of a test. It may use 512 MiB of memory, which every machine
-   has and no exercise needs. It may write files of 1 MiB, since an endless
-   loop that prints would fill a disk within a minute. It may compute for
-   five seconds by default: hundreds of times longer than needed, even with
-   sanitizers, and about as long as people look at a silent terminal. */
+/* The limits of a test. Its memory is limited to 512 MiB, which every
+   machine has and no exercise needs. Each file that it writes is limited to
+   1 MiB, since an endless loop that prints would fill a disk within a
+   minute. By default it may compute for five seconds: hundreds of times
+   longer than needed, even with sanitizers, and about as long as people
+   look at a silent terminal. */
 enum { MIB = 1 << 20, MEMORY_MIB = 512, SANITIZER_STATUS = 86 };
 
 struct result {
@@ -46,7 +47,7 @@ struct result {
     char *error; /* report of the sanitizers, or NULL */
 };
 
-/* Draws a nonce, 16 random bytes from the kernel, which no program prints
+/* Draws a nonce: 16 random bytes from the kernel, which no program prints
    by accident. */
 static void draw_nonce(char nonce[REPORT_NONCE + 1])
 {
@@ -59,9 +60,9 @@ static void draw_nonce(char nonce[REPORT_NONCE + 1])
         snprintf(nonce + 2 * i, 3, "%02x", bytes[i]);
 }
 
-/* Creates a file, which must not exist (O_EXCL). With O_APPEND all writes
-   go to its end. Otherwise a program that closes one descriptor too many
-   and opens a file instead could write over the verdict. */
+/* Creates a file, which must not exist (O_EXCL). O_APPEND sends all writes
+   to its end; otherwise a program that closes one descriptor too many and
+   opens a file instead could write over the verdict. */
 static int open_fresh(const char *path)
 {
     unlink(path);
@@ -81,9 +82,9 @@ static void drop_words(char *text, const char *words)
 /* Cuts the sanitizers' report off the output. Returns the report, or NULL
    if there is none. (With some compilers the sanitizer for undefined
    behaviour always writes to standard error, never to a file.) The report
-   begins with a line that names a sanitizer or says "runtime error", or
-   with a line of equals signs before it. Called only if the status is a
-   sanitizer's, so that a program that prints these words keeps its
+   begins with a line that names a sanitizer or says "runtime error"; a line
+   of equals signs may come before it. Called only if the status is a
+   sanitizer's; otherwise a program that prints these words would lose
    output. */
 static char *cut_error(char *output)
 {
@@ -124,17 +125,18 @@ static struct {
 
 /* Starts a runner for one test and waits for its end. If `end` is NULL,
    starts a runner that waits for orders instead, and returns at once. The
-   runner works in the empty folder `desk`. So a student's file called
+   runner works in the empty folder `desk`, so that a student's file called
    output cannot replace ours, and temporary files are removed with the
    folder.
 
    The environment contains options for the sanitizers: they exit with a
    special status, catch abort, and search for leaks only on request. The
-   address sanitizer maps some fourteen terabytes at its start, so a limit
-   on the address space would end it before main. Instead a thread of the
+   address sanitizer maps about fourteen terabytes at its start, so a limit
+   on the address space would end it before main. Instead, a thread of the
    sanitizer watches the memory in use. A forked copy has no such thread, so
-   process_copy watches its memory. A judge runs without sanitizers, even if
-   the program in its sandbox has them. */
+   process_copy watches its memory. The address space of a judge is limited,
+   because a judge runs without sanitizers, even if the program in its
+   sandbox has them. */
 static bool start_runner(const struct trial *trial, const char *test,
                          const struct process_files *files,
                          struct process_end *end)
@@ -169,11 +171,11 @@ static bool start_runner(const struct trial *trial, const char *test,
                : process_start(command, desk, files, &limits);
 }
 
-/* Starts a runner that waits for orders and copies itself for each test. A
-   socket carries the orders and the process numbers of the copies; the
-   runner ends when our end is closed. Only Linux can make such copies. In
-   the grader this runner is the judge, which gets the pipes to its sandbox
-   at its start. */
+/* Starts a runner that waits for orders and forks a copy of itself for each
+   test. A socket carries the orders and the process numbers of the copies;
+   the runner ends when our end of the socket is closed. Only Linux can make
+   such copies. In the grader this runner is the judge, which gets the pipes
+   to its sandbox when it starts. */
 void trial_open(const struct trial *trial)
 {
 #ifdef __linux__
@@ -210,13 +212,13 @@ void trial_close(void)
 }
 
 /* Runs one test. If the waiting runner has died, for example because its
-   own copy killed it, kills everything that it left and runs the test with
-   a new runner and a new report. Reads the report and the output only when
-   no process is left that could write to them.
+   own copy killed it, kills every process that it left and runs the test
+   with a new runner and a new report. Reads the report and the output only
+   when no process is left that could write to them.
 
-   In the grader the program in the sandbox has written its output to the
-   file `prints`. If it ran as our user it may have removed our permission
-   to read, so chmod restores that. */
+   In the grader, the program in the sandbox writes its output to the file
+   `prints`. If the program ran as our user, it may have removed our
+   permission to read that file; chmod restores it. */
 static void run_runner(const struct trial *trial, int number,
                        struct result *result)
 {
@@ -284,7 +286,7 @@ static const char round_and_round[] =
     "had come back to where it was before, with the same values in all its "
     "variables. Which loop was it in, and what was to end it?";
 
-/* Reports a time-out with a question that may help the student, since only
+/* Reports a time-out. Asks a question that may help the student, since only
    a debugger could tell where the program was. */
 static void tell_time_out(const struct trial *trial,
                           const struct process_end *end, FILE *story)
@@ -306,8 +308,8 @@ static void tell_time_out(const struct trial *trial,
 }
 
 /* Explanations of how a process ended, found by a sanitizer's word or by a
-   signal. Some are only likely: SIGSEGV is nearly always caused by a
-   pointer or an index; a SIGKILL that is not ours, by a lack of memory. */
+   signal. Some are only likely: SIGSEGV is nearly always caused by a wrong
+   pointer or index, and a SIGKILL that is not ours by a lack of memory. */
 static const struct {
     const char *word;
     int signal;
@@ -353,8 +355,8 @@ static const char *meaning(const char *word, int signal)
 }
 
 /* Explains a sanitizer's report in a sentence. Quotes the report if it is
-   about undefined behaviour, or if the table lacks the error, for example
-   from a newer compiler. */
+   about undefined behaviour, or if the table lacks the error, as with a
+   newer compiler. */
 static void error_text(const char *report, char *text, size_t room)
 {
     const char *undefined = strstr(report, "runtime error: ");
@@ -391,8 +393,8 @@ static void crash_text(const struct result *result, char *text, size_t room)
     }
 }
 
-/* Shows the line of the student's file that was running. The report has a
-   list of calls, the innermost first. So the line is in the first call that
+/* Shows the line of the student's file that was running. The report lists
+   the calls, the innermost first. So the line is in the first call that
    mentions the student's file, even if the error is in a library function.
    Paths in the report may be absolute, so only their ends are compared. The
    function's name comes before the path, after " in ". */
@@ -451,9 +453,9 @@ bool trial_leak(const char *prints, const char *source, FILE *story)
 }
 
 /* Returns "equation (NUMBER)", with the number of the equation in the book.
-   A suite knows only its label, since numbers change when an equation is
-   added. If the table lacks the label, because the chapter is still being
-   written, returns "the equation LABEL". */
+   A suite knows only the equation's label, since numbers change when an
+   equation is added. If the table lacks the label, because the chapter is
+   still being written, returns "the equation LABEL". */
 static const char *equation_in_book(const char *label,
                                     char text[REPORT_LINE])
 {
@@ -508,11 +510,12 @@ static bool is_mistake(const char *report)
 
 /* Judges a test. The order of the conditions matters. A program that was
    stopped has timed out, whatever it reported. A program that ended by a
-   signal or with a status other than 0 has crashed; sanitizers use such a
-   status. A program without a signed verdict has crashed, too: it called
-   exit or closed the report. NOT_DONE_YET comes before the verdict, since a
-   program that forked may report both. "Passed" comes last; otherwise a
-   program that overruns its stack after the verdict would pass. */
+   signal or with a nonzero status, such as a sanitizer's, has crashed. A
+   program without a verdict under its nonce has crashed, too: it called
+   exit or closed the report. NOT_DONE_YET is checked before the verdict,
+   since a program that forked may report both. "Passed" comes last;
+   otherwise a program that overruns its stack after the verdict would
+   pass. */
 enum state trial_run(const struct trial *trial, int number, FILE *story)
 {
     struct result result = {0};

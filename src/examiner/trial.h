@@ -21,7 +21,7 @@ struct trial {
     const char *source; /* path of the file, as given to the compiler */
     bool sanitized;     /* compiled with the address sanitizer */
     bool leaks;         /* search for leaks as well */
-    int seconds;        /* limit of processor time, s; wall clock: twice */
+    int seconds;        /* limit on processor time, s; wall clock: twice */
     const char *runner; /* path of the runner, relative to folder/desk */
     const char *seed;   /* seed of the inputs; NULL: the usual seed */
     long user;          /* user id for the judge, or 0 */
@@ -44,7 +44,7 @@ enum state trial_run(const struct trial *trial, int number, FILE *story);
 
 /* Starts a runner that serves all tests until trial_close, if the system
    can do that. Otherwise each test starts its own runner. Does nothing if a
-   runner is already started. */
+   runner was started before. */
 void trial_open(const struct trial *trial);
 void trial_close(void);
 

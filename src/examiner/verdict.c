@@ -32,9 +32,9 @@ static int gap_line(const char *account)
 }
 
 /* Returns whether running the tests again would give the same verdict. A
-   test that timed out may have shared the processor. A test that crashed
-   may have run out of memory or read beyond an array. All other outcomes
-   are reported by our own runner and are reproducible. */
+   test that timed out may have been slowed down by other programs. A test
+   that crashed may have run out of memory or read beyond an array. All
+   other outcomes are reported by our own runner and are reproducible. */
 static bool repeatable(const enum state states[], int run)
 {
     for (int i = 0; i < run; ++i)
@@ -45,8 +45,7 @@ static bool repeatable(const enum state states[], int run)
 
 /* Reports memory that a passing answer has leaked. Returns whether there
    was a leak. One search for leaks per exercise is enough: the last test
-   makes it, if all others have passed. A verdict with a leak is not stored,
-   since it is more than a plain pass. */
+   makes it, if all others have passed. A pass with a leak is not stored. */
 static bool tell_leak(const struct exercise *e, const struct trial *trial,
                       FILE *story)
 {
@@ -66,8 +65,8 @@ static bool tell_leak(const struct exercise *e, const struct trial *trial,
 /* Runs the tests of an exercise and sets its state. Returns whether the
    verdict can be stored. One test decides the state and is reported in
    full: the first that failed or, if none failed, the first that reached
-   NOT_DONE_YET. After a time-out no more tests are run, since nobody wants
-   to wait five seconds for each. */
+   NOT_DONE_YET. A time-out ends the run, since nobody wants to wait five
+   seconds for each further test. */
 static bool run_tests(struct exercise *e, const struct trial *trial,
                       FILE *story)
 {
@@ -173,11 +172,11 @@ void verdict_from_cache(struct exercise *e,
         tell_missing(e);
 }
 
-/* Judges in the cheapest way that is possible: comparing with the stub
-   takes microseconds, reading a stored verdict a fraction of a millisecond,
+/* Judges in the cheapest possible way: comparing with the stub takes
+   microseconds, reading a stored verdict a fraction of a millisecond, and
    building and running a quarter of a second. The key is computed before
-   the compiler starts. If it has changed at the end, the file was saved
-   meanwhile, and the verdict is not stored. */
+   the compiler starts. If the key has changed at the end, the file was
+   saved meanwhile, and the verdict is not stored. */
 void verdict_reach(struct exercise *e, const struct verdict_rules *rules)
 {
     verdict_from_cache(e, rules);

@@ -8,7 +8,7 @@
 struct verdict_rules {
     bool strict;    /* warnings are errors */
     bool use_cache; /* read and store verdicts in the cache */
-    int seconds;    /* limit of processor time of a test */
+    int seconds;    /* limit on processor time per test, s */
 };
 
 /* Judges an exercise: fills in its state, points and report (story). */

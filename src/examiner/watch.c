@@ -20,7 +20,7 @@ static void give_terminal_back(void)
 
 /* Puts this process into the terminal's foreground, in a process group of
    its own. Ctrl-C goes to every process of the foreground group; if make
-   were in it, make would end with an error message. Ctrl-Z is ignored;
+   were among them, it would end with an error message. Ctrl-Z is ignored;
    otherwise make would wait for ever. */
 static void take_terminal(void)
 {
@@ -79,9 +79,9 @@ static void show(const struct course *course, const struct exercise *e)
 enum { WATCH_PAUSE = 100 }; /* time between two checks, ms */
 
 /* Waits a tenth of a second for a command from the keyboard. Returns
-   whether to continue. A command ends with Enter. To read single keys, the
-   terminal would need another mode, which would remain if this process were
-   killed. */
+   whether to continue. A command ends with Enter: reading single keys would
+   need another mode of the terminal, which would remain if this process
+   were killed. */
 static bool key_goes_on(const struct exercise *shown)
 {
     static bool silent;

@@ -4,7 +4,7 @@
 
 #include "examiner/verdict.h"
 
-/* Shows the next step at once, and again whenever a chosen file was saved.
+/* Shows the next step at once, and again whenever a chosen file is saved.
    Returns after a signal, or when the user types q. */
 void watch_files(struct course *course, const struct verdict_rules *rules);
 

@@ -18,8 +18,8 @@ static void remove_folder(void)
 }
 
 /* The folder is in build/, since some machines do not execute programs in
-   /tmp. It has a new name each time, so that two examiners running at once
-   do not share it. */
+   /tmp. Its name is new each time, so that two examiners running at once do
+   not share it. */
 const char *work_folder(void)
 {
     static bool made;

@@ -2,8 +2,8 @@
 #ifndef WORK_H
 #define WORK_H
 
-/* Returns the path of a temporary folder, made at the first call and
-   removed at the end. */
+/* Returns the path of a temporary folder, which is made at the first call
+   and removed when the program ends. */
 const char *work_folder(void);
 
 #endif

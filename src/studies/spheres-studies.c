@@ -35,8 +35,9 @@ static void make_scene(struct scene *s, const char *name,
 }
 
 /* The ways to resolve overlaps after a step. PAPER collides all overlapping
-   pairs, as in the paper. APPROACHING collides only approaching pairs. BACK
-   also moves these pairs back to their contact. */
+   pairs, as in the paper. APPROACHING collides only pairs that approach
+   each other. BACK does the same and also moves these pairs back to where
+   they touched. */
 enum { PAPER, APPROACHING, BACK, WAYS };
 
 static const char *const ways[WAYS] = {"paper", "approaching", "back"};
@@ -47,8 +48,8 @@ struct run {
     double dt; /* step, s */
 };
 
-/* Prepares the scene in r for steps of dt, after which overlaps are
-   resolved in the given way. */
+/* Prepares r for steps of dt, after which overlaps are resolved in the
+   given way. */
 static void begin(struct run *r, int way, double dt)
 {
     r->dt = dt;
@@ -111,8 +112,9 @@ static double fourth_power(const struct scene *s)
     return sum / (double)n;
 }
 
-/* Runs a scene of disks in steps and sets value[] to its results. The
-   energy E is N kT. The mean of v^4 is taken over LOOKS samples. */
+/* Runs a scene of disks in steps and sets value[] to its results. Uses that
+   the energy E equals N kT for disks. The mean of v^4 is taken over LOOKS
+   samples. */
 static void gas_by_steps(struct run *r, double until, double value[])
 {
     enum { LOOKS = 100 };
@@ -162,9 +164,9 @@ static void gas_by_events(struct disks *d, double until, double value[])
 }
 
 /* Sets mean[] and error[] to the averages over own.runs runs and their
-   standard errors, and mean[ENERGY] to the largest energy error. Each run
-   has its own seed, so the runs are independent and their scatter gives the
-   error. If way is WAYS, the runs are event-driven. */
+   standard errors, which follow from the scatter of the runs. Each run has
+   its own seed, so the runs are independent. mean[ENERGY] is the largest
+   energy error. If way is WAYS, the runs are event-driven. */
 static void average(const struct study *s, int way, double dt,
                     double mean[], double error[])
 {
@@ -208,8 +210,9 @@ struct points {
     double y[3][DTS], error[3][DTS];
 };
 
-/* Writes the row for step dt, or for events if dt is 0, for all ways.
-   Stores the values to be fitted at index `at`, unless points is NULL. */
+/* Writes a row with the results of all ways for steps of dt, or with
+   event-driven results if dt is 0. Stores the values to be fitted at index
+   `at`, unless points is NULL. */
 static void pressure_row(struct study *s, double dt, int at,
                          struct points points[])
 {
@@ -261,8 +264,8 @@ static struct parabola fit(size_t n, const double t[], const double y[],
         sqrt(c[3] / det)};
 }
 
-/* Writes a row for the event-driven run (dt = 0), one row for each step,
-   and the parabolas fitted to them. */
+/* Writes a row for the event-driven run (dt = 0), one row for each step
+   length, and the parabolas fitted to the latter. */
 static void study_pressure(struct study *s)
 {
     static struct points points[WAYS];
@@ -320,9 +323,9 @@ static void count_pairs(const struct disks *d, double shell[])
     }
 }
 
-/* Runs a gas by events and adds its pairs to the shells ten times per
-   second. The counting takes longer than the run. Returns Z - 1 from the
-   virial. */
+/* Runs an event-driven simulation of a gas. Ten times per second, adds the
+   distances of all pairs to the shells, which takes longer than the run
+   itself. Returns Z - 1 from the virial. */
 static double fill_shells(const struct study *s, double shell[])
 {
     const double seed = (double)s->seed;
@@ -347,8 +350,8 @@ static double fill_shells(const struct study *s, double shell[])
 }
 
 /* Returns the slope d ln g / d ln r at contact and sets *error to its
-   standard error. Fits a parabola to the logarithm of the pair density,
-   which is the count in a shell divided by the shell's area. */
+   standard error. The slope is that of a parabola fitted to ln g, where the
+   pair density g is the count in a shell divided by the shell's area. */
 static double contact_slope(const double shell[], double *error)
 {
     double t[SHELLS], y[SHELLS], e[SHELLS];
@@ -362,8 +365,8 @@ static double contact_slope(const double shell[], double *error)
     return p.b;
 }
 
-/* Writes the terms of the first-order law (11.5, eq:step-law). The slope in
-   the law is measured. */
+/* Writes the terms of the first-order law (11.5, eq:step-law). The slope
+   that occurs in the law is measured. */
 static void study_law(struct study *s)
 {
     const double pi = 3.14159265358979324, eta = 250 * pi * 0.01 / 37.5;
@@ -441,8 +444,8 @@ static double near_pairs(const struct scene *s)
     return count;
 }
 
-/* Runs by events and returns the mean number of near pairs in 200
-   samples. */
+/* Makes an event-driven run and returns the mean number of near pairs in
+   200 samples. */
 static double near_by_events(struct run *r)
 {
     struct disks d;
@@ -477,7 +480,7 @@ static double near_by_steps(struct run *r)
 }
 
 /* Returns the error of (7.6, eq:gas-walls) after 20 s: the absolute
-   difference between its two sides, in units of 2 K t. */
+   difference between its two sides, divided by 2 K t. */
 static double identity(struct run *r)
 {
     const double time = 20, radius = 0.1;
@@ -512,7 +515,7 @@ static double centre(const struct scene *s, const double x[])
     return sum / mass;
 }
 
-/* Returns the distance along x of the centre of mass from its uniform
+/* Returns by how much the centre of mass deviates along x from uniform
    motion, after 2 s in a periodic box, in radii of a light disk. */
 static double moved_centre(uint64_t seed, int way, double dt)
 {
@@ -537,9 +540,10 @@ static double spin(const struct scene *s)
     return sum;
 }
 
-/* Returns the change of the angular momentum of an open gas in 2 s, divided
-   by the diameter and the square root of the number of collisions. The gas
-   expands, and its collision rate falls to a quarter in 2 s. */
+/* Returns the change of the angular momentum of a gas without walls in 2 s,
+   divided by the diameter and the square root of the number of collisions.
+   The gas expands, so its collision rate falls to a quarter in this
+   time. */
 static double lost_spin(uint64_t seed, int way, double dt)
 {
     struct run r;
@@ -552,8 +556,9 @@ static double lost_spin(uint64_t seed, int way, double dt)
     return lost / sqrt(collisions) / 0.2;
 }
 
-/* Returns the median displacement of the disks, in diameters, after 0.2 s
-   forwards and 0.2 s with reversed velocities. */
+/* Returns the median distance, in diameters, of the disks from their
+   initial positions after 0.2 s forwards and 0.2 s with reversed
+   velocities. */
 static double missed_way_back(uint64_t seed, int way, double dt)
 {
     enum { DISKS = 250 };
@@ -573,9 +578,9 @@ static double missed_way_back(uint64_t seed, int way, double dt)
     return bench_median(miss, DISKS) / 0.2;
 }
 
-/* Sets found[] to the results of all checks of one way and step. Results
-   are compared with their exact values or, if these are unknown, with
-   event-driven runs. */
+/* Sets found[] to the results of all checks for one way and one step
+   length. Results are compared with their exact values or, if these are
+   unknown, with event-driven runs. */
 static void do_checks(struct study *s, int way, double dt,
                       const double truth[], double near, double found[])
 {
@@ -622,8 +627,8 @@ static void study_checks(struct study *s)
         }
 }
 
-/* Initial states of five balls: the numbers of moving balls at the left and
-   at the right, and the masses of the first, last and middle ball, kg. */
+/* Initial states of five balls: the number of moving balls at each end, and
+   the masses of the first, last and middle ball, kg. */
 static const struct {
     const char *name;
     double left, right, first, last, middle;
@@ -657,9 +662,9 @@ static void begin_events(struct bonkers *b, const struct scene *s)
     start_free(&start);
 }
 
-/* Runs a row by events. Sets x[] and v[] to the positions and velocities at
-   the time `until`. Returns the number of collisions. The row has no walls,
-   so a ball that leaves it does not come back. */
+/* Makes an event-driven run of a row. Sets x[] and v[] to the positions and
+   velocities at the time `until`. Returns the number of collisions. There
+   are no walls, so a ball that leaves the row does not come back. */
 static uint64_t row_by_events(int row, double gap, double until, double x[],
                               double v[])
 {
@@ -679,15 +684,16 @@ static uint64_t row_by_events(int row, double gap, double until, double x[],
     return collisions;
 }
 
-/* How a row is stepped, with its initial gap, m, and its step, s. */
+/* How a row is stepped: its initial gap, m, and its step, s, and the way
+   and the order in which overlaps are resolved. */
 struct stepped {
     int way;
     enum spheres_order order;
     double gap, dt;
 };
 
-/* Runs a row by steps. Sets x[] and v[] to the positions and velocities at
-   the time `until`. */
+/* Makes a time-stepped run of a row. Sets x[] and v[] to the positions and
+   velocities at the time `until`. */
 static void row_by_steps(int row, struct stepped how, double until,
                          double x[], double v[])
 {
@@ -703,7 +709,8 @@ static void row_by_steps(int row, struct stepped how, double until,
 }
 
 /* Sets v[] to the velocities after simultaneous collisions at all contacts.
-   The impulses J[c + 1] at the contacts c solve a tridiagonal system. */
+   J[c + 1] is the impulse at contact c. The impulses solve a tridiagonal
+   system of equations. */
 static void row_at_once(int row, double v[])
 {
     struct scene s;
@@ -744,10 +751,10 @@ static const struct {
     {"up", {APPROACHING, SPHERES_ASCENDING, 0, 0.001}},
     {"down", {APPROACHING, SPHERES_DESCENDING, 0, 0.001}}};
 
-/* Sets line[] to the row's number, its collisions, and the largest velocity
-   error of each kind, compared with events, which are exact. Writes all
-   velocities to the summary, including those after simultaneous
-   collisions. */
+/* Sets line[] to the number of the row, its number of collisions, and the
+   largest velocity error of each kind of stepped run. The event-driven run
+   is exact. Writes all velocities to the summary, including those after
+   simultaneous collisions. */
 static void compare_row(struct study *s, int row, double line[2 + KINDS])
 {
     double x[BALLS], exact[BALLS], v[BALLS];
@@ -765,9 +772,9 @@ static void compare_row(struct study *s, int row, double line[2 + KINDS])
     write_velocities(s, "once", row, v);
 }
 
-/* Compares steps with events for nine initial states of the row: with wide
-   gaps, with gaps of a tenth of the distance a ball moves in a step, and
-   without gaps. The largest differences in the summary exclude the last
+/* Compares stepped with event-driven runs for nine initial states of the
+   row. The gaps are wide, or a tenth of the distance that a ball moves in a
+   step, or zero. The largest differences in the summary exclude the last
    state, which is a special case. */
 static void study_rows(struct study *s)
 {
@@ -787,8 +794,8 @@ static void study_rows(struct study *s)
         table_real(s->summary, kinds[k].name, worst[k]);
 }
 
-/* Writes the errors, after 3 s, of the row whose first ball has twice the
-   mass, for longer and longer steps. */
+/* Writes errors after 3 s against the step length, for the row whose first
+   ball has twice the mass. */
 static void study_late(struct study *s)
 {
     const double until = 3;
@@ -811,8 +818,8 @@ static void study_late(struct study *s)
     }
 }
 
-/* Runs a row with restitution 0.9 between two walls, by events and by
-   steps, and writes the energies every 0.05 s. */
+/* Runs a row with restitution 0.9 between two walls, event-driven and in
+   steps. Writes both energies every 0.05 s. */
 static void study_rest(struct study *s)
 {
     const double every = 0.05, until = usual_length;
@@ -854,8 +861,8 @@ static void make_break(struct scene *s, double jitter, uint64_t seed)
 
 static const double usual_break = 0.5; /* duration of a break, s */
 
-/* Sets x[] to the positions after the break of a rack of balls, computed in
-   steps with BACK. */
+/* Sets x[] to the positions after the break of a rack of balls, computed by
+   steps that resolve overlaps by BACK. */
 static void break_by_steps(enum spheres_order order, double dt, double x[])
 {
     struct run r;
@@ -867,9 +874,9 @@ static void break_by_steps(enum spheres_order order, double dt, double x[])
     end(&r);
 }
 
-/* Sets x[] to the positions after the break, computed by events in a box so
-   large that its walls have no effect. The origin of x[] is the middle of
-   the table, not the corner of the box. */
+/* Sets x[] to the positions after the break, computed by an event-driven
+   run in a box so large that its walls have no effect. The origin of x[] is
+   the middle of the table, not the corner of the box. */
 static void break_by_events(double jitter, uint64_t seed, double x[])
 {
     const double far = 50; /* m */
@@ -928,7 +935,7 @@ static double nearest(const double x[], double outcome[][2 * RACK])
 
 enum { BREAKS = 4 };
 
-/* Compares four breaks by steps with a hundred breaks by events. */
+/* Compares four time-stepped breaks with a hundred event-driven ones. */
 static void study_break(struct study *s)
 {
     static double stepped[BREAKS][2 * RACK], outcome[OUTCOMES][2 * RACK];
@@ -938,7 +945,8 @@ static void study_break(struct study *s)
     break_by_steps(SPHERES_DEEPEST, 1e-5, stepped[3]);
     for (size_t i = 0; i < OUTCOMES; ++i)
         break_by_events(1e-12, i, outcome[i]);
-    /* Write the outcomes for three orders of the pairs. */
+    /* Write the outcomes for the three orders in which pairs are
+       resolved. */
     TABLE_COLUMNS(s->out, {"x", "m", "steps, ascending; then by events"},
                   {"y", "m", ""}, {"x'", "m", "steps, descending"},
                   {"y'", "m", ""}, {"x''", "m", "steps, the deepest first"},
@@ -995,8 +1003,8 @@ static void make_three(struct scene *s, double k2)
     s->softening = 0.2;
 }
 
-/* Prepares a motion with all forces of a scene. If `located`, the times of
-   contacts inside the steps are found. */
+/* Prepares a motion with all forces of a scene. If `located`, contacts are
+   located in time within a step. */
 static void move(struct motion *m, struct scene *s, const char *method,
                  double dt, bool located)
 {
@@ -1025,9 +1033,9 @@ static uint64_t move_three(const char *method, double k2, bool located,
 }
 
 /* Drops a ball from 1 m above the floor. If e is 1, returns its largest
-   position error up to 2001 s, from the exact height t (2 - t) at the time
-   t after a bounce. Otherwise returns the number of bounces until the ball
-   rests. */
+   position error up to 2001 s. The exact height at the time t after a
+   bounce is t (2 - t). If e is less than 1, returns the number of bounces
+   until the ball rests. */
 static double drop_ball(double e)
 {
     struct scene s;
@@ -1052,7 +1060,8 @@ static double drop_ball(double e)
 static const struct {
     const char *name, *method;
     bool located;
-    uint64_t coarse; /* steps of the coarser run in moment_order */
+    uint64_t
+        coarse; /* number of steps of the coarser run in moment_order */
 } moments[] = {{"stepwise", "leapfrog", false, 64},
                {"leapfrog", "leapfrog", true, 64},
                {"rk4", "rk4", true, 64},
@@ -1078,9 +1087,10 @@ static double moment_order(int way, const double exact[9])
     return log2(coarse / fine) / log2(times);
 }
 
-/* Writes the errors of three balls after 1 s against the step, for each
-   way. The summary gets the orders, the errors of three balls without
-   attraction, and the results of a single ball. */
+/* Writes the errors of three balls after 1 s against the step length, for
+   each entry of moments[]. The summary gets the orders of convergence, the
+   errors of three balls without attraction, and the results of a single
+   ball. */
 static void study_moment(struct study *s)
 {
     double exact[9], row[1 + MOMENTS];
@@ -1121,7 +1131,8 @@ static const struct {
                          {"hertz", SCENE_HERTZ, 50000, 0},
                          {"gaps", SCENE_LINEAR, 5000, 0.03}};
 
-static const double pair_omega = 100; /* of a linear contact, 1/s */
+static const double pair_omega =
+    100; /* angular frequency of a linear contact, 1/s */
 
 /* Makes a row of balls of 1 kg. The first ball moves at 1 m/s. */
 static void make_touching(struct scene *s, int way, size_t balls)
@@ -1136,7 +1147,7 @@ static void make_touching(struct scene *s, int way, size_t balls)
 }
 
 /* Returns the speed, m/s, at which two balls separate after approaching
-   each other at 1 m/s. `gap` is added to their initial distance, m. */
+   each other at 1 m/s. `gap`, m, is added to their initial distance. */
 static double parting_speed(int way, double dashpot, double gap, double dt)
 {
     struct scene s;
@@ -1152,8 +1163,8 @@ static double parting_speed(int way, double dashpot, double gap, double dt)
     return parting;
 }
 
-/* Returns the duration of a contact of two balls under Hertz's law, s.
-   Interpolates linearly to the time at which the gap is zero again. */
+/* Returns the duration of a contact of two balls under Hertz's law, s. The
+   time at which the gap is zero again is interpolated linearly. */
 static double hertz_time(void)
 {
     struct scene s;
@@ -1197,9 +1208,9 @@ static void touch_row(struct study *s, int way)
     scene_free(&scene);
 }
 
-/* Sets *least and *most to the range of the fraction of energy that a
-   contact returns. The fraction depends on the phase of the step at which
-   the contact starts. */
+/* Sets *least and *most to the smallest and the largest fraction of energy
+   that a contact returns. The fraction depends on the phase of the step at
+   which the contact starts. */
 static void energy_range(double omega_dt, double *least, double *most)
 {
     *least = INFINITY;
@@ -1213,10 +1224,11 @@ static void energy_range(double omega_dt, double *least, double *most)
     }
 }
 
-/* Returns the largest error of the parting speed, which should be e. The
-   contacts last `time` seconds and `steps` steps, give or take half a step.
-   With a whole number of steps, contacts would begin and end at the same
-   phase of a step, and some errors would cancel. */
+/* Returns the largest error of the parting speed, which should be e. A
+   contact lasts `time` seconds, which is `steps` steps to within half a
+   step. The step length varies because, with a whole number of steps,
+   contacts would begin and end at the same phase of a step and some errors
+   would cancel. */
 static double worst_parting_speed(int way, double dashpot, double time,
                                   int steps, double e)
 {
@@ -1243,8 +1255,9 @@ static void write_worst_speeds(struct study *s, double linear, double hertz,
     }
 }
 
-/* Writes the velocities of rows whose contacts are stiff springs, and the
-   errors of such contacts against their number of steps. */
+/* Writes the velocities of rows whose contacts are stiff springs. The
+   summary gets the errors of such contacts against their number of
+   steps. */
 static void study_touch(struct study *s)
 {
     const double pi = 3.141592653589793, zeta = 0.2;
@@ -1270,7 +1283,7 @@ static void study_touch(struct study *s)
                        exp(-pi * zeta / sqrt(1 - zeta * zeta)));
 }
 
-enum { LOCATED = WAYS + 1 }; /* WAYS means event-driven */
+enum { LOCATED = WAYS + 1 }; /* WAYS is an event-driven run */
 
 /* Returns the duration of a run, s. Locating contacts is slow, so LOCATED
    runs last a fifth as long as the others. They are left out at packing
@@ -1297,8 +1310,8 @@ static double gas_located(struct scene *s, double dt, double until)
     return virial;
 }
 
-/* Runs a gas. Sets *seconds to the processor time of the run without its
-   preparation. Returns Z - 1 from the virial. */
+/* Returns the duration of a run, s. Locating contacts is slow, so LOCATED
+   runs last only a fifth of the usual time. */
 static double time_run(struct scene *scene, int way, double dt,
                        double until, double *seconds)
 {
@@ -1320,8 +1333,9 @@ static double time_run(struct scene *scene, int way, double dt,
     return value[VIRIAL];
 }
 
-/* Sets *virial to the average of Z - 1 over runs, and *cost to the median
-   processor time per simulated second, including the warm-up. */
+/* Sets *virial to the average of Z - 1 over the runs. Sets *cost to the
+   median processor time per simulated second, where the warm-up counts as
+   simulated time. */
 static void cost_of(const struct study *s, double packing, int way,
                     double dt, struct blocks_average *virial, double *cost)
 {
@@ -1353,9 +1367,9 @@ static const struct {
 
 enum { COSTS = 14 };
 
-/* Completes and writes a row, given its event-driven results. The error of
-   located contacts does not depend on the step, so they are run only if
-   `all` is true. Each row starts with the name that the book cites. */
+/* Completes and writes a row that contains event-driven results. It begins
+   with the name that the book cites. The error of located contacts does not
+   depend on the step, so they are run only if `all` is true. */
 static void compare_step(struct study *s, double dt, bool all,
                          double row[COSTS])
 {

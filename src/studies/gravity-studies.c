@@ -410,10 +410,10 @@ static const double binary = 0.2243, binary_period = 41.0808939256;
 
 /* Returns how many of 8 massless planets survive for `periods` periods of
    the stars. The planets start at the same distance from the centre but at
-   different phases. They die if they come within 0.05 of the centre or go
-   beyond 5. The unit of length is the distance between the stars. Leapfrog
-   with 100 steps per period is accurate enough, and only every tenth step
-   is examined. */
+   different phases. A planet that comes within 0.05 of the centre or goes
+   beyond 5 does not survive. The unit of length is the distance between the
+   stars. Leapfrog with 100 steps per period is accurate enough, and only
+   every tenth step is examined. */
 static int survivors(double distance, double periods)
 {
     int alive = 0;
@@ -989,8 +989,8 @@ static void compare_singly(const struct scene *s, double row[2 + ORDERS])
         row[1 + k] = sqrt(error[k] / size);
 }
 
-/* Sets a[] to accelerations summed in single precision. Their errors may or
-   may not show in the energy. */
+/* Sets a[] to accelerations summed in single precision. The study tests
+   whether their errors show in the energy. */
 static void accelerate_single(void *what, const double x[],
                               const double v[], double a[])
 {

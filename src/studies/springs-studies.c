@@ -15,7 +15,7 @@
 #define PROGRAM "springs-studies"
 
 static struct {
-    double until; /* duration of --study membranes, s */
+    double until; /* duration of the run of --study membranes, s */
 } own = {.until = 40};
 
 static _Noreturn void no_memory(void)
@@ -67,8 +67,9 @@ static double kinetic(const struct scene *s)
     return sum;
 }
 
-/* Returns the energy, J. Fixed bodies do not contribute to the
-   gravitational energy, because springs_create sets their gravity to 0. */
+/* Returns the energy, J. The gravitational energy is that of the bodies
+   that can move, because springs_create sets the gravity of fixed bodies to
+   0. */
 static double energy(const struct run *r)
 {
     const struct scene *s = &r->scene;
@@ -79,9 +80,9 @@ static double energy(const struct run *r)
     return sum;
 }
 
-/* Returns the position of a damped oscillator with m = D = 1 that starts at
-   rest at q = 1 m. Uses the textbook formulas: two exponentials, or a
-   cosine with a phase. g is the ratio of the damping to critical
+/* Returns the position, m, of a damped oscillator with m = D = 1 that
+   starts at rest at q = 1 m. Uses the textbook formulas: two exponentials,
+   or a cosine with a phase. g is the damping divided by the critical
    damping. */
 static double by_the_book(double g, double t)
 {
@@ -96,10 +97,10 @@ static double by_the_book(double g, double t)
     return exp(-g * t) / w * cos(w * t - atan2(g, w));
 }
 
-/* Returns the same position as by_the_book, from a power series in y = (w
-   t)^2 that is valid for weak, critical and strong damping. The series
-   converges for all t but loses digits when many terms alternate in sign,
-   so it is for short times only. */
+/* Returns the same position as by_the_book, computed from a power series in
+   y = (w t)^2 that is valid for weak, critical and strong damping. The
+   series converges for all t, but at long times it loses digits, because
+   its terms alternate in sign. */
 static double by_series(double g, double t)
 {
     const double y = (1 - g) * (1 + g) * t * t;
@@ -111,8 +112,9 @@ static double by_series(double g, double t)
     return exp(-g * t) * sum;
 }
 
-/* Writes the position of an oscillator with 1 + e and with 1 - e times the
-   critical damping. Each row divides e by 10^(1/4). */
+/* Writes the positions of two oscillators, whose dampings are 1 + e and 1 -
+   e times the critical damping. From one row to the next e is divided by
+   10^(1/4). */
 static void study_critical(struct study *s)
 {
     const double t = 3;
@@ -136,8 +138,8 @@ enum { DAMPINGS = 4 };
 
 static const double dampings[DAMPINGS] = {0.2, 1, 2, 4}; /* kg/s */
 
-/* Writes the positions of leapfrog-stepped oscillators with four dampings,
-   and their largest error. */
+/* Writes the positions of oscillators with four dampings, stepped by
+   leapfrog, and their largest error. */
 static void study_regimes(struct study *s)
 {
     struct run r[DAMPINGS];
@@ -166,8 +168,8 @@ static void study_regimes(struct study *s)
 
 enum { DUMBBELL_ROWS = 101 };
 
-/* Makes a free dumbbell of two masses of 1 kg along x. It is stretched by a
-   tenth and rotates about z. */
+/* Makes a free dumbbell: two masses of 1 kg along x, joined by a spring
+   that is stretched by a tenth. It rotates about z. */
 static void make_dumbbell(struct scene *s, bool axial)
 {
     if (!scene_create(s, 2) || !scene_add_kind(s, 100, 0.5))
@@ -194,7 +196,8 @@ static double spin(const struct scene *s)
 }
 
 /* Writes the angular momenta and energies of two dumbbells. Compares the
-   first with (10.2, eq:spin-decay), where c/mu is 1/s here. */
+   angular momentum of the first with (10.2, eq:spin-decay), where c/mu is
+   1/s here. */
 static void study_spin(struct study *s)
 {
     struct run r[2];
@@ -262,9 +265,9 @@ static double miss(const struct scene *s, const double place[4])
     return largest_difference(found, place, 4);
 }
 
-/* Runs the pendulum for 10 s in n steps. Sets row[] to dt, evaluations,
-   error, energy change and processor time. Returns whether the run finished
-   with an error below 3 m. */
+/* Runs the double pendulum for 10 s in n steps. Sets row[] to dt, number of
+   evaluations, position error, energy change and processor time. Returns
+   whether the run finished with an error below 3 m. */
 static bool swing_of(const struct stepping_method *method, uint64_t n,
                      double row[5])
 {
@@ -282,10 +285,10 @@ static bool swing_of(const struct stepping_method *method, uint64_t n,
     return end == STEPPING_DONE && row[2] < 3;
 }
 
-/* Writes the errors of all methods. Halves the step, starting at 0.2 s,
-   until the error is near the rounding error or the work becomes too much.
-   If `timed`, adds a column of processor time. Without this column the
-   table is the same on all machines. */
+/* Writes the errors of all methods. The step starts at 0.2 s and is halved
+   until the error is near the rounding error or there are too many
+   evaluations. If `timed`, adds a column with the processor time. Without
+   it, the table is the same on all machines. */
 static void write_errors(struct study *s, bool timed)
 {
     if (timed)
@@ -348,7 +351,7 @@ static const double damping_step = 0.025; /* s */
 
 /* Writes the stretch of the stiff spring for RK4 and leapfrog with a step
    near the stability limit of RK4, and for Yoshida's method with a small
-   step. The summary gets its range in the last rows. */
+   step. The summary gets the range of the stretch in the last rows. */
 static void study_silent(struct study *s)
 {
     double most[WAYS], least[WAYS];
@@ -378,25 +381,25 @@ static void study_silent(struct study *s)
     }
 }
 
-/* A double pendulum with a rod of 1 m between bodies 0 and 1. a[] contains
-   the accelerations without the rod, m/s^2, in the order of the scene's
-   coordinates. */
+/* A double pendulum whose bodies 0 and 1 are joined by a rod of 1 m instead
+   of a spring. a[] contains the accelerations without the force of the rod,
+   m/s^2, in the order of the scene's coordinates. */
 struct rod {
     struct run run;
     double a[9];
 };
 
-/* Returns the scalar product, in the x-z plane, of the vector from body 0
-   to body 1 at the positions r with the velocity a of body 1. Body 0 is at
-   rest. */
+/* Returns the scalar product, in the x-z plane, of the rod (the vector from
+   body 0 to body 1, with positions r) and the velocity a of body 1. Body 0
+   is at rest. */
 static double along(const double r[], const double a[])
 {
     return (r[1] - r[0]) * a[1] + (r[7] - r[6]) * a[7];
 }
 
-/* Returns the smaller root of (10.6, eq:rod): the multiple of the rod
-   vector at r that must be subtracted after a free drift from r to x to
-   make the rod 1 m long again. */
+/* Returns the smaller root of (10.6, eq:rod). After a free drift from r to
+   x, this multiple of the rod vector at r must be subtracted to make the
+   rod 1 m long again. */
 static double shorten(const double r[], const double x[])
 {
     const double dx = x[1] - x[0], dz = x[7] - x[6];
@@ -450,8 +453,8 @@ static bool rod_swing(uint64_t n, double place[4])
 }
 
 /* Sets place[] to the coordinates, after 10 s, of a double pendulum whose
-   upper spring has the given stiffness, N/m. A stiffer spring gets shorter
-   steps. */
+   upper spring has the given stiffness, N/m. A stiffer spring is computed
+   with shorter steps. */
 static void spring_swing(double stiffness, double place[4])
 {
     const uint64_t n = (uint64_t)(10 * 100 * sqrt(stiffness / 100)) + 1000;
@@ -466,7 +469,8 @@ static void spring_swing(double stiffness, double place[4])
 }
 
 /* Writes two blocks: the error of the rod against the step, and the
-   difference between spring and rod after 10 s against the stiffness. */
+   distance between the pendulums with spring and rod after 10 s against the
+   stiffness of the spring. */
 static void study_rod(struct study *s)
 {
     double rigid[4], place[4];
@@ -526,10 +530,12 @@ static double disturb(struct scene *s)
 /* Returns whether a disturbance of 1e-9 m grows within `steps` steps with
    omega dt = phase. It grows if it reaches 1 cm, or if its maximum in the
    last quarter of the steps is more than 1.5 times both its initial size
-   and its maximum in the second quarter. A factor of a thousand instead of
-   1.5 would give a limit for RK4 that is 2e-4 too high, because at 1 + d
-   times the limit the amplitude grows by a factor of only 1 + 7d per step.
-   With 4000 steps the limit is accurate to 3e-5. */
+   and its maximum in the second quarter.
+
+   The factor 1.5 is small because growth is slow: for RK4 at 1 + d times
+   the limit, the amplitude grows by a factor of only 1 + 7d per step. A
+   factor of a thousand would give a limit that is 2e-4 too high. With 1.5
+   and 4000 steps the limit is accurate to 3e-5. */
 static bool grows(const struct stepping_method *method, bool pendulum,
                   double phase, uint64_t steps)
 {
@@ -561,10 +567,11 @@ static bool grows(const struct stepping_method *method, bool pendulum,
 /* Returns the stability limit of omega dt, or 0 if the method is unstable
    even at `low`, or INFINITY if it is stable up to 20. Increases omega dt
    from `low` by 1 per cent until the method is unstable, and then bisects.
-   Some methods are stable again above their limit, so the increments must
-   be smaller than the narrowest unstable interval, which is 3.0965 to
-   3.1401 for Kahan and Li. Increments of 2 per cent missed this interval
-   and gave 5.6. */
+
+   The increments must be smaller than the narrowest unstable interval,
+   because some methods are stable again above it. The narrowest interval is
+   that of Kahan and Li, 3.0965 to 3.1401. Increments of 2 per cent missed
+   it and gave 5.6. */
 static double find_limit(const struct stepping_method *m, bool pendulum,
                          uint64_t steps, double low)
 {
@@ -588,8 +595,8 @@ static double find_limit(const struct stepping_method *m, bool pendulum,
 }
 
 /* Sets limit[] to the limits of omega dt for the pendulum and the membrane.
-   The search for the membrane starts just below the pendulum's limit.
-   Implicit methods are tested with a single large step length. */
+   The search for the membrane's limit starts just below that of the
+   pendulum. Implicit methods are only tested with one large step length. */
 static void find_limits(const struct stepping_method *m, double limit[2])
 {
     if (m->family == STEPPING_IMPLICIT) {
@@ -624,8 +631,9 @@ static void study_limits(struct study *s)
     }
 }
 
-/* Makes three bodies in a row along x (10.7, eq:loose). The middle body
-   moves only along z and starts at z = a. */
+/* Makes three bodies in a row along x, joined by two springs at rest length
+   (10.7, eq:loose). The middle body moves only along z and starts at z =
+   a. */
 static void put_between(struct scene *s, double a)
 {
     if (!scene_create(s, 3) || !scene_add_kind(s, 50, 0))
@@ -641,9 +649,9 @@ static void put_between(struct scene *s, double a)
     s->position[7] = a;
 }
 
-/* Returns the period, s, of a mass between two springs at rest length. The
-   mass is displaced sideways by `a`. The period is the time from its first
-   to its third passage through the middle. */
+/* Returns the period, s, of a mass between two springs at rest length that
+   is displaced sideways by `a`. The period is the time between its first
+   and its third passage through the middle. */
 static double period(double a)
 {
     const double guess = 0.3 / a;
@@ -676,9 +684,9 @@ static void study_quartic(struct study *s)
 }
 
 /* Returns the amplitude, m, of the mode with r half waves along x and
-   `half` along y in the transverse displacement of an n x n membrane. The
-   mode shapes are orthogonal on the grid, so the projection on one shape
-   contains no other mode. */
+   `half` along y in the displacement of an n x n membrane along z. Projects
+   the displacement on the shape of the mode, which is orthogonal on the
+   grid to the shapes of all other modes. */
 static double amplitude(const struct scene *s, size_t n, size_t r,
                         size_t half)
 {
@@ -706,9 +714,9 @@ static double others(const struct scene *s, size_t n, double a)
 
 enum { MEMBRANES = 3 };
 
-/* Initial amplitudes of the three membranes, m: one at rest length that
-   moves along z only, one at rest length that moves along all axes, and a
-   taut one. */
+/* Initial amplitudes of the three membranes, m. Two are at rest length; the
+   first of these moves only along z and the second along all axes. The
+   third is taut. */
 static const double lifted[MEMBRANES] = {0.1, 0.1, 0.01};
 
 static void study_membranes(struct study *s)
@@ -745,9 +753,9 @@ static void study_membranes(struct study *s)
         tidy_up(&r[k]);
 }
 
-/* Moves the displacement of a membrane from z to another axis. Returns the
-   body with the largest displacement and sets *home to the rest position of
-   this body along that axis. */
+/* Turns the displacement of a membrane from z to `axis`. Returns the body
+   with the largest displacement and sets *home to the rest position of this
+   body along that axis. */
 static size_t turn_to(struct scene *s, size_t axis, double *home)
 {
     double *const z = s->position + 2 * s->bodies;
@@ -767,8 +775,8 @@ static size_t turn_to(struct scene *s, size_t axis, double *home)
     return body;
 }
 
-/* Returns the duration, s, of ten half periods of coordinate `at` about
-   `home`. Interpolates linearly within a step. */
+/* Returns the duration, s, of ten half periods in which coordinate `at`
+   oscillates about `home`. Interpolates linearly within a step. */
 static double ten_halves(struct run *r, size_t at, double home)
 {
     double first = 0, before = r->scene.position[at] - home;
@@ -825,8 +833,8 @@ static void study_dispersion(struct study *s)
     table_real(s->summary, "worst", worst);
 }
 
-/* Returns the sag, m, at the middle of a membrane without tension. Friction
-   has brought the membrane to rest under the gravity g. Copies the scene to
+/* Returns the sag, m, at the middle of a membrane without tension after
+   friction has brought it to rest under the gravity g. Copies the scene to
    *s if s is not NULL. */
 static double sag(struct scene *s, double g)
 {
@@ -867,8 +875,8 @@ static void study_sag(struct study *s)
                   {"ratio", sag(NULL, 0.004) / sag(NULL, 0.0005)});
 }
 
-/* Steps r until friction has brought it to rest. Solves no equation, so the
-   rest position is independent of linear theory. */
+/* Steps r until friction has brought it to rest. This gives a rest position
+   that does not depend on linear theory. */
 static void settle(struct run *r)
 {
     for (int i = 0; i < 400; ++i) {
@@ -896,8 +904,8 @@ static double fall(struct run *r, size_t body)
            r->stepping.dt * *v / (*v - before);
 }
 
-/* Writes the positions of a grid of bodies, row by row and then column by
-   column. */
+/* Writes the positions of a grid of bodies twice: row by row, and then
+   column by column. */
 static void draw(struct study *s, const struct scene *scene, size_t nx)
 {
     const double *const x = scene->position, *const y = x + scene->bodies;
@@ -933,8 +941,9 @@ static void study_shapes(struct study *s)
         }
 }
 
-/* A beam: its differences from the default beam, and its results. The
-   deflections `linear`, `still` and `lowest` are in m; `time` is in s. */
+/* A beam: the choices that make it different from the default beam, and its
+   results. `linear`, `still` and `lowest` are deflections, m, and `time` is
+   in s. */
 struct beam {
     const char *name;
     struct gallery_choice choice[3];
@@ -943,8 +952,8 @@ struct beam {
     size_t loose; /* modes without stiffness */
 };
 
-/* Computes the frequencies of a beam and, from linear theory, the
-   deflection at the lower corner of its free end. */
+/* Computes the frequencies of a beam. Also computes, by linear theory, the
+   deflection at the lower corner of the free end. */
 static void find_linear(struct beam *b, const struct scene *s, size_t nx)
 {
     struct springs p;
@@ -967,8 +976,8 @@ static void find_linear(struct beam *b, const struct scene *s, size_t nx)
     springs_free(&p);
 }
 
-/* Finds the turning point of a beam and its deflection at rest. The
-   friction that brings it to rest is proportional to the first
+/* Finds the turning point of a falling beam and its deflection at rest. The
+   friction that brings it to rest is proportional to its lowest
    frequency. */
 static void find_turn(struct beam *b)
 {
@@ -1028,10 +1037,10 @@ static void study_beams(struct study *s)
 }
 
 /* Adds to f[] the forces of a band's springs on the bodies at one end of
-   each spring. These are the bodies of larger index if side is 1, otherwise
-   those of smaller index. Dashpots are as printed by MPPhys. This is the
-   method that the bands replaced. Each body looks up all its neighbours, so
-   every spring force is computed twice. */
+   each spring: the end with the larger index if side is 1, otherwise the
+   other end. Dashpots are as printed by MPPhys. This is the method that the
+   bands replaced: each body looks up all its neighbours, so every spring
+   force is computed twice. */
 VECTOR_LOOP static void look_up(const struct springs *p,
                                 const struct springs_band *b,
                                 const double *restrict x,
@@ -1055,8 +1064,9 @@ VECTOR_LOOP static void look_up(const struct springs *p,
     }
 }
 
-/* Sets a[] to the accelerations, computed by look_up. The springs to
-   smaller indices come first in each band, as in (10.11, eq:gather). */
+/* Sets a[] to the accelerations, computed by look_up. In each band, the
+   springs to bodies of smaller index come first, as in (10.11,
+   eq:gather). */
 static void accelerate_twice(void *springs, const double x[],
                              const double v[], double a[])
 {
@@ -1069,8 +1079,8 @@ static void accelerate_twice(void *springs, const double x[],
         a[i] *= p->inverse[i];
 }
 
-/* The ways that are compared. TRIPS is GATHER without sweeps. TWICE uses
-   look_up. */
+/* The ways to compute forces that are compared. TRIPS is GATHER without
+   sweeps, and TWICE uses look_up. */
 enum { SCATTER, GATHER, TRIPS, TWICE, SPEEDS };
 
 /* Makes a free membrane of n x n bodies with the default dashpots, stepped
@@ -1088,7 +1098,7 @@ static void make_fast(struct run *r, size_t n, int way)
 }
 
 /* Returns the number of bodies stepped per second of the clock `seconds`,
-   measured over at least two million of them. */
+   measured over at least two million body steps. */
 static double speed_of(struct run *r, double (*seconds)(void))
 {
     const uint64_t steps = 2000000 / r->scene.bodies + STEPPING_WATCH;
@@ -1124,8 +1134,8 @@ static void study_speed(struct study *s)
 }
 
 /* Writes how many bodies one thread and two threads step per second of
-   wall-clock time, and the median ratio of the rounds. A slow moment of the
-   machine spoils only one ratio. */
+   wall-clock time. Also writes the median ratio of the rounds, so that a
+   temporary slowdown of the machine affects only one ratio. */
 static void study_threads(struct study *s)
 {
     bench_machine(s->out);

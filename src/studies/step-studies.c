@@ -14,15 +14,15 @@
 #define PROGRAM "step-studies"
 
 static struct {
-    uint64_t orbits; /* orbits of the planet in study_energy and
+    uint64_t orbits; /* number of orbits of the planet in study_energy and
                         study_rounding */
 } own = {.orbits = 1000};
 
 enum { CHAIN = 32, MOST = CHAIN };
 
 /* A small system: an oscillator, a pendulum, a planet, or a chain of CHAIN
-   masses and springs between two walls. `friction` points to the
-   coefficient c, 1/s, of the friction -c v. */
+   masses and springs between two walls. `friction` points to the friction
+   coefficient c, 1/s, of the acceleration -c v. */
 struct system {
     size_t size;
     void (*accelerate)(void *friction, const double x[], const double v[],
@@ -42,10 +42,10 @@ static double oscillator_energy(const double x[], const double v[])
     return (v[0] * v[0] + x[0] * x[0]) / 2;
 }
 
-/* Returns the sine, computed with + - * / only. The last bit of the C
-   library's sine may differ between machines, and eventually the tables
-   would differ, too. The angle is reduced to the range from -pi/2 to pi/2,
-   where twelve terms of the series suffice. */
+/* Returns the sine of x, computed with + - * / only. The last bit of the C
+   library's sine may differ between machines, which would eventually change
+   the tables. The angle is reduced to the range from -pi/2 to pi/2, where
+   twelve terms of the series suffice. */
 static double sine(double x)
 {
     const double pi = 3.14159265358979324;
@@ -108,9 +108,10 @@ static double chain_energy(const double x[], const double v[])
     return sum / 2;
 }
 
-/* The orbit starts at the pericentre of an ellipse with eccentricity 1/2
-   and semi-major axis 1, at speed sqrt(3). Its energy is -1/2 and its
-   period is 2 pi. The initial state of the chain is computed in start(). */
+/* The systems and their initial states. The orbit starts at the pericentre
+   of an ellipse with eccentricity 1/2 and semi-major axis 1, at speed
+   sqrt(3). Its energy is -1/2 and its period is 2 pi. The initial state of
+   the chain is computed in start(). */
 static const struct system oscillator = {
     1, oscillator_force, oscillator_energy, {1}, {0}};
 static const struct system pendulum = {
@@ -167,9 +168,9 @@ static double distance(const struct run *c, const double x[],
                   largest_difference(c->v, v, n));
 }
 
-/* Returns the number of steps that need `budget` force evaluations. Methods
-   can thus be compared at equal cost. An implicit step is assumed to take
-   eight iterations. */
+/* Returns the number of steps for `budget` force evaluations, so that
+   methods can be compared at equal cost. Assumes that an implicit step
+   takes eight iterations. */
 static double steps_for(const struct stepping_method *m, double budget)
 {
     const double rounds = m->family == STEPPING_IMPLICIT ? 8 : 1;
@@ -258,8 +259,8 @@ static double area(double p[RIM][2])
     return fabs(sum) / 2;
 }
 
-/* Advances the points p, each of which is the state of a pendulum, by
-   `steps` steps. */
+/* Advances the points p by `steps` steps. Each point is the state of a
+   pendulum. */
 static void step_rim(double p[RIM][2], const char *method, uint64_t steps)
 {
     struct run c;
@@ -303,8 +304,8 @@ static void study_area(struct study *s)
 
 enum { BUDGET = 400 }; /* evaluations of the forces per orbit */
 
-/* Writes the largest energy error so far, at times that increase by at
-   least a tenth. */
+/* Writes the largest energy error so far, at times each of which exceeds
+   the previous one by at least a tenth. */
 static void record_energy(struct study *s, const struct stepping_method *m)
 {
     struct run c;
@@ -344,10 +345,11 @@ static void linear_force(void *what, const double x[], const double v[],
     a[0] = -constants[0] * x[0] - constants[1] * v[0];
 }
 
-/* Computes the matrix of a step of length 1 for an oscillator with
-   frequency w and friction c. Column k is the result of a step from the
-   k-th unit vector. The state consists of x, v and the acceleration saved
-   from the previous step, which only leapfrog with friction uses. */
+/* Sets column k of the matrix to the result of a step from the k-th unit
+   vector. The step has length 1, and the system is an oscillator with
+   frequency w and friction c. Its state consists of x, v and the
+   acceleration saved from the previous step, which only leapfrog with
+   friction uses. */
 static void step_matrix(const struct stepping_method *m, double w, double c,
                         double matrix[3][3])
 {
@@ -368,9 +370,10 @@ static void step_matrix(const struct stepping_method *m, double w, double c,
 }
 
 /* Returns the spectral radius of m, the largest modulus of its eigenvalues.
-   In the long run a step multiplies the length of the state by this factor.
-   It is computed as the 2^30-th root of the norm of the 2^30-th power, by
-   30 squarings. Each square is divided by its largest element. */
+   In the long run each step multiplies the length of the state by this
+   factor. It is computed as the 2^30-th root of the norm of m^(2^30), by
+   squaring m 30 times. Each square is divided by its largest element, which
+   avoids overflow. */
 static double growth(double m[3][3])
 {
     double exponent = 0;
@@ -390,8 +393,8 @@ static double growth(double m[3][3])
     return exp(exponent);
 }
 
-/* Writes the growth per step on a grid in the complex plane of lambda dt,
-   for oscillators with friction c = -2 Re(lambda) and frequency w =
+/* Writes the growth per step on a grid in the complex plane of lambda dt.
+   The oscillators have the friction c = -2 Re(lambda) and the frequency w =
    |lambda|. */
 static void study_stability(struct study *s)
 {
@@ -424,9 +427,9 @@ static double half_trace(const struct stepping_method *m, double step)
 }
 
 /* Writes the values of omega dt, up to 6, at which half the trace leaves
-   the interval from -1 to 1, returns to the interval, and leaves it again.
-   Also writes the largest excess of its modulus over 1 between the first
-   two values. */
+   the interval from -1 to 1, returns to it, and leaves it again. Also
+   writes by how much its modulus exceeds 1 at most between the first two
+   values. */
 static void find_edges(const struct study *s,
                        const struct stepping_method *m)
 {
@@ -470,8 +473,8 @@ static void study_trace(struct study *s)
         find_edges(s, stepping_find(names[k]));
 }
 
-/* Returns the largest difference from the state x, v after `steps` steps to
-   the time `until`, or INFINITY if the run failed. */
+/* Makes `steps` steps to the time `until`. Returns the largest difference
+   from the state x, v, or INFINITY if the run failed. */
 static double error_of(const struct system *y, const char *method,
                        double until, uint64_t steps, double friction,
                        const double x[], const double v[])
@@ -485,8 +488,8 @@ static double error_of(const struct system *y, const char *method,
 }
 
 /* Returns the order of a method, estimated from the errors with n and 2 n
-   steps, and sets *error to the smaller error. Doubles n while the errors
-   are at least a thousand times the rounding error. */
+   steps. Doubles n while the errors are at least a thousand times the
+   rounding error. Sets *error to the last of these errors. */
 static double order_of(const char *method, double friction, double x,
                        double v, double *error)
 {
@@ -533,9 +536,9 @@ static void study_order(struct study *s)
     }
 }
 
-/* Returns the largest c dt at which friction does not make the state grow,
-   for an oscillator of frequency w. If w is 0, friction acts alone.
-   Searches in steps of 0.01 and then by bisection. */
+/* Returns the largest c dt for which the state of an oscillator with
+   frequency w and friction c does not grow. w may be 0. Searches in
+   increments of 0.01 and then by bisection. */
 static double friction_limit(const struct stepping_method *m, double w)
 {
     double matrix[3][3], low = 0, high = 0;
@@ -556,7 +559,7 @@ static double friction_limit(const struct stepping_method *m, double w)
 }
 
 /* Returns the sum of |y|. For the drifts of a splitting method this is the
-   total length of its forward and backward moves in a step. */
+   total length of all forward and backward moves in a step. */
 static double sum_of_moduli(const double y[], size_t n)
 {
     double sum = 0;
@@ -575,8 +578,8 @@ static void study_damping(struct study *s)
                     friction_limit(m, 0));
 }
 
-/* Writes the factor by which a step changes a velocity under friction
-   alone. Removes the position, whose eigenvalue is 1, from the matrix. */
+/* Writes the factor by which a step changes a velocity if only friction
+   acts. The position, whose eigenvalue is 1, is removed from the matrix. */
 static void study_friction(struct study *s)
 {
     table_column(s->out, "c dt", "", "friction times step");
@@ -597,9 +600,9 @@ static void study_friction(struct study *s)
     }
 }
 
-/* Records the amplitude of an oscillator with frequency w after each of 60
-   steps of length 1. If c is not 0, w must be 0, and the modulus of the
-   velocity is recorded instead. */
+/* Sets size[] to the amplitude of an oscillator with frequency w before and
+   after each of 60 steps of length 1. If there is friction c, w must be 0,
+   and size[] contains the modulus of the velocity instead. */
 static void record_size(const char *method, double w, double c,
                         double size[61])
 {
@@ -640,8 +643,8 @@ static void study_fails(struct study *s)
 }
 
 /* The number of slightly different orbits whose errors are averaged. The
-   rounding errors of a single orbit are one random walk, which may be small
-   by chance. */
+   energy error of a single orbit is a random walk, which may be small by
+   chance. */
 enum { STARTS = 16 };
 
 /* Continues all orbits up to `steps` steps. Returns the root mean square of
@@ -702,8 +705,9 @@ struct task {
     double until, x[MOST], v[MOST];
 };
 
-/* Runs a task in `steps` steps. Only study_cost uses the processor time:
-   tables that every build recreates contain no times. */
+/* Runs a task in `steps` steps. Only study_cost uses the processor time,
+   because tables that are recreated by every build must not contain
+   times. */
 static struct outcome work_of(const struct task *k, const char *method,
                               uint64_t steps)
 {
@@ -747,8 +751,9 @@ static void set_orbit_task(struct task *k)
     start(&orbit, k->x, k->v);
 }
 
-/* Writes cost and error of an adaptive method for tolerances from 0.01 to
-   1e-15, each a quarter of the previous. Each run is a single call. */
+/* Writes the cost and error of an adaptive method for tolerances from 0.01
+   to 1e-15. Each tolerance is a quarter of the previous one. Each run is a
+   single call of stepping_run. */
 static void record_adaptive(struct study *s, const struct task *k,
                             const char *method)
 {
@@ -766,9 +771,10 @@ static void record_adaptive(struct study *s, const struct task *k,
     table_print(s->out, "\n\n");
 }
 
-/* Writes cost and error of all methods. The number of evaluations grows by
-   factors of sqrt(2). Adaptive methods and rk8pd get smaller and smaller
-   tolerances instead. Runs with an error above 10 are left out. */
+/* Writes the cost and error of all methods. From one row to the next, the
+   number of evaluations grows by a factor of sqrt(2). For adaptive methods
+   and rk8pd the tolerance is divided by 4 instead. Runs with an error above
+   10 are left out. */
 static void record_work(struct study *s, const struct task *k)
 {
     for (const struct stepping_method *m = stepping_next(NULL); m;
@@ -814,9 +820,9 @@ static void study_work(struct study *s)
     record_work(s, &k);
 }
 
-/* Returns the cost and error of method m with `effort` evaluations, or of
-   GSL's rk8pd with tolerance 1 / effort if m is NULL. The time is the mean
-   over repeated runs, which take 10 ms in total. */
+/* Returns the cost and error of method m with `effort` evaluations. If m is
+   NULL, runs GSL's rk8pd with tolerance 1 / effort instead. The time is the
+   mean over repeated runs, which together take 10 ms. */
 static struct outcome time_run(const struct task *k,
                                const struct stepping_method *m,
                                double effort)
@@ -848,8 +854,8 @@ static void record_cost(struct study *s, const struct task *k,
                   bench_median(seconds, BENCH_ROUNDS), o.error);
 }
 
-/* Times ten orbits. Each row doubles the number of evaluations, or divides
-   the tolerance of rk8pd by 16. */
+/* Times ten orbits. From one row to the next, the number of evaluations is
+   doubled, or the tolerance of rk8pd is divided by 16. */
 static void study_cost(struct study *s)
 {
     struct task k;
@@ -873,9 +879,9 @@ static void study_cost(struct study *s)
     }
 }
 
-/* The Pythagorean three-body problem: masses of 3, 4 and 5 start at rest at
-   the corners of a triangle with sides of lengths 3, 4 and 5. Each mass is
-   opposite the side of the same number. The energy is -12 49/60. */
+/* The Pythagorean three-body problem. Masses of 3, 4 and 5 start at rest at
+   the corners of a triangle with sides of lengths 3, 4 and 5, each opposite
+   the side whose length equals the mass. The energy is -12 49/60. */
 enum { BODIES = 3 };
 
 static const double masses[BODIES] = {3, 4, 5};
@@ -912,8 +918,8 @@ static double three_energy(const double x[], const double v[])
 static const struct system three = {
     6, three_force, three_energy, {1, -2, 1, 3, -1, -1}, {0}};
 
-/* Computes the accelerations of two oscillators, one with a soft spring and
-   one with a stiff spring. The stiff one starts almost at rest. */
+/* Computes the accelerations of two independent oscillators, one with a
+   soft and one with a stiff spring. The stiff one starts almost at rest. */
 static void stiff_force(void *friction, const double x[], const double v[],
                         double a[])
 {
@@ -980,7 +986,7 @@ static double relative_to_centre(const struct run *c, int i, int j,
 
 /* Writes the closest approach of two bodies. The run advances in ticks of
    50 ns and writes every fourth state. The distance and the time of the
-   approach come from a parabola through the squared distances near their
+   approach come from a parabola through three squared distances near their
    minimum. */
 static void record_approach(struct study *s)
 {
@@ -1007,9 +1013,9 @@ static void record_approach(struct study *s)
     stepping_free(&c.s);
 }
 
-/* Writes all steps of a method up to t = 20 and the results of the run. To
-   take exactly one step, the method is asked for a time just after the end
-   of the previous step. */
+/* Writes all steps of a method up to t = 20 and the results of the run.
+   Each call asks the method for a time just after the end of the previous
+   step, so that it takes exactly one step. */
 static void record_lengths(struct study *s, const char *method,
                            double tolerance)
 {
@@ -1032,8 +1038,8 @@ static void record_lengths(struct study *s, const char *method,
     stepping_free(&c.s);
 }
 
-/* For comparison, measures the energy error of steps of equal length with
-   about as many evaluations. */
+/* For comparison, measures the energy error of equal steps, with about as
+   many evaluations. */
 static void record_fixed(struct study *s)
 {
     struct run c;
@@ -1056,8 +1062,8 @@ static void record_drift(struct study *s)
     stepping_free(&c.s);
 }
 
-/* Counts the steps of an adaptive method for an easy system, a stiff system
-   and a system with a discontinuous force. */
+/* Counts the steps of an adaptive method for a soft oscillator, a stiff
+   system and a system with a discontinuous force. */
 static void record_trouble(struct study *s)
 {
     static const struct {

@@ -30,11 +30,11 @@ static struct {
            .tolerance = NAN,
            .summary = "/dev/null"};
 
-/* ROWS is the default number of rows. Sixteen rows show where a run went
-   wrong and can be read at a glance. Errors are also judged at sixteen
-   times or more. Two runs that are compared only once may agree although
-   one of them is late by a whole period, and the cheapest run that agrees
-   would often be such a run. */
+/* ROWS is the default number of rows: sixteen rows show where a run went
+   wrong and can be read at a glance. Errors are judged at sixteen or more
+   times, too. Two runs that are compared at a single time may agree
+   although one of them is late by a whole period, and the cheapest run that
+   agrees would often be such a run. */
 enum { ROWS = 16, ROWS_MOST = 1000000 };
 
 /* Prefix of an average in --observe. */
@@ -63,14 +63,13 @@ struct run {
 };
 
 /* Sets the times of the rows. They divide the time from the scene's clock
-   to --until into equal intervals, so the last row is at --until. A shorter
-   last interval would need steps of another length. An interval longer than
-   a sixteenth of the run is divided further, because errors are also judged
-   between the written rows.
+   to --until into equal intervals, because a shorter last interval would
+   need steps of another length. If an interval is longer than a sixteenth
+   of the run, it is divided further, and errors are also judged between the
+   written rows.
 
-   The 1e-9 allows for rounding. 0.001 divides 1, although 0.001 and the
-   quotient are not exact in binary. 0.3 does not divide 1 and is
-   refused. */
+   The 1e-9 allows for rounding: 1 / 0.001 is accepted as an integer,
+   although 0.001 is not exact in binary, and 1 / 0.3 is refused. */
 static void set_rows(struct run *r)
 {
     const double length = given.until - r->scene.time;
@@ -91,9 +90,9 @@ static void set_rows(struct run *r)
     r->request.every = every / (double)r->judged;
 }
 
-/* Reads the averages of --observe, mean:NAME,mean:NAME... Averages and
-   values cannot be requested together, because only averages can be
-   predicted beyond the horizon. */
+/* Reads the averages of --observe: mean:NAME,mean:NAME... Refuses a mixture
+   of averages and values, because only averages can be predicted beyond the
+   horizon. */
 static void read_means(struct run *r)
 {
     char message[AVERAGES_TEXT], name[64];
@@ -119,8 +118,8 @@ static bool asks_for_means(void)
     return given.observe && strstr(given.observe, mean_prefix) != NULL;
 }
 
-/* Reads the scene. Leapfrog can run any valid scene, so a scene that
-   motion_view refuses is wrong. */
+/* Reads the scene and refuses it if it is invalid. motion_view checks this:
+   it refuses no valid scene, because leapfrog can run all of them. */
 static void read_scene(struct run *r)
 {
     struct motion m;
@@ -143,9 +142,9 @@ static void show_progress(void *with, double spent)
     progress_update(with, ms, ms);
 }
 
-/* Checks the command against the scene. Exits with status 2 before any work
-   is done. Most mistakes can be found only with the scene, such as a
-   missing body, a time in the past, or a model that cannot run the scene. A
+/* Checks the command against the scene. Refuses it with status 2 before any
+   work is done: most mistakes, such as a missing body, a time in the past,
+   or a model that cannot run the scene, can be found only with the scene. A
    --model with a number of steps is used unchanged. If --model is only the
    name of a method, the number of steps is chosen. */
 static void begin_run(struct run *r)
@@ -194,7 +193,7 @@ static void explain(const struct run *r, const char *format, ...)
 }
 
 /* Explains the interactions, the first part of the explanation. A scene
-   without interactions is valid. Its bodies move uniformly. */
+   without interactions is valid: its bodies move uniformly. */
 static void explain_interactions(const struct run *r)
 {
     const struct models_acts *a = &r->choice.acts;
@@ -212,9 +211,9 @@ static void explain_interactions(const struct run *r)
 }
 
 /* Explains the request and the reference run, the second part of the
-   explanation. Candidates are compared with the reference. The doubt is the
-   difference between the reference and a coarser one. There is no line
-   about the reference if the model is exact and needs none. */
+   explanation. Candidates are compared with the reference, whose doubt is
+   its difference from a coarser reference. An exact model needs no
+   reference and has no such line. */
 static void explain_request(const struct run *r)
 {
     const struct choose_choice *c = &r->choice;
@@ -231,9 +230,9 @@ static void explain_request(const struct run *r)
         explain(r, "horizon: t = %.10g\n", c->horizon);
 }
 
-/* Explains all candidates, the third part of the explanation, with a star
-   at the chosen one. A candidate without a cost was not run to its end, and
-   a reason is printed instead. A candidate with a cost may still have no
+/* Explains all candidates, the third part of the explanation. A star marks
+   the chosen one. A candidate that was not run to its end has no cost, and
+   the reason is printed instead. A candidate that was may still have no
    error. */
 static void explain_candidates(const struct run *r)
 {
@@ -272,10 +271,10 @@ static void explain_choice(const struct run *r)
     }
 }
 
-/* Writes the table head. Its command must reproduce the same bytes, so the
+/* Writes the table head. Its command must reproduce the same table, so the
    chosen plan is added unless --model was given. The default columns are
-   the state of every body, as in tables of `step`, so the same plotting
-   programs can read them. */
+   the state of every body, as in the tables of `step`, so the same plotting
+   programs can read both. */
 static void write_head(struct run *r)
 {
     char plan[MODELS_TEXT], command[8192];
@@ -335,10 +334,10 @@ static void write_chart_head(const struct run *r, const char *refusal)
                   {"plan", "", "its model, and what it leaves out"});
 }
 
-/* Writes the chart of error against cost. Consecutive runs of a model with
-   the same simplifications form one block. Two blank lines between blocks
+/* Writes the chart of error against cost. Successive runs of a model with
+   the same simplifications form a block. Two blank lines between blocks
    make gnuplot start a new curve. The last block contains only the chosen
-   run. After a refusal the chart shows how close each model came. */
+   run. After a refusal the chart still shows how close each model came. */
 static void write_chart(const struct run *r, const char *refusal)
 {
     const struct choose_choice *c = &r->choice;
@@ -530,8 +529,9 @@ static void warn_of_scale(const struct run *r)
 
 /* Prints a note if one distant body makes the scale so large that the
    tolerance does not resolve the distance between two other bodies.
-   Suggests a tolerance that does. The note does not need --explain: the
-   result meets the tolerance as written, but probably not as meant. */
+   Suggests a tolerance that does. The note is printed even without
+   --explain: the result meets the tolerance as written, but probably not as
+   meant. */
 static void warn_of_hidden_pair(const struct run *r)
 {
     const struct choose_hidden *h = &r->choice.hidden;
@@ -581,7 +581,8 @@ static void explain_mean(const struct run *r, const struct mean *m)
 
 /* Finds one average. Returns NULL, or the reason for a refusal. Each
    average has its own request, because two averages of a scene may be found
-   in different ways: the energy from a law and the pressure from events. */
+   in different ways, such as the energy from a law and the pressure from
+   events. */
 static const char *find_mean(struct run *r, struct mean *m)
 {
     const struct averages_request q = {.scene = &r->scene,
@@ -648,9 +649,9 @@ static void summarise_means(const struct run *r, const char *refusal)
                   {"cost", cost}, {"deciding", 0});
 }
 
-/* Finds all averages and writes them, with one point each in the chart.
-   Writes no row if one of them is refused. Sets *refusal to the reason.
-   Returns false if a file could not be written. */
+/* Finds all averages and writes them, and a point for each of them in the
+   chart. If one of them is refused, writes no row and sets *refusal to the
+   reason. Returns false if a file could not be written. */
 static bool answer_means(struct run *r, const char **refusal)
 {
     bool good = true;
@@ -697,7 +698,7 @@ static bool answer_run(struct run *r, const char **refusal)
 }
 
 /* Runs bonk. Opens all outputs before the work begins, so a missing folder
-   is noticed at once and not after ten minutes. */
+   is noticed immediately and not after ten minutes. */
 int main(int argc, char *argv[])
 {
     static struct run r;

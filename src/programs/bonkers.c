@@ -37,9 +37,9 @@ static struct {
            .collisions = UINT64_MAX,
            .summary = "/dev/null"};
 
-/* An ensemble needs a preset that draws random numbers. Its members are
-   averaged at common times, so --collisions cannot end them. --restitution
-   is refused, because inelastic collapse would end a member early. */
+/* --members needs a preset that draws random numbers. It excludes
+   --collisions, because the members are averaged at common times, and
+   --restitution, because inelastic collapse would end a member early. */
 static const struct options_entry entries[] = {
     {"preset", 'p', "NAME",
      "four, mixed, cradle, thermal, piston, adiabatic,\n"
@@ -185,8 +185,8 @@ static void read_settings(int argc, char *argv[])
 }
 
 /* Creates the start from the preset and replaces its numbers by those of
-   the lists. Without a preset all numbers come from the lists. The box then
-   extends from 0 to 1 m beyond the last body, unless --walls is given.
+   the lists. Without a preset all numbers come from the lists, and the box
+   begins at 0 and ends 1 m beyond the last body, unless --walls is given.
    Returns false if there is no memory. */
 static bool make_start(struct start *s, uint64_t seed)
 {
@@ -226,9 +226,10 @@ static void name_body(char text[], size_t size, size_t i, size_t gaps)
 
 /* Begins a run and sets *until to the default end time of this start. Ends
    the program if the start is impossible, before anything is written.
-   Refuses speeds whose squares are subnormal, because subnormal numbers
-   have fewer digits. There are two exceptions: falling bodies become
-   faster, and bodies at rest never collide. */
+   Refuses speeds so low that their squares are subnormal, because subnormal
+   numbers have fewer digits. Such speeds are accepted only for falling
+   bodies, which become faster. Bodies at rest are accepted, too, because
+   they never collide. */
 static void begin_or_exit(struct bonkers *b, uint64_t seed, double *until)
 {
     struct start s;
@@ -264,7 +265,8 @@ static void begin_or_exit(struct bonkers *b, uint64_t seed, double *until)
 struct run {
     struct bonkers b;
     double until, every;
-    uint64_t samples, rows; /* rows after the first: limit, written */
+    uint64_t samples,
+        rows; /* maximum number of rows after the first; number written */
     double start_energy, seconds;
     enum bonkers_stop stop;
     bool over, timed;
@@ -290,8 +292,8 @@ static void begin_run(struct run *r, uint64_t seed)
 
 enum { PARTS = 1000000 };
 
-/* Shows the fraction of the simulated time that is done. If only a number
-   of collisions limits the run, the fraction remains zero. */
+/* Shows the fraction of the simulated time that is done. The fraction
+   remains zero if the run is limited only by a number of collisions. */
 static void show_progress(const struct run *r)
 {
     const double end = fmin(r->until, r->samples < UINT64_MAX
@@ -302,19 +304,21 @@ static void show_progress(const struct run *r)
                     r->b.collisions);
 }
 
-/* Runs until `until` or `collisions`, whichever comes first, in portions
-   that take less than a second even on a slow computer. naive and scan
-   examine every gap at each collision. The other engines do not, and the
-   term 4 * gaps makes their portions longer than many slabs.
+/* Runs until `until` or `collisions`, whichever comes first. Divides the
+   run into portions that take less than a second even on a slow computer.
+   The portions of naive and scan are smaller, because these engines examine
+   every gap at each collision. The term 4 * gaps makes the portions of the
+   other engines longer than many slabs.
 
-   To stop slabs at a collision, the last slab is undone and run again by
-   the heap. Stopping at a time costs nothing. So, once the collision rate
-   is known, each portion of slabs ends at an estimated time and is limited
-   to twice the usual number of collisions. After a portion without a
-   collision the next portion has no time limit, because only then can the
-   engine find out that there is never another collision. The comparison
-   with `most` is written as a difference, which cannot overflow when there
-   is no limit. */
+   Slabs can stop at a time at no cost. To stop at a collision, they must
+   undo the last slab and let the heap run it again. Therefore, once the
+   collision rate is known, a portion of slabs ends at an estimated time and
+   is limited to twice the usual number of collisions. After a portion
+   without a collision the next portion has no time limit. Only then can the
+   engine find out that there will never be another collision.
+
+   The comparison with `most` is written as a difference, which cannot
+   overflow when there is no limit. */
 static enum bonkers_stop run_portions(struct run *r, double until,
                                       uint64_t collisions)
 {
@@ -353,8 +357,8 @@ static enum bonkers_stop run_portions(struct run *r, double until,
 /* Runs to the next row. Sets r->over if it is the last row. The time of a
    row is a product, not a sum (2.4, eq:clock). If rounding separates the
    last row from the end of the run, the row is moved to the end. A run that
-   is limited only by a number of collisions also ends when no more
-   collisions will come. Without this rule it would write rows forever. */
+   is limited only by a number of collisions also ends when there will be no
+   more collisions, because otherwise it would write rows forever. */
 static void run_to_row(struct run *r, uint64_t collisions)
 {
     const double clock =
@@ -397,9 +401,9 @@ static void name_columns(struct table *out, const struct bonkers *b,
 
 /* Writes the masses into the table head, because energies cannot be
    computed from velocities alone. Omits them if there are more than LISTED.
-   Each mass is written with as few digits as reproduce its inverse exactly:
-   1/(1/m) is off by a bit or two, and --masses 49 would otherwise be
-   written as 49.000000000000007. */
+   A body stores 1/m, and 1/(1/m) is off by a bit or two. Therefore each
+   mass is written with as few digits as reproduce 1/m exactly; otherwise
+   --masses 49 would be written as 49.000000000000007. */
 static void name_masses(struct table *out, const struct bonkers *b)
 {
     if (b->gaps > LISTED)
@@ -454,16 +458,15 @@ static bool write_run(struct table *out, struct run *r)
 }
 
 /* Number of members in a batch. Members of an ensemble differ only in their
-   seeds, and each processor core runs its own member. The mean must not
-   depend on the number of cores, but floating-point sums depend on the
-   order of their terms. So the cores fill a batch of fixed size, and one
-   core sums it in the order of the members. */
+   seeds, and each processor core runs its own member. Floating-point sums
+   depend on the order of their terms, but the mean must not depend on the
+   number of cores. Therefore the cores fill a batch of fixed size, and then
+   one core sums it in the order of the members. */
 enum { BATCH = 16 };
 
-/* Statistics over the members. `mean` has four numbers for each row and
-   body: the sums of x and of v, the mean of the kinetic energy T, and the
-   sum of the squared deviations of T. `batch` has three numbers: x, v and
-   T. */
+/* Statistics over the members. For each row and body, `mean` has four
+   numbers: the sums of x and of v, the mean of the kinetic energy T, and
+   the sum of the squared deviations of T. `batch` has three: x, v and T. */
 struct ensemble {
     size_t rows, bodies;
     uint64_t members;
@@ -472,7 +475,7 @@ struct ensemble {
     struct run run[BATCH]; /* members of the current batch */
 };
 
-/* Runs one member and stores its rows in its own slot of the batch, so no
+/* Runs one member and stores its rows in its own part of the batch, so no
    core waits for another. */
 static void run_member(struct ensemble *e, int place, uint64_t seed)
 {
@@ -669,9 +672,9 @@ static bool average_ensemble(struct table *out, const struct run *first,
     return done;
 }
 
-/* Reports a run that could not reach its end. Returns true after a report.
-   The program then exits with a failure, but the table is correct up to
-   that time and is kept. */
+/* If a run could not continue to its end, reports this and returns true.
+   The program then exits with a failure. The table is kept, because it is
+   correct as far as it goes. */
 static bool say_collapse(const struct run *r)
 {
     const bool cold = r->stop == BONKERS_COLLAPSE && bonkers_is_cold(&r->b);
@@ -689,8 +692,8 @@ static bool say_collapse(const struct run *r)
 }
 
 /* Ends the program if the run would have more than 9e15 rows, which a
-   double cannot count. Rows are counted up to the end of the run or, if
-   that is not set, up to the first collision. */
+   double cannot count. If the run has no end time, counts the rows up to
+   the first collision. */
 static void check_rows(const struct run *r)
 {
     double end = r->until;

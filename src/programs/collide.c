@@ -14,7 +14,9 @@
 
 #define PROGRAM "collide"
 
-enum { SHOWN = 10 }; /* collisions are printed up to this many tests */
+enum {
+    SHOWN = 10
+}; /* maximum number of tests whose collisions are printed */
 
 static struct {
     bool velocities_given, masses_given;
@@ -74,11 +76,13 @@ struct pair {
     double before[2][COLLIDE_DIMENSIONS], after[2][COLLIDE_DIMENSIONS];
 };
 
-/* The conserved quantities, computed with 113 bits instead of 53. So any
-   change in the momentum and energy of the rounded velocities comes from
-   collide alone. A wall has infinite momentum and energy and is left out.
-   Energies are then measured in the wall's frame, where the ball's energy
-   is conserved. The wall takes the momentum that the ball loses. */
+/* The conserved quantities, computed with 113 bits instead of 53, so any
+   change in them comes from the rounding of velocities in collide.
+
+   A wall has infinite momentum and energy and is left out. If there is a
+   wall, energies are measured in its frame, where the ball's energy is
+   conserved. The ball's momentum is not conserved, because the wall takes
+   it. */
 struct totals {
     quad energy;       /* in the wall's frame if there is a wall */
     quad energy_scale; /* scale of the rounding error of energy */
@@ -100,9 +104,10 @@ static double length(size_t dimensions, const double v[])
     return sqrt(square);
 }
 
-/* Returns whether im is a valid inverse mass, or 0 for a wall. The limits
-   of masses and velocities admit every real body. Beyond them a square may
-   overflow or underflow, and the result would be infinity or NaN. */
+/* Returns whether im is 0, which means a wall, or a valid inverse mass. The
+   limits of masses and velocities admit every real body. Beyond them a
+   square may overflow or underflow, and the result would be infinity or
+   NaN. */
 static bool is_inverse_mass(double im)
 {
     return im == 0 || (im >= 1e-290 && im <= 1e290);
@@ -181,9 +186,9 @@ static void read_settings(int argc, char *argv[])
 }
 
 /* Returns the totals of a pair with velocities v. With a wall, energy_scale
-   also includes the wall's speed times the ball's momentum. The reason is
-   that the rounding error of a velocity depends on its size in the ground's
-   frame, not in the wall's. */
+   also includes the wall's speed times the ball's momentum, because the
+   rounding error of a velocity depends on its size in the frame of the
+   ground, not of the wall. */
 static struct totals totals_of(struct pair *p,
                                double v[2][COLLIDE_DIMENSIONS])
 {
@@ -224,8 +229,8 @@ static quad expected_loss(struct pair *p, double restitution)
 }
 
 /* Returns the change of momentum from a to b, divided by the sum of m |v|,
-   in machine epsilons. The total momentum may be zero, so it cannot be the
-   scale. */
+   in machine epsilons. It is not divided by the total momentum, which may
+   be zero. */
 static double momentum_error(struct pair *p, const struct totals *a,
                              const struct totals *b)
 {
@@ -314,7 +319,8 @@ static void print_collision(struct table *out, struct pair *p,
 /* Draws a pair of bodies. Without --mass-ratio each inverse mass is uniform
    from 0.1 to 1.1. With --mass-ratio R the logarithm of the mass ratio is
    uniform from log(1/R) to log R. The normal has a random direction and a
-   length from 1/2 to 3/2, so a forgotten division by n.n is noticed. */
+   length from 1/2 to 3/2, so a collision formula that forgets to divide by
+   n.n is noticed. */
 static void draw_pair(struct random *r, struct pair *p)
 {
     p->dimensions = given.dimensions;
@@ -382,15 +388,16 @@ static bool run_tests(struct table *out, struct table *summary)
     return complete;
 }
 
-/* Collides the pair given on the command line. Prints a note or a warning
-   in two cases. The first is bodies that move apart along the normal: they
-   have a result (with e = 1 the state before their last collision), but
-   probably not the intended one. The second is an error above 16 machine
-   epsilons, which rounding cannot explain: the largest error in a million
-   random collisions is 2.9 on a line and 7.7 in space. The limit is
-   relative and so does not depend on the units. An absolute limit, such as
-   1e-4, would miss errors of small bodies and warn of correct results for
-   large bodies. */
+/* Collides the pair given on the command line. Prints a note if the bodies
+   move apart along the normal. They have a result (with e = 1 the state
+   before their last collision), but probably not the intended one.
+
+   Prints a warning if an error exceeds 16 machine epsilons, because
+   rounding cannot explain it: the largest error in a million random
+   collisions is 2.9 on a line and 7.7 in space. The limit is relative, so
+   it does not depend on the units. An absolute limit, such as 1e-4, would
+   miss errors of small bodies and warn of correct results for large
+   bodies. */
 static void run_by_hand(struct table *out, struct table *summary)
 {
     struct pair p = {.dimensions = given.dimensions};

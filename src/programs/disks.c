@@ -27,7 +27,7 @@ enum {
 /* Settings from the command line. An option that was not given is 0, NULL
    or NaN, unless a default is set below. */
 static struct {
-    size_t disks, dimensions, axes; /* axes: numbers in --box */
+    size_t disks, dimensions, axes; /* axes: how many numbers --box has */
     size_t boundary, engine, measure;
     double radius, packing, box[DISKS_AXES];
     double heavy[2]; /* mass, kg; radius, m */
@@ -125,9 +125,9 @@ static void read_kinds(struct mixture *m, const char *path)
 }
 
 /* Returns the side of a square of area `size` or of a cube of volume
-   `size`. Newton's method, started above the root and continued while it
-   descends, gives the same rounded result on all machines. cbrt() does
-   not. */
+   `size`. Uses Newton's method instead of cbrt(), because its rounded
+   result is the same on all machines. It starts above the root and ends
+   when it no longer descends. */
 static double side_of(double size, size_t dimensions)
 {
     if (dimensions == 2)
@@ -140,9 +140,9 @@ static double side_of(double size, size_t dimensions)
     return x;
 }
 
-/* Sets the box. Any two of packing, radius and box determine the third. In
-   a box of size 1, disks_packing is the total area or volume of the
-   disks. */
+/* Sets the box. Any two of packing, radius and box determine the third. The
+   box is first set to size 1, so that disks_packing is the total area or
+   volume of the disks. */
 static void choose_box(struct disks *d)
 {
     for (size_t k = 0; k < d->dimensions; ++k)
@@ -311,8 +311,8 @@ static void choose_engine(struct run *r)
                        (given.engine == AUTO && r->d.count > FEW));
 }
 
-/* Prepares the engine for the current state. Must be called again after
-   anything but the engine has changed the state. */
+/* Prepares the engine for the current state. Must be called again whenever
+   the state has been changed by anything other than the engine. */
 static void plan(struct run *r)
 {
     cells_free(&r->cells);
@@ -344,7 +344,7 @@ static double shortest(const struct disks *d)
 
 /* Returns the initial length, s, of the pieces of time over which the
    pressure is averaged: about the time between two collisions in the box.
-   Pieces become longer when blocks are joined. */
+   The pieces become longer when blocks are joined. */
 static double first_piece(const struct disks *d)
 {
     double mass = 0;
@@ -356,9 +356,9 @@ static double first_piece(const struct disks *d)
 
 /* Returns the time at which the current piece ends, s. The division into
    pieces does not affect the results. If disks lose energy, no pressure is
-   measured, and the interval between their collisions may double each time.
-   So their pieces become longer as the disks slow down, and infinitely long
-   when the disks are at rest. */
+   measured, and their pieces become longer as the disks slow down, because
+   the interval between collisions may double each time. If the disks are at
+   rest, the piece is infinitely long. */
 static double end_of_piece(const struct run *r)
 {
     const size_t per = r->pressure.per;
@@ -369,9 +369,9 @@ static double end_of_piece(const struct run *r)
 }
 
 /* Runs until `until` or `collisions`, piece by piece. At the end of each
-   piece, appends to the blocks the momentum transferred to the walls along
-   each axis, and the virial. Progress is shown as a fraction of the time
-   or, if there is no time limit, of the collisions. */
+   piece, appends two results to the blocks: the momentum transferred to the
+   walls along each axis, and the virial. Progress is shown as a fraction of
+   the time or, if there is no time limit, of the collisions. */
 static void run_to(struct run *r, double until, uint64_t collisions)
 {
     const double start = bench_seconds();
@@ -417,9 +417,9 @@ static void watch_drift(struct run *r, const char *of, double drift)
 }
 
 /* Returns whether collisions can be expected. A disk that crosses the box
-   hits each other disk with a probability of about (4r/L)^(D-1). A run to a
-   collision is refused if a collision would take more than 1e9
-   crossings. */
+   hits each other disk with a probability of about (4r/L)^(D-1). Collisions
+   are not expected if the average disk would cross the box more than 1e9
+   times before a collision. */
 static bool can_meet(const struct disks *d)
 {
     const double across = 4 * widest(d) / shortest(d);
@@ -427,9 +427,10 @@ static bool can_meet(const struct disks *d)
     return fraction * (double)(d->count - 1) > 1e-9 && disks_heat(d) > 0;
 }
 
-/* Runs until each disk has had `each` collisions on average, continues
-   until shortly after the last collision, and sets all counts to zero. Runs
-   in slices, so a signal is noticed even if collisions are rare. */
+/* Runs until each disk has had `each` collisions on average and then a
+   little longer, so that the run does not start at a collision. Sets all
+   counts to zero. Runs in slices, so a signal is noticed even if collisions
+   are rare. */
 static void warm_up(struct run *r, double each)
 {
     const double count = (double)r->d.count;
@@ -462,16 +463,17 @@ static void begin_run(struct run *r)
 }
 
 /* Returns P V/(N kT) from the impulse on the two walls across axis k during
-   `time`. The area or length of each wall is V/L. */
+   `time`. Each wall has the area (or, in the plane, the length) V/L. */
 static double Z_wall(const struct run *r, size_t k, double impulse,
                      double time)
 {
     return impulse * r->d.box[k] / (2 * time * (double)r->d.count * r->kT);
 }
 
-/* Returns P V/(N kT) in a periodic box, from the virial (7.5, eq:virial).
-   With walls, the result is the mean of Z_wall (1 - 2R/L), because the
-   centres stay a radius away from the walls (7.6, eq:gas-walls). */
+/* Returns P V/(N kT) from the virial (7.5, eq:virial). This is the result
+   in a periodic box. With walls, it is the mean of Z_wall (1 - 2R/L),
+   because the centres stay a radius away from the walls (7.6,
+   eq:gas-walls). */
 static double Z_virial(const struct run *r, double virial, double time)
 {
     return 1 +
@@ -584,8 +586,8 @@ static double scaled_speed(const struct run *r, size_t i, double parts[])
 }
 
 /* Begins the table of speeds. A sample consists of the density of the
-   speed, the density of a component's absolute value, and the means of u
-   and u^4. */
+   scaled speed u, the density of a component's absolute value, and the
+   means of u and u^4. */
 static void begin_speeds(struct run *r)
 {
     make_sums(&counted, 2 * SPEEDS + 2);
@@ -773,9 +775,9 @@ static struct {
     double (*row)[2 * DISKS_AXES];
 } path;
 
-/* Begins the table of Brownian motion. The heavy disk is the first disk.
-   sample_heavy stores its velocity and its position, which is not folded
-   back into the box. */
+/* Begins the table of Brownian motion. The heavy disk is disk 0.
+   sample_heavy stores its velocity, and its position without folding it
+   back into the periodic box. */
 static void begin_brownian(struct run *r)
 {
     TABLE_COLUMNS(r->out, {"lag", "s", "a time"},
@@ -830,9 +832,9 @@ static struct blocks_average over_path(of_rows *f, size_t lag, size_t D,
     return blocks_average_of(n, x);
 }
 
-/* Returns -dC/dt of the velocity autocorrelation C at lag 0. Twice the
-   slope to the first lag minus the slope to the second lag eliminates the
-   curvature. */
+/* Returns -dC/dt of the velocity autocorrelation C at lag 0. Computes twice
+   the slope to the first lag minus the slope to the second lag, in which
+   the curvature of C cancels. */
 static struct blocks_average first_slope(const struct run *r, double x[])
 {
     const size_t D = r->d.dimensions, n = path.rows - 2;
@@ -847,10 +849,10 @@ static struct blocks_average first_slope(const struct run *r, double x[])
 }
 
 /* Writes the correlation and the mean square displacement for lags that
-   grow by a seventh. Compares the initial decay with theory, which needs
-   only the measured collision rate. With walls the rate would include wall
-   collisions, which have another reduced mass, so no theoretical value is
-   written. */
+   grow by a seventh. The initial decay can be compared with theory, which
+   needs only the measured collision rate. With walls no theoretical value
+   is written, because the rate would include collisions with walls, which
+   have another reduced mass. */
 static void end_brownian(struct run *r, struct table *summary)
 {
     const size_t D = r->d.dimensions;
@@ -1073,10 +1075,11 @@ static void read_settings(int argc, char *argv[])
                            : 100;
 }
 
-/* Writes the results common to all measurements. The energy has another key
-   if it is meant to change. The pressure is written only for a gas that
-   conserves energy: the compressibility from the walls and from the virial
-   over the whole run, with errors from blocking. */
+/* Writes the results common to all measurements. The key of the energy
+   depends on whether the energy is meant to change. The pressure is written
+   only for a gas that conserves energy. It is given as the compressibility
+   over the whole run, from the walls and from the virial, with errors from
+   blocking. */
 static void summarise(struct run *r, struct table *out)
 {
     const double time = r->d.now - r->begin;
@@ -1119,7 +1122,7 @@ static void summarise(struct run *r, struct table *out)
 }
 
 /* Prints a note if an average changed during the run by more than its error
-   explains, unless the run writes no averages. */
+   explains. Prints nothing if the run writes no averages. */
 static void report_drift(const struct run *r)
 {
     const bool averages =
@@ -1134,9 +1137,10 @@ static void report_drift(const struct run *r)
 
 /* Runs from one sampling time to the next and takes a sample at each.
    Sampling times are multiples of --every counted from time 0, so a
-   continued run has the same sampling times as an uninterrupted run. A
-   histogram must not include the state at the last collision, in which two
-   disks touch. A list of states does end with that state, and a pressure
+   continued run has the same sampling times as an uninterrupted run.
+
+   If the run ends at a collision, a histogram excludes the last state, in
+   which two disks touch. A list of states includes it, and a pressure
    without --every is averaged over the whole run. */
 static void run_and_sample(struct run *r)
 {
@@ -1162,7 +1166,7 @@ static void run_and_sample(struct run *r)
 }
 
 /* Sets the end of the run and the index of its first sampling time. A time
-   that is just below a multiple of --every because of rounding counts as
+   that is just below a multiple of --every, because of rounding, counts as
    that multiple. */
 static void choose_end(struct run *r)
 {
@@ -1183,8 +1187,8 @@ static void choose_end(struct run *r)
 
 /* Returns whether all disks are inside the box and no two overlap.
    Otherwise sets *a and *b to two overlapping disks, or *a to a disk
-   outside and *b to the number of disks. Many disks are compared in cells,
-   few disks in pairs. */
+   outside the box and *b to the number of disks. Cells speed up the
+   comparison if there are many disks. */
 static bool is_valid_start(struct run *r, size_t *a, size_t *b)
 {
     if (!r->fast)
@@ -1197,9 +1201,8 @@ static bool is_valid_start(struct run *r, size_t *a, size_t *b)
     return cells_fit(&r->cells, a, b);
 }
 
-/* Refuses a run with more rows than a double can count. Rows are counted up
-   to the end of the run or, if the run ends at a collision, over about the
-   time between two collisions. */
+/* Refuses a run with more rows than a double can count. If the run has no
+   end time, counts the rows over about the time between two collisions. */
 static void check_rows(const struct run *r)
 {
     const struct disks *d = &r->d;
@@ -1222,7 +1225,8 @@ static double shortest_periodic(const struct disks *d)
 
 /* Refuses a start that is invalid or does not allow the requested
    measurement. A periodic box must be so wide that only one image of a disk
-   is nearest. Only disks from a file can overlap or be outside the box. */
+   can be the nearest. Only disks from a file can overlap or be outside the
+   box, so only these are checked for it. */
 static void check_start(struct run *r)
 {
     const struct disks *d = &r->d;
@@ -1274,8 +1278,8 @@ static void check_start(struct run *r)
                    a + 1, b + 1);
 }
 
-/* Switches gravity on. Before that, the positions are updated for the
-   uniform motion since the last collisions. */
+/* Switches gravity on. First updates the positions, because the disks have
+   moved uniformly since their last collisions. */
 static void begin_to_fall(struct disks *d, double gravity)
 {
     for (size_t i = 0; i < d->count && gravity > 0; ++i) {
@@ -1304,8 +1308,9 @@ static void report_collapse(const struct disks *d)
 }
 
 /* Runs disks. Creates the start before opening files, so a refused start
-   leaves no file. Writes the head before the warm-up, so a run interrupted
-   during the warm-up leaves a table. An interrupted run has no summary. */
+   leaves no file. Writes the head before the warm-up, so a run that is
+   interrupted during the warm-up leaves a table. An interrupted run has no
+   summary. */
 int main(int argc, char *argv[])
 {
     static struct run r;

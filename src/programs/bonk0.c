@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 3384495824 of the lines below */
+/* checksum 1516281495 of the lines below */
 /* Finds the cheaper of two models within a tolerance. */
 #include "forces/jacobi.h"
 
@@ -49,7 +49,7 @@ static struct run leapfrog(int steps)
         accelerate(b.x, a);
         for (int c = 0; c < SIZE; ++c)
             b.v[c] += h / 2 * a[c];
-        r.row[s / steps] = b; /* its last step remains */
+        r.row[s / steps] = b; /* the last step of a row is kept */
     }
     r.cost += (ROWS * steps + 1) * (18 + 3 * N + 6.5 * N * (N - 1) / 2);
     return r;

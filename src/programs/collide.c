@@ -14,9 +14,7 @@
 
 #define PROGRAM "collide"
 
-enum {
-    SHOWN = 10
-}; /* maximum number of tests whose collisions are printed */
+enum { SHOWN = 10 }; /* most tests that print their collisions */
 
 static struct {
     bool velocities_given, masses_given;

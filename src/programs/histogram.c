@@ -115,9 +115,10 @@ static const char *next_field(const char *text)
     return text;
 }
 
-/* Returns the number of a column. `name` is, up to a comma, either a
-   number, as in gnuplot, or a name from the head. Names may begin with a
-   digit, so only an entry that consists of digits is a number. */
+/* Returns the number of the column that `name` denotes up to its first
+   comma: either a number, as in gnuplot, or a name from the head. A name
+   may begin with a digit, so only an entry that consists of digits is a
+   number. */
 static size_t find_column(struct columns *c, const struct head *h,
                           const char *name, size_t fields)
 {
@@ -156,10 +157,9 @@ static void add_column(struct columns *c, const struct head *h,
     ++c->count;
 }
 
-/* Chooses the columns when the first row is read, because that row
-   determines their number. The column of --against comes last. A single law
-   or range applies to all columns. Several laws or ranges apply to one
-   column each. */
+/* Chooses the columns. Called at the first row, which determines their
+   number. The column of --against comes last. A single law or range applies
+   to all columns, and several apply to one column each. */
 static void choose_columns(struct columns *c, const struct head *h,
                            const char *row)
 {
@@ -183,8 +183,8 @@ static void choose_columns(struct columns *c, const struct head *h,
         bad_input(c, "%zu ranges for %zu columns", given.ranges, wanted);
 }
 
-/* Makes space for another row. Doubles the memory each time, so that on
-   average a number is copied less than twice. */
+/* Makes space for another row. Doubles the memory each time, so that each
+   number is copied less than twice on average. */
 static void grow_columns(struct columns *c)
 {
     if (c->rows < c->capacity)
@@ -428,7 +428,8 @@ static struct bins choose_bins(size_t i,
     struct bins b = {given.ranges > 0 ? range[0] : d->least,
                      given.ranges > 0 ? range[1] : d->greatest, given.bins};
     if (b.low == b.high) { /* all samples are equal */
-        /* Keep a thousand bin edges distinct as doubles. */
+        /* The half width is large enough that a thousand bin edges are
+           distinct as doubles. */
         const double half = fmax(0.5, fabs(b.low) * 0x1p-40);
         b.low -= half;
         b.high += half;
@@ -450,7 +451,8 @@ static void refuse_column(const struct columns *c,
                   "%s reaches from %g to %g, expected a range that is less "
                   "than %g",
                   column->name, d->least, d->greatest, DBL_MAX);
-    /* Leave a factor of 1e15 for the error of the variance. */
+    /* The error of the variance may be 1e15 times smaller or larger than
+       the variance. It must neither underflow nor overflow. */
     if ((given.kind == BLOCKS || given.kind == COST) && d->sd > 0 &&
         !(square > DBL_MIN * 1e15 && square < DBL_MAX / 1e15))
         bad_input(c,
@@ -464,10 +466,10 @@ static void refuse_column(const struct columns *c,
                   column->name);
 }
 
-/* Computes the description of a column. Ends the program if the column does
-   not allow the requested table, if a law would take from it a standard
-   deviation of 0 or infinity, or if its bins would be so narrow that the
-   density exceeds the largest double. */
+/* Computes the description of a column. Ends the program in three cases:
+   the column does not allow the requested table; a law would take a
+   standard deviation of 0 or infinity from it; or its bins would be so
+   narrow that the density exceeds the largest double. */
 static void describe(struct columns *c, size_t i)
 {
     struct column *column = &c->column[i];
@@ -494,8 +496,8 @@ static void describe(struct columns *c, size_t i)
     }
 }
 
-/* Writes a row with nine digits. Nine digits suffice for estimates that are
-   uncertain in the third digit, and hide the last bits of exp and log,
+/* Writes a row with nine digits. These suffice for estimates that are
+   uncertain in the third digit, and they hide the last bits of exp and log,
    which differ between C libraries. */
 static void print_row(struct table *out, size_t n, const double row[])
 {
@@ -505,9 +507,9 @@ static void print_row(struct table *out, size_t n, const double row[])
 }
 
 /* Compares a column with its law. If the law took parameters from the
-   column, Kolmogorov's distance and the deviations of mean and standard
-   deviation in units of their errors (3.13, eq:zscore) would be meaningless
-   and are omitted. */
+   column, omits results that would then be meaningless: Kolmogorov's
+   distance, and the deviations of mean and standard deviation in units of
+   their errors (3.13, eq:zscore). */
 static void test_law(const struct columns *c, size_t i,
                      const struct statistics_description *d)
 {
@@ -546,9 +548,10 @@ static void test_law(const struct columns *c, size_t i,
 
 enum { CELLS = 5 }; /* cells along each axis */
 
-/* Tests whether a column is independent of the column of --against. The
-   samples may be correlated in time, so chi-square of the cells is divided
-   by the larger statistical inefficiency of the two columns. */
+/* Tests whether a column is independent of the column of --against, by
+   chi-square over cells. The samples may be correlated in time, so
+   chi-square is divided by the statistical inefficiency, the larger one of
+   the two columns. */
 static void compare(const struct columns *c, size_t i,
                     const struct statistics_description *d)
 {
@@ -574,9 +577,10 @@ static void compare(const struct columns *c, size_t i,
 }
 
 /* Writes a row for each bin, even if no Gaussian fits. The densities of the
-   law and of the fit are the probability of the bin divided by its width,
-   not the value at its centre. The two differ in wide bins, and the arcsine
-   law is infinite at its ends. */
+   law and of the fit are the probability of the bin divided by its width.
+   They are not the values at its centre, which would be different in wide
+   bins. Moreover, the density of the arcsine law is infinite at its
+   ends. */
 static void write_histogram(const struct columns *c, size_t i,
                             const struct statistics_description *d)
 {
@@ -684,7 +688,7 @@ static void write_blocks(const struct columns *c, size_t i)
 }
 
 /* Writes the correlations for lags up to twice the window, to show what the
-   window cuts off. */
+   window leaves out of the sum. */
 static void write_correlation(const struct columns *c, size_t i,
                               const struct statistics_description *d)
 {
@@ -725,10 +729,10 @@ enum { WAYS = 3 };
 static const char *const ways[WAYS] = {"naive", "blocks", "correlation"};
 
 /* Returns the error of the mean of y by method `way` of ways[]. Sets
-   *uncertainty to that method's estimate of the uncertainty of the error.
+   *uncertainty to that method's estimate of the uncertainty of this error.
    The correlation method estimates the relative uncertainty of the
-   inefficiency. The error is proportional to the square root of the
-   inefficiency, so its relative uncertainty is half as large. */
+   inefficiency. Half of it is that of the error, which is proportional to
+   the square root of the inefficiency. */
 static double error_by(int way, size_t n, const double y[],
                        double *uncertainty)
 {
@@ -752,7 +756,7 @@ static double error_by(int way, size_t n, const double y[],
 
 /* Measures the cost of each method of estimating an error. The first round
    fills the caches, and its times are overwritten. The methods alternate,
-   so a disturbance of the machine affects all of them. */
+   so a temporary slowdown of the machine affects all of them. */
 static void write_cost(const struct columns *c, size_t i,
                        const struct statistics_description *d)
 {
@@ -838,8 +842,8 @@ static void begin_table(const struct columns *c)
     }
 }
 
-/* Writes the results of a column. If the errors are only lower bounds,
-   prints a note on standard error, where it is noticed. */
+/* Writes the results of a column. If the errors are only lower bounds, also
+   prints a note on standard error, where it will be noticed. */
 static void write_column(const struct columns *c, size_t i)
 {
     if (c->against && i + 1 == c->count)

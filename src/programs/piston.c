@@ -48,9 +48,9 @@ static void read_pair(struct options *o, double pair[2], double low)
                      options_text(o), low);
 }
 
-/* Returns the initial state. The piston sets the gases in motion, which
-   reduces its velocity from V to V M / M'. The moving mass M' includes the
-   added mass of the gases (4.10, eq:added-mass). */
+/* Returns the initial state. As the piston sets the gases in motion, its
+   velocity falls from V to V M / M'. The moving mass M' includes the added
+   mass of the gases (4.10, eq:added-mass). */
 static struct piston_state first_state(const struct piston *p)
 {
     struct piston_state state = own.start;
@@ -83,7 +83,7 @@ static void summarise_periods(struct table *summary)
                    2 * acos(-1) / piston_frequency_acoustic(&own.piston)});
 }
 
-enum { SWING = 3 }; /* number of leading keys that study_cost lacks */
+enum { SWING = 3 }; /* leading keys that study_cost lacks */
 
 static const struct table_key run_keys[] = {
     {"x_min", "m", "leftmost place of the piston"},
@@ -143,10 +143,9 @@ static void study_run(struct study *s)
 /* Returns the period found with steps of dt, or NAN if a step fails. The
    piston starts to the right. The period ends when it passes its starting
    position in the same direction, which usually happens between two steps.
-   Newton's method shortens the last step until it ends there. Each
-   iteration divides the remaining distance by the velocity and doubles the
-   number of correct digits, so six iterations suffice. The shortened step
-   is as accurate as the others. */
+   Therefore the last step is shortened by Newton's method until it ends at
+   this position. Six iterations suffice, because each doubles the number of
+   correct digits. The shortened step is as accurate as the others. */
 static double stepped_period(const struct piston *p, stepper *step,
                              double dt)
 {
@@ -187,11 +186,11 @@ static double period_by(enum way way, const struct piston *p, double number)
     }
 }
 
-/* Returns the processor time for computing one period, s. A formula takes
-   less time than the clock resolves, so it is repeated for 10 ms. The
-   result is the median of five such rounds after a discarded warm-up round.
-   Reading the clock takes longer than evaluating a formula, so the times of
-   the two formulas are upper limits. */
+/* Returns the processor time for computing one period, s: the median of
+   five rounds after a discarded warm-up round. A formula takes less time
+   than the clock resolves, so each round repeats it for 10 ms. Reading the
+   clock takes longer than evaluating a formula, so the times of the two
+   formulas are upper limits. */
 static double cost_of(enum way way, const struct piston *p, double number)
 {
     double rounds[BENCH_ROUNDS];
@@ -210,9 +209,9 @@ static double cost_of(enum way way, const struct piston *p, double number)
 }
 
 /* Writes the period and its cost for each method, without and with the
-   masses of the gases. Steps are halved and points doubled until only
-   leapfrog's last digits change. After a signal the study ends, and the
-   rows already written are kept. */
+   masses of the gases. Halves the steps and doubles the number of points
+   until only the last digits of leapfrog's result change. After a signal
+   the study ends, and the rows already written are kept. */
 static void study_cost(struct study *s)
 {
     static const double first[WAYS] = {1, 1, 1, 0, 0};
@@ -244,27 +243,29 @@ static void study_cost(struct study *s)
 
 enum { MOVERS = 4096, KEPT = 6 };
 
-/* The values kept from each row of a table of bonkers: time (s), position
-   (m) and velocity (m/s) of the piston, and the energies (J) of the piston,
-   the left gas and the right gas. */
+/* The values kept from each row of a table that bonkers wrote: the time
+   (s), position (m) and velocity (m/s) of the piston, and the energies (J)
+   of the piston, the left gas and the right gas. */
 struct run_rows {
     size_t rows, capacity, movers;
     double (*row)[KEPT];
 };
 
-/* Column numbers of the piston's position (place) and of the velocities
-   (column[0]) and energies (column[1]) of the movers from left to right.
-   The table of an ensemble has energies, such as T6, the mean for body 6.
-   The table of a single run has velocities, and the masses in its head. */
+/* Numbers of the columns that are read: the piston's position (place), and
+   the velocities (column[0]) and energies (column[1]) of the movers from
+   left to right. The table of an ensemble has energies: T6 is the mean for
+   body 6. The table of a single run has velocities, and the masses in its
+   head. */
 struct columns {
     size_t place, count[2], column[2][MOVERS];
     size_t masses;
     double mass[MOVERS]; /* kg, used if the table has no energies */
 };
 
-/* Reads a line of the head. The line contains the masses or describes a
+/* Reads a line of the head, which contains the masses or describes a
    column, such as "# 5 T1 [J] ...". The symbol of a mover's column is a
-   letter and a number (xL belongs to a wall). The movers are in order. */
+   letter and a number. A wall has a letter instead of the number, as in xL.
+   The movers are in order. */
 static void read_head(const char *line, size_t body, struct columns *c)
 {
     static const char masses[] = "# masses:";
@@ -318,8 +319,8 @@ static bool read_row(const char *line, size_t body, const struct columns *c,
     return next == c->count[kind];
 }
 
-/* Reads the table. Checks the head at each row, because only then is the
-   head known to be complete. On failure prints the reason, frees everything
+/* Reads the table. The head is checked at each row, because it is complete
+   only when the rows begin. On failure prints the reason, frees everything
    and returns false. */
 static bool read_table(struct study *study, struct run_rows *r)
 {
@@ -367,8 +368,8 @@ static bool read_table(struct study *study, struct run_rows *r)
 }
 
 /* Writes the rows of the table for the state diagram, with the temperature
-   2 K / N and the pressure 2 K / l of each gas. body - 1 movers belong to
-   the left gas. */
+   2 K / N and the pressure 2 K / l of each gas. The left gas has body - 1
+   movers. */
 static void study_gases(struct study *s)
 {
     struct run_rows r = {0};
@@ -397,10 +398,10 @@ static void study_gases(struct study *s)
 
 enum { CROSSINGS = 8 };
 
-/* Writes how often the piston crosses the middle, at most CROSSINGS times,
+/* Writes how often the piston crosses the middle, up to CROSSINGS times,
    and its periods. Interpolates the times of crossings linearly between
-   rows. Omits the periods if there are fewer than four crossings, which do
-   not give a spread. */
+   rows. Omits the periods if there are fewer than four crossings, because
+   one period has no spread. */
 static void summarise_crossings(struct table *summary,
                                 const struct run_rows *r)
 {
@@ -459,12 +460,15 @@ struct fit {
     double tau, error, amplitude; /* excess = amplitude exp(-t/tau) */
 };
 
-/* Fits an exponential to the excess in windows that do not overlap. The fit
-   starts at the first window with an excess below fit[0] and ends before
-   the first with an excess below fit[1]. The logarithm y is fitted by least
-   squares. Its slope is -1/tau, so the error of tau is tau^2 times the
-   error of the slope. Two windows determine a line but no scatter about
-   it. */
+/* Fits an exponential to the piston's fraction of the energy minus 1 /
+   movers, called the excess. The windows do not overlap. The fit begins at
+   the first window with an excess below fit[0] and ends before the first
+   with an excess below fit[1].
+
+   The logarithm of the excess is fitted by least squares. Its slope is
+   -1/tau, so the error of tau is tau^2 times the error of the slope. At
+   least three windows are needed, because two determine a line but not the
+   scatter about it. */
 static struct fit fit_decay(const struct run_rows *r)
 {
     struct fit f = {0, NAN, NAN, NAN};
@@ -505,7 +509,7 @@ static void study_measure(struct study *s)
     const struct fit f = fit_decay(&r);
     TABLE_COLUMNS(s->out, {"t", "s", "middle of a window"},
                   {"share", "", "the piston's, mean of the window"});
-    /* Without a fit, replace its column by the reason in the head. */
+    /* Without a fit, explain the missing column in the head. */
     const bool fitted = f.n >= FEWEST_WINDOWS;
     if (fitted)
         table_column(s->out, "fit", "", "the fitted decay");

@@ -16,7 +16,7 @@
 #define LONGEST 1e6 /* maximum length in an option, m */
 
 enum {
-    MOST = 100000,    /* most disks; each try examines all disks */
+    MOST = 100000,    /* maximum number of disks (each try examines all) */
     PILOT = 100000,   /* throws for an estimate of the number needed */
     MOST_DIGITS = 15, /* refuse more than 10^MOST_DIGITS throws */
     SOME = 256        /* samples between updates of progress */
@@ -251,12 +251,13 @@ struct run {
 
 /* Indices of the means in run.numbers. */
 enum number {
-    ACCEPTANCE, /* fraction of moves; throws per sample if direct */
+    ACCEPTANCE, /* fraction of moves accepted; throws per sample if direct
+                 */
     MEAN_X,     /* x of disk 1, m */
     WALL,       /* density at the walls across each axis, 1/m */
     PAIR = WALL + DISKS_AXES, /* density of pair distances at contact,
                                  1/m */
-    GAIN,                     /* gained / length in next_chain */
+    GAIN,                     /* Z - 1 from event chains, see next_chain */
     NUMBERS
 };
 
@@ -299,12 +300,12 @@ static bool begin_run(struct run *run)
     return false;
 }
 
-/* Throws until all disks fit. Returns false after a signal or if the disks
-   do not seem to fit. No rule predicts whether they fit, so the number of
-   failed throws decides: at an acceptance of 2e-7, a hundred million
-   throws, which take some seconds, all fail with a probability of e^-20.
-   The numbers of throws per sample are independent, so their mean is taken.
-   The acceptance is the inverse of the mean. */
+/* Throws until all disks fit. Returns false after a signal, or after
+   GIVE_UP failed throws, because no rule predicts whether the disks fit. At
+   an acceptance of 2e-7, a hundred million throws all fail with a
+   probability of e^-20. They take a few seconds. The mean number of throws
+   per sample is the inverse of the acceptance. The numbers of successive
+   samples are independent. */
 static bool next_direct(struct run *run)
 {
     uint64_t throws = 1;
@@ -344,10 +345,10 @@ static bool next_markov(struct run *run)
     return true;
 }
 
-/* Makes an event chain along a random axis, with a random length. With a
-   fixed length of five diameters, eight disks in a box four diameters wide
+/* Makes an event chain along a random axis, with a random length. If all
+   chains were five diameters long, eight disks in a box four diameters wide
    would never leave the squares of the chessboard on which they start. No
-   push is rejected. */
+   move is ever rejected, so the acceptance is 1. */
 static bool next_chain(struct run *run)
 {
     const size_t axis = random_below(&run->r, given.dimensions);
@@ -400,8 +401,8 @@ static bool warm_up(struct run *run)
     return true;
 }
 
-/* Returns the bin of x. The bins divide the whole length, so all methods
-   have the same bins. */
+/* Returns the bin of x, among `bins` equal bins from 0 to `length`. These
+   bins are the same for all methods. */
 static size_t bin_of(double x, double length, size_t bins)
 {
     const double bin = x / length * (double)bins;
@@ -580,8 +581,8 @@ static double distance_moved(const struct run *run)
 /* Writes the summary. Omits results that are undefined for one disk or with
    small disks. The acceptance of direct sampling is the inverse of the mean
    number of throws per sample, so its error is acceptance^2 times the error
-   of the mean. By symmetry the mean x of every disk is the middle of the
-   box. So the mean x of disk 1 shows whether a chain has forgotten its
+   of this mean. By symmetry, the mean x of any disk is the middle of the
+   box, so the mean x of disk 1 shows whether a chain has forgotten its
    start. */
 static void write_summary(struct table *out, const struct run *run)
 {
@@ -612,9 +613,9 @@ static void write_summary(struct table *out, const struct run *run)
 }
 
 /* Writes the results and returns the exit status. A run interrupted by a
-   signal keeps its table but has no summary, which would look like the
-   summary of a complete run. A table without a configuration is not
-   written. */
+   signal keeps its table, but its summary is discarded, because it would
+   look like that of a complete run. If there is no configuration, the table
+   is discarded, too. */
 static int finish(struct run *run, struct table *summary)
 {
     const bool complete = progress_end(&run->progress) && !run->hopeless;

@@ -1,5 +1,5 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 928897615 of the lines below */
+/* checksum 1566293148 of the lines below */
 /* Simulates a billiard break in steps, moving balls back to contacts. */
 #include <math.h>
 #include <stdio.h>
@@ -38,8 +38,8 @@ static double time_back(const double d[], const double u[])
 }
 
 /* Collides balls i and j if they overlap and approach each other. The
-   impulse acts at the contact (11.1, eq:contact-impulse), from where the
-   balls move on. */
+   impulse acts where they touched (11.1, eq:contact-impulse). From there
+   the balls move on. */
 static void collide(int i, int j)
 {
     double d[2], u[2], n[2];

@@ -95,8 +95,8 @@ struct watch {
     double worst;    /* largest |E - start| in any row */
     double seen;     /* last finite energy, in or between rows */
     double when;     /* time of `seen`, s */
-    uint64_t passed; /* pairs that passed through each other before this
-                        process */
+    uint64_t passed; /* how often pairs passed through each other before
+                        this process */
     double overlap;  /* initial overlap of colliding bodies with each other
                         or with walls, m; 0 if due to rounding */
 };
@@ -133,9 +133,9 @@ static bool is_adaptive(void)
     return m && m->adaptive;
 }
 
-/* Returns whether the run may know a located contact that is still in the
-   future, because an adaptive method has already stepped beyond it. A
-   checkpoint does not store such a contact, so these runs have no
+/* Returns whether there may be a located contact that is still in the
+   future. This can happen if an adaptive method has already stepped beyond
+   it. A checkpoint does not store such a contact, so these runs have no
    checkpoints. */
 static bool contact_may_wait(void)
 {
@@ -167,12 +167,14 @@ static void open_device(struct run *r)
     g->device = r->device;
 }
 
-/* Begins the motion and applies the settings to its parts. With GSL's
-   method the motion begins with leapfrog, but only its time and its forces
-   are used. Small numbers of bodies are not divided among threads: waking a
-   thread takes as long as the attraction of some hundred bodies or some
-   thousand springs, and much longer on a busy machine. The number of
-   threads is written to the summary and does not affect the results. */
+/* Begins the motion and applies the settings to its parts. GSL's method
+   replaces the steps of leapfrog, but uses its time and its forces.
+
+   Small numbers of bodies are not divided among threads, because waking a
+   thread takes as long as the attraction of several hundred bodies or the
+   forces of several thousand springs, and much longer on a busy machine.
+   The number of threads does not affect the results, but it is written to
+   the summary. */
 static void set_in_motion(struct run *r)
 {
     struct motion *m = &r->motion;
@@ -221,9 +223,9 @@ static uint64_t steps_in(double time, double dt, bool *whole)
 }
 
 /* Sets the numbers of steps in the run and between rows. The default is a
-   thousand steps and as many rows as can be drawn. A scene saved at the end
-   of a run may be slightly before or after --until because of rounding.
-   Such a scene is neither refused nor stepped. */
+   thousand steps and as many rows as can be drawn. Because of rounding, a
+   scene saved at the end of a run may be slightly before or after --until.
+   Such a scene is accepted, but makes no step. */
 static void set_rows(struct run *r, double start)
 {
     const double dt = r->motion.stepping.dt;
@@ -318,8 +320,8 @@ static double add_up(struct run *r, struct motion_energy e)
 }
 
 /* Computes the energy of a row and updates the depth of the potential.
-   Called for each row but not for each step, because with many bodies it
-   costs as much as a step. */
+   Called for each row rather than for each step, because with many bodies
+   it takes as long as a step. */
 static void find_energy(struct run *r)
 {
     const struct motion_energy e = motion_energy(&r->motion);
@@ -330,9 +332,9 @@ static void find_energy(struct run *r)
 }
 
 /* Returns the energy that the springs would have if each length had an
-   error in the tenth digit. This is the initial depth instead of 0: springs
-   at rest have the energy of their rounding errors, which may grow a
-   hundredfold in a correct run. */
+   error in the tenth digit. The depth starts at this value rather than at
+   0, because springs at rest have the energy of their rounding errors,
+   which may grow a hundredfold in a correct run. */
 static double rounding_energy(const struct scene *s)
 {
     double size = 0, sum = 0;
@@ -344,7 +346,7 @@ static double rounding_energy(const struct scene *s)
 }
 
 /* Computes the initial energy. Refuses the scene if this energy is not
-   finite, because no shorter step will help. */
+   finite, because shorter steps would not help. */
 static void begin_watch(struct run *r)
 {
     r->watch.depth = rounding_energy(&r->scene);
@@ -359,10 +361,10 @@ static void begin_watch(struct run *r)
 }
 
 /* Computes the energy of a row. Returns whether it is finite and within the
-   bound (11.16, eq:energy-bound), relative to the scale of the previous
-   rows. The scale is 0 for a scene that starts at rest at height 0. Any
-   energy gained by the next row, even by rounding, would then exceed the
-   bound, so the bound is not applied. */
+   bound (11.16, eq:energy-bound), which is relative to the scale of the
+   previous rows. If the scale is 0, as in a scene that starts at rest at
+   height 0, the bound is not applied: even a gain due to rounding would
+   exceed it. */
 static bool energy_is_in_bounds(struct run *r)
 {
     struct watch *w = &r->watch;
@@ -386,9 +388,10 @@ static uint64_t to_power_of_two(uint64_t steps)
 
 /* Returns whether the energy should be constant: there is no friction, no
    dashpot, and no contact that is a spring or loses energy. Only then does
-   find_complaint examine the energy and the step at the end. A completed
-   run may still be wrong. The oscillator gains energy under Euler's method
-   without reaching the bound for a while. With leapfrog at omega dt = 2 it
+   find_complaint examine the energy and the step of a completed run.
+
+   Both may reveal a fault. Under Euler's method an oscillator gains energy,
+   but at first stays within the bound. Under leapfrog with omega dt = 2 it
    jumps from side to side at constant energy. */
 static bool is_conservative(const struct run *r)
 {
@@ -427,10 +430,11 @@ static double omega_squared(const struct scene *s,
 }
 
 /* Returns the step times the highest angular frequency of a spring between
-   two bodies (omega_squared). If no spring is compressed, the fastest
-   motion of the scene is at least as fast, so a step above the limit of the
-   method is reported correctly. A chain may be faster by up to sqrt(2).
-   Only the energy then reveals a step that is too long. */
+   two bodies (see omega_squared). If no spring is compressed, the fastest
+   motion of the scene is at least as fast, so every step that is reported
+   as too long is too long. The fastest motion of a chain is faster by a
+   factor of up to sqrt(2), so a step may be too long without being
+   reported. Then only the energy reveals it. */
 static double stiffest_omega_dt(const struct run *r)
 {
     const struct scene *s = &r->scene;
@@ -440,7 +444,8 @@ static double stiffest_omega_dt(const struct run *r)
     return sqrt(most) * r->motion.dt;
 }
 
-/* Returns how often a pair has passed through each other within a step. */
+/* Returns how often two bodies have passed through each other within a
+   step. */
 static uint64_t passed(const struct run *r)
 {
     const struct motion *m = &r->motion;
@@ -449,10 +454,11 @@ static uint64_t passed(const struct run *r)
 }
 
 /* Returns the fault of a completed run, if any: the step is not below the
-   stability limit of the method, pairs passed through each other, bodies
-   overlapped at the start, or the energy error of a row exceeded a tenth of
+   stability limit of the method; bodies passed through each other; bodies
+   overlapped at the start; or the energy error of a row exceeded a tenth of
    the scale (11.15, eq:energy-scale). Euler's and adaptive methods have the
-   limit 0. Their faults show in the energy. */
+   limit 0, which means that there is none: their faults show in the
+   energy. */
 static enum complaint find_complaint(const struct run *r)
 {
     const double limit = r->motion.stepping.method->limit;
@@ -587,14 +593,16 @@ static enum ending ending_of(enum stepping_end end)
                                       : STUCK;
 }
 
-/* Makes at most *batch steps. Stops at the next row, at a power of two in
-   the number of steps, and at the end. A batch takes about 1/30 s, which is
-   short enough for Ctrl-C, progress and checkpoints, and long enough that
-   they cost nothing. The division into batches does not affect the results
-   of any method. The speed in the summary is that of the steps alone.
-   Reading the CPU clock takes as long as ten steps of two bodies, so it is
-   read only if the last batch took more than 10 microseconds. If few
-   batches do, the time includes the rows. */
+/* Makes at most *batch steps. Stops at the next row, at the next number of
+   steps that is a power of two, and at the end. The division into batches
+   does not affect the results. A batch takes about 1/30 s: short enough for
+   Ctrl-C, progress and checkpoints, and long enough that these cost
+   nothing.
+
+   The speed in the summary is that of the steps alone. But reading the CPU
+   clock takes as long as ten steps of two bodies, so a batch is timed only
+   if the previous one took more than 10 microseconds. If few batches are
+   timed, the speed includes the rows. */
 static enum ending run_batch(struct run *r, uint64_t *batch)
 {
     const bool timed = r->took > 1e-5;
@@ -618,9 +626,9 @@ static enum ending run_batch(struct run *r, uint64_t *batch)
     return ending_of(end);
 }
 
-/* Writes a row, unless its energy is out of bounds. The row goes to
-   FILE.rows, or directly into a table that cannot be resumed. The energy of
-   the first row was examined at the start. */
+/* Writes a row, unless its energy is out of bounds. If checkpoints are
+   possible, the row goes to FILE.rows, otherwise directly into the table.
+   The energy of the first row has already been examined. */
 static enum ending add_row(struct run *r)
 {
     if (r->rows > 0 && !energy_is_in_bounds(r))
@@ -636,8 +644,9 @@ static enum ending add_row(struct run *r)
     return good ? WHOLE : UNWRITTEN;
 }
 
-/* Makes the shorter last step and writes its row. The last checkpoint is
-   written before this step, so a resumed run repeats the step. */
+/* Makes the last step, which is shorter than the others, and writes its
+   row. The last checkpoint is written before this step, so a resumed run
+   repeats the step. */
 static enum ending take_last_step(struct run *r)
 {
     if (r->kept && !keep_checkpoint(r))
@@ -650,11 +659,12 @@ static enum ending take_last_step(struct run *r)
 }
 
 /* Runs to the end. No checkpoint is written between a step and its row, so
-   no row is lost between two processes. The energy is also computed between
-   rows, at steps whose numbers are powers of two, because a run that blows
-   up before its second row would otherwise have no energy to report. These
-   steps are few and depend only on the number of steps. The bound and the
-   energy error refer only to rows. */
+   no row is lost if the run is resumed.
+
+   The energy is also computed between rows, at steps whose numbers are
+   powers of two. Otherwise a run that blows up before its second row would
+   have no energy to report. These steps are few and depend only on the
+   number of steps. The bound and the energy error refer only to rows. */
 static enum ending run_on(struct run *r)
 {
     const uint64_t *steps = &r->motion.stepping.steps;
@@ -715,9 +725,9 @@ static void explain(const struct run *r, enum ending end)
 }
 
 /* Opens all outputs before the run, so that an hour of computing is not
-   lost because a folder is not writable. If the rows are stored in
-   FILE.rows, the table is discarded and opened again at the end, because a
-   killed process would leave its temporary file behind. */
+   lost because a folder is not writable. If the rows go to FILE.rows, the
+   table is discarded for now and opened again at the end, because a killed
+   process would leave the table's temporary file behind. */
 static void open_outputs(struct run *r)
 {
     r->out = program_table(PROGRAM, given.output);
@@ -830,10 +840,12 @@ static bool make_table(struct run *r)
 }
 
 /* Completes the table and the saved scene. Returns whether everything was
-   written. After an interruption or a failed write the checkpoint is kept,
-   so the run can be continued. First a checkpoint of the last state is
-   written if the run was interrupted, or if it was completed but its table
-   could not be written. A run that blew up writes no checkpoint. */
+   written.
+
+   After an interruption or a failed write the checkpoint is kept, so the
+   run can be continued. It is first brought up to date if the run was
+   interrupted, or if the run was completed but its table could not be
+   written. A run that blew up writes no checkpoint. */
 static bool close_outputs(struct run *r, enum ending end)
 {
     bool good = r->kept ? make_table(r) : table_close(r->out);
@@ -1007,11 +1019,12 @@ static const struct table_key keys[] = {
     {"shortest", "time", "the shortest of its steps"},
     {0}};
 
-/* Ends the program if settings contradict each other. Forces from a tree
-   are discontinuous where a body comes so close that a cell is opened. A
-   method that estimates its error from differences would mistake the jumps
-   for errors and shorten its steps in vain. The equations of an implicit
-   step might have no solution. */
+/* Ends the program if settings contradict each other. A tree is refused for
+   adaptive and implicit methods, because its forces are discontinuous where
+   a body comes so close that a cell is opened. A method that estimates its
+   error from differences would mistake the jumps for errors and shorten its
+   steps in vain. The equations of an implicit step might have no
+   solution. */
 static void check_settings(struct options *o)
 {
     if (!given.scene)
@@ -1092,8 +1105,8 @@ static void read_settings(struct options *o, int argc, char *argv[])
     check_settings(o);
 }
 
-/* Runs step. A run that blew up also has a summary, because the way it
-   ended is a result. An interrupted run has no summary. */
+/* Runs step. A run that blew up has a summary, because the way it ended is
+   a result. An interrupted run has none. */
 int main(int argc, char *argv[])
 {
     static struct run r;

@@ -521,9 +521,8 @@ static const double tolerances[TOLERANCES] = {1e-3, 1e-6, 1e-9};
 /* A plan with its cost and its error. */
 struct point {
     struct models_plan plan;
-    double cost,
-        error;  /* cost: estimated, s; error: in units of truth.scale */
-    bool front; /* on the Pareto front (is_front) */
+    double cost, error; /* estimated, s; in units of truth.scale */
+    bool front;         /* on the Pareto front (is_front) */
 };
 
 /* The points and the true path of a scene. */

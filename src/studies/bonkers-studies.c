@@ -274,9 +274,7 @@ static void throw_coins(struct table *summary, const char *name,
     table_keyed(summary, ties > 0 ? 100.0 * up / ties : 0, "up_%s", name);
 }
 
-enum {
-    SINGLE_MOST = 200000
-}; /* maximum number of collisions of the slow line */
+enum { SINGLE_MOST = 200000 }; /* limit for single precision */
 
 /* Returns the smallest of the numbers 1, 2, 5, 10, ... that is greater than
    n. They are almost evenly spaced on a logarithmic axis. */

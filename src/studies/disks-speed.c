@@ -13,9 +13,8 @@
 #define PROGRAM "disks-speed"
 
 enum {
-    SIZES = 16, /* maximum number of rows in a table */
-    PAIRS_MOST =
-        10000 /* maximum number of disks for the all-pairs engine */
+    SIZES = 16,        /* maximum number of rows in a table */
+    PAIRS_MOST = 10000 /* maximum for the all-pairs engine */
 };
 
 /* Settings from the command line. */

@@ -873,8 +873,7 @@ static double precession(double e, double softening)
         before = now;
         now = x[0] * v[0] + x[1] * v[1];
     } while (!(before > 0 && now <= 0));
-    const double fraction =
-        now / (now - before); /* fraction of the last step */
+    const double fraction = now / (now - before); /* of the last step */
     for (size_t i = 0; i < 3; ++i)
         x[i] = x[i] - fraction * k.stepping.dt * v[i];
     end_sky(&k);

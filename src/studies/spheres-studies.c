@@ -1060,8 +1060,7 @@ static double drop_ball(double e)
 static const struct {
     const char *name, *method;
     bool located;
-    uint64_t
-        coarse; /* number of steps of the coarser run in moment_order */
+    uint64_t coarse; /* steps of the coarser run in moment_order */
 } moments[] = {{"stepwise", "leapfrog", false, 64},
                {"leapfrog", "leapfrog", true, 64},
                {"rk4", "rk4", true, 64},
@@ -1131,8 +1130,7 @@ static const struct {
                          {"hertz", SCENE_HERTZ, 50000, 0},
                          {"gaps", SCENE_LINEAR, 5000, 0.03}};
 
-static const double pair_omega =
-    100; /* angular frequency of a linear contact, 1/s */
+static const double pair_omega = 100; /* 1/s, of a linear contact */
 
 /* Makes a row of balls of 1 kg. The first ball moves at 1 m/s. */
 static void make_touching(struct scene *s, int way, size_t balls)
@@ -1286,8 +1284,7 @@ static void study_touch(struct study *s)
 enum { LOCATED = WAYS + 1 }; /* WAYS is an event-driven run */
 
 /* Returns the duration of a run, s. Locating contacts is slow, so LOCATED
-   runs last a fifth as long as the others. They are left out at packing
-   0.7. */
+   runs last only a fifth of the usual time. */
 static double length_of(int way, double usual)
 {
     return way == LOCATED ? usual / 5 : usual;
@@ -1310,8 +1307,8 @@ static double gas_located(struct scene *s, double dt, double until)
     return virial;
 }
 
-/* Returns the duration of a run, s. Locating contacts is slow, so LOCATED
-   runs last only a fifth of the usual time. */
+/* Runs a gas. Returns Z - 1 from the virial. Sets *seconds to the processor
+   time of the run without its preparation. */
 static double time_run(struct scene *scene, int way, double dt,
                        double until, double *seconds)
 {

@@ -232,7 +232,7 @@ static void explain_request(const struct run *r)
 
 /* Explains all candidates, the third part of the explanation. A star marks
    the chosen one. A candidate that was not run to its end has no cost, and
-   the reason is printed instead. A candidate that was may still have no
+   the reason is printed instead. Even a candidate with a cost may have no
    error. */
 static void explain_candidates(const struct run *r)
 {

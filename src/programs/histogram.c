@@ -548,10 +548,10 @@ static void test_law(const struct columns *c, size_t i,
 
 enum { CELLS = 5 }; /* cells along each axis */
 
-/* Tests whether a column is independent of the column of --against, by
-   chi-square over cells. The samples may be correlated in time, so
-   chi-square is divided by the statistical inefficiency, the larger one of
-   the two columns. */
+/* Tests by chi-square over cells whether a column is independent of the
+   column of --against. The samples may be correlated in time, so chi-square
+   is divided by the larger of the statistical inefficiencies of the two
+   columns. */
 static void compare(const struct columns *c, size_t i,
                     const struct statistics_description *d)
 {
@@ -731,8 +731,8 @@ static const char *const ways[WAYS] = {"naive", "blocks", "correlation"};
 /* Returns the error of the mean of y by method `way` of ways[]. Sets
    *uncertainty to that method's estimate of the uncertainty of this error.
    The correlation method estimates the relative uncertainty of the
-   inefficiency. Half of it is that of the error, which is proportional to
-   the square root of the inefficiency. */
+   inefficiency. That of the error is half as large, because the error is
+   proportional to the square root of the inefficiency. */
 static double error_by(int way, size_t n, const double y[],
                        double *uncertainty)
 {

@@ -167,8 +167,9 @@ static void open_device(struct run *r)
     g->device = r->device;
 }
 
-/* Begins the motion and applies the settings to its parts. GSL's method
-   replaces the steps of leapfrog, but uses its time and its forces.
+/* Begins the motion and applies the settings to its parts. For GSL's
+   method, leapfrog supplies the time and the forces, and only its steps are
+   replaced.
 
    Small numbers of bodies are not divided among threads, because waking a
    thread takes as long as the attraction of several hundred bodies or the

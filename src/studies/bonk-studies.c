@@ -613,7 +613,8 @@ static void refine(struct map *m, struct models_plan plan, double tolerance)
     }
 }
 
-/* Returns whether two plans have the same model and cuts. */
+/* Returns whether two plans have the same model and the same cuts, which
+   are the parts of the physics that they leave out. */
 static bool is_same(const struct models_plan *a,
                     const struct models_plan *b)
 {
@@ -790,9 +791,10 @@ static void try_models(struct map *m, unsigned cuts, bool steps)
 /* Tries all sets of cuts. A cut is a part of the physics that a plan may
    leave out, and a set of cuts is a bit mask.
 
-   First runs the finest plain plan with the cuts. If its error is not below
-   the largest tolerance, tries only models without steps. Sets with
-   MODELS_RODS are always tried with steps, because rods need leapfrog. */
+   For each set, first runs the finest plain plan with these cuts. If its
+   error is not below the largest tolerance, tries only models without
+   steps. Sets with MODELS_RODS are always tried with steps, because rods
+   need leapfrog. */
 static void try_cuts(struct map *m)
 {
     const unsigned all = models_cuts(&m->scene);

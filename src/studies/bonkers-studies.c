@@ -247,11 +247,13 @@ static void study_speed(struct study *s)
         note_large(s->summary, speed);
 }
 
-/* Writes the percentage of random collisions in which the exact difference
-   g - q is halfway between two doubles, and the percentage of these ties
-   that are rounded up (section "A coin that is not fair"). The widest type
-   stores the exact difference. A tie is recognized by the rounding error of
-   `rest`, which is half the distance to the next double. */
+/* Collides two masses with random velocities. Writes the percentage of
+   collisions in which g - q is exactly halfway between two doubles, and the
+   percentage of these ties that are rounded up. Section "A coin that is not
+   fair" explains g and q.
+
+   The widest type stores the exact difference. In a tie, the rounding error
+   of `rest` is half the distance to the next double. */
 static void throw_coins(struct table *summary, const char *name,
                         double mass1, double mass2)
 {

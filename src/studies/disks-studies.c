@@ -46,8 +46,8 @@ static void begin_four(struct disks *d, double v, uint64_t seed)
 enum { BINS = 100 };
 
 /* Returns the bin of a position. A disk that has just hit a wall is exactly
-   on the edge of a bin. Moving x towards the middle by 1e-9 keeps rounding
-   from choosing the bin. */
+   on the edge of a bin, so x is moved towards the middle by 1e-9. Otherwise
+   rounding would choose the bin. */
 static int bin_of(double x)
 {
     const double inside = 0.5 + (x - 0.5) * (1 - 1e-9);

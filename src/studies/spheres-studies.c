@@ -112,8 +112,8 @@ static double fourth_power(const struct scene *s)
     return sum / (double)n;
 }
 
-/* Runs a scene of disks in steps and sets value[] to its results. Uses that
-   the energy E equals N kT for disks. The mean of v^4 is taken over LOOKS
+/* Runs a scene of disks in steps and sets value[] to its results. For
+   disks, the energy E equals N kT. The mean of v^4 is taken over LOOKS
    samples. */
 static void gas_by_steps(struct run *r, double until, double value[])
 {
@@ -323,8 +323,8 @@ static void count_pairs(const struct disks *d, double shell[])
     }
 }
 
-/* Runs an event-driven simulation of a gas. Ten times per second, adds the
-   distances of all pairs to the shells, which takes longer than the run
+/* Runs an event-driven simulation of a gas. Ten times per second, counts
+   the pairs in the shells of distance, which takes longer than the run
    itself. Returns Z - 1 from the virial. */
 static double fill_shells(const struct study *s, double shell[])
 {

@@ -52,7 +52,7 @@ struct run {
     struct scene scene;
     struct observables asked;
     struct choose_request request;
-    size_t judged; /* compared rows per written row */
+    size_t judged; /* number of compared rows per written row */
     struct choose_choice choice;
     struct models_plan plan; /* plan of --model */
     struct progress progress;

@@ -265,7 +265,7 @@ static void begin_or_exit(struct bonkers *b, uint64_t seed, double *until)
 struct run {
     struct bonkers b;
     double until, every;
-    uint64_t samples, rows; /* rows after the first: most, and written */
+    uint64_t samples, rows; /* rows after the first: maximum; so far */
     double start_energy, seconds;
     enum bonkers_stop stop;
     bool over, timed;

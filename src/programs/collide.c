@@ -14,7 +14,7 @@
 
 #define PROGRAM "collide"
 
-enum { SHOWN = 10 }; /* most tests that print their collisions */
+enum { SHOWN = 10 }; /* more collisions are not printed */
 
 static struct {
     bool velocities_given, masses_given;

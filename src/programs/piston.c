@@ -83,7 +83,7 @@ static void summarise_periods(struct table *summary)
                    2 * acos(-1) / piston_frequency_acoustic(&own.piston)});
 }
 
-enum { SWING = 3 }; /* leading keys that study_cost lacks */
+enum { SWING = 3 }; /* study_cost omits the first SWING keys */
 
 static const struct table_key run_keys[] = {
     {"x_min", "m", "leftmost place of the piston"},

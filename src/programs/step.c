@@ -96,7 +96,7 @@ struct watch {
     double seen;     /* last finite energy, in or between rows */
     double when;     /* time of `seen`, s */
     uint64_t passed; /* how often pairs passed through each other before
-                        this process */
+                        this process began */
     double overlap;  /* initial overlap of colliding bodies with each other
                         or with walls, m; 0 if due to rounding */
 };

@@ -6,7 +6,6 @@
 
 #include <stdbool.h>
 #include <stddef.h>
-#include <stdint.h>
 
 enum averages_kind {
     AVERAGES_PRESSURE,   /* PV/(NkT); V: volume accessible to centres */

@@ -2,7 +2,6 @@
 #include "choosing/models_parts.h"
 
 #include "box/cells.h"
-#include "box/disks.h"
 
 #include <math.h>
 #include <stdlib.h>

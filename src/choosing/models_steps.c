@@ -3,10 +3,8 @@
 
 #include "choosing/particles.h"
 #include "forces/adaptive.h"
-#include "forces/jacobi.h"
 #include "forces/motion.h"
 #include "forces/rods.h"
-#include "forces/spheres.h"
 
 #include <math.h>
 #include <stdlib.h>

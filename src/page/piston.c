@@ -3,8 +3,6 @@
 #include "line/piston.h"
 #include "page/page.h"
 
-#include <math.h>
-
 enum { MOST = 401 };
 #define STEP 0.01 /* time step of the model, s */
 

@@ -1,11 +1,8 @@
 /* Runs a scene with the cheapest model that meets a tolerance. */
 #include "choosing/averages.h"
 #include "choosing/choose.h"
-#include "scenes/scene.h"
-#include "toolbox/options.h"
 #include "toolbox/progress.h"
 #include "toolbox/program.h"
-#include "toolbox/table.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -708,9 +705,9 @@ int main(int argc, char *argv[])
     /* Keep the explanation and the table in different streams. */
     r.explanation =
         given.output && strcmp(given.output, "-") ? stdout : stderr;
-    r.out = program_table(PROGRAM, given.output);
-    r.summary = program_table(PROGRAM, given.summary);
-    r.chart = given.chart ? program_table(PROGRAM, given.chart) : NULL;
+    r.out = program_table(given.output);
+    r.summary = program_table(given.summary);
+    r.chart = given.chart ? program_table(given.chart) : NULL;
     table_keys(r.summary, keys);
     bool good =
         r.means > 0 ? answer_means(&r, &refusal) : answer_run(&r, &refusal);

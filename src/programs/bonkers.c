@@ -1,11 +1,8 @@
 /* Runs bodies on a line: writes one run, or the mean of an ensemble. */
 #include "line/bonkers.h"
-#include "line/start.h"
-#include "toolbox/options.h"
 #include "toolbox/program.h"
 #include "toolbox/progress.h"
 #include "toolbox/random.h"
-#include "toolbox/table.h"
 
 #include <math.h>
 #ifdef _OPENMP
@@ -120,56 +117,51 @@ static void read_walls(struct options *o, struct start_request *w)
     w->walls = true;
 }
 
-static void read_settings(int argc, char *argv[])
+static void take_option(struct options *o, int letter)
 {
     static double mass[LISTED], x[LISTED], v[LISTED], radius[LISTED];
+    struct start_request *const q = &given.request;
+    switch (letter) {
+    case 'p':
+        q->kind = (enum start_kind)options_choice(o, start_names);
+        given.preset = true;
+        break;
+    case 'N': q->movers = options_count(o, 1, BONKERS_MOVERS); break;
+    case 'm': given.mass = read_list(o, mass, 1e-100, 1e100); break;
+    case 'x': given.x = read_list(o, x, -1e100, 1e100); break;
+    case 'v': given.v = read_list(o, v, -1e100, 1e100); break;
+    case 'a': given.radius = read_list(o, radius, 0, 1e100); break;
+    case 'w': read_walls(o, q); break;
+    case 'R': q->ratio = options_real(o, 1e-100, 1e100); break;
+    case 's': q->seed = options_count(o, 0, UINT64_MAX); break;
+    case 'e': given.restitution = options_real(o, 0, 1); break;
+    case 'G': given.gravity = options_real(o, 0, 1e100); break;
+    case 'd': given.every = options_positive(o, INFINITY); break;
+    case 't': /* 0 writes only the start */
+        given.until = options_real(o, 0, INFINITY);
+        break;
+    case 'k': given.samples = options_count(o, 1, UINT64_MAX - 1); break;
+    case 'c': given.collisions = options_count(o, 0, UINT64_MAX - 1); break;
+    case 'E': given.members = options_count(o, 2, 100000000); break;
+    case 'j': given.threads = options_count(o, 1, 1024); break;
+    case 'g':
+        given.engine =
+            (enum bonkers_engine)options_choice(o, bonkers_engine_names);
+        break;
+    case 'o': given.output = options_text(o); break;
+    case 'S': given.summary = options_text(o); break;
+    }
+}
+
+static void read_settings(int argc, char *argv[])
+{
     struct options o;
     int option;
     options_begin(&o, PROGRAM, "Run bodies on a line between two walls.",
                   entries, argc, argv);
     options_keys(&o, keys);
     while ((option = options_next(&o)) != -1)
-        switch (option) {
-        case 'p':
-            given.request.kind =
-                (enum start_kind)options_choice(&o, start_names);
-            given.preset = true;
-            break;
-        case 'N':
-            given.request.movers = options_count(&o, 1, BONKERS_MOVERS);
-            break;
-        case 'm': given.mass = read_list(&o, mass, 1e-100, 1e100); break;
-        case 'x': given.x = read_list(&o, x, -1e100, 1e100); break;
-        case 'v': given.v = read_list(&o, v, -1e100, 1e100); break;
-        case 'a': given.radius = read_list(&o, radius, 0, 1e100); break;
-        case 'w': read_walls(&o, &given.request); break;
-        case 'R':
-            given.request.ratio = options_real(&o, 1e-100, 1e100);
-            break;
-        case 's':
-            given.request.seed = options_count(&o, 0, UINT64_MAX);
-            break;
-        case 'e': given.restitution = options_real(&o, 0, 1); break;
-        case 'G': given.gravity = options_real(&o, 0, 1e100); break;
-        case 'd': given.every = options_positive(&o, INFINITY); break;
-        case 't': /* 0 writes only the start */
-            given.until = options_real(&o, 0, INFINITY);
-            break;
-        case 'k':
-            given.samples = options_count(&o, 1, UINT64_MAX - 1);
-            break;
-        case 'c':
-            given.collisions = options_count(&o, 0, UINT64_MAX - 1);
-            break;
-        case 'E': given.members = options_count(&o, 2, 100000000); break;
-        case 'j': given.threads = options_count(&o, 1, 1024); break;
-        case 'g':
-            given.engine = (enum bonkers_engine)options_choice(
-                &o, bonkers_engine_names);
-            break;
-        case 'o': given.output = options_text(&o); break;
-        case 'S': given.summary = options_text(&o); break;
-        }
+        take_option(&o, option);
     given.command = options_command(&o);
     if (given.listed > 0) {
         options_refuse(&o, "particles", "with lists of them");
@@ -717,8 +709,7 @@ int main(int argc, char *argv[])
     begin_run(&r, given.request.seed);
     check_rows(&r);
     struct table *out, *summary;
-    program_open(PROGRAM, given.output, given.summary, keys, &out,
-                 &summary);
+    program_open(given.output, given.summary, keys, &out, &summary);
 #ifdef _OPENMP
     if (given.threads > 0)
         omp_set_num_threads((int)given.threads);

@@ -1,11 +1,9 @@
 /* Computes one given collision, or tests many random collisions. */
 #include "line/collide.h"
-#include "toolbox/options.h"
 #include "toolbox/program.h"
 #include "toolbox/progress.h"
 #include "toolbox/quad.h"
 #include "toolbox/random.h"
-#include "toolbox/table.h"
 
 #include <assert.h>
 #include <float.h>
@@ -214,7 +212,7 @@ static struct totals totals_of(struct pair *p,
 
 /* Returns the energy that an inelastic collision should lose (1.9,
    eq:energy-loss). */
-static quad expected_loss(struct pair *p, double restitution)
+static quad expected_loss(const struct pair *p)
 {
     quad approach = 0, nn = 0;
     for (size_t i = 0; i < p->dimensions; ++i) {
@@ -222,8 +220,9 @@ static quad expected_loss(struct pair *p, double restitution)
         approach += ((quad)p->before[0][i] - p->before[1][i]) * n;
         nn += n * n;
     }
-    return (1 - (quad)restitution * restitution) / 2 * approach * approach /
-           nn / ((quad)p->im[0] + p->im[1]);
+    const quad e = given.restitution;
+    return (1 - e * e) / 2 * approach * approach / nn /
+           ((quad)p->im[0] + p->im[1]);
 }
 
 /* Returns the change of momentum from a to b, divided by the sum of m |v|,
@@ -255,8 +254,7 @@ static struct errors collide_pair(struct pair *p)
     (void)collided;
     const struct totals a = totals_of(p, p->before);
     const struct totals b = totals_of(p, p->after);
-    const quad gain =
-        b.energy - a.energy + expected_loss(p, given.restitution);
+    const quad gain = b.energy - a.energy + expected_loss(p);
     if (a.energy_scale > 0)
         error.energy = (double)(gain / a.energy_scale) / DBL_EPSILON;
     if (a.scale > 0 && p->im[0] > 0 && p->im[1] > 0)
@@ -285,8 +283,7 @@ static void print_body(struct table *out, struct pair *p, int body)
 
 /* Prints a collision. The percentages are computed with 113 bits from the
    rounded velocities, so they are seldom exactly zero. */
-static void print_collision(struct table *out, struct pair *p,
-                            double restitution)
+static void print_collision(struct table *out, struct pair *p)
 {
     const struct totals a = totals_of(p, p->before);
     const struct totals b = totals_of(p, p->after);
@@ -308,9 +305,9 @@ static void print_collision(struct table *out, struct pair *p,
                 (double)a.energy, (double)b.energy,
                 wall ? " seen from the wall" : "",
                 (double)((b.energy - a.energy) * percent));
-    if (restitution < 1)
+    if (given.restitution < 1)
         table_print(out, " (expected %.2g %%)",
-                    -(double)(expected_loss(p, restitution) * percent));
+                    -(double)(expected_loss(p) * percent));
     table_print(out, "\n");
 }
 
@@ -357,7 +354,7 @@ static bool run_tests(struct table *out, struct table *summary)
         if (given.tests <= SHOWN) {
             table_print(out, "collision %llu\n",
                         (unsigned long long)(done + 1));
-            print_collision(out, &p, given.restitution);
+            print_collision(out, &p);
         }
         worst.energy = fmax(worst.energy, fabs(error.energy));
         worst.momentum = fmax(worst.momentum, error.momentum);
@@ -408,7 +405,7 @@ static void run_by_hand(struct table *out, struct table *summary)
         approach += (p.before[0][i] - p.before[1][i]) * p.normal[i];
     }
     const struct errors error = collide_pair(&p);
-    print_collision(out, &p, given.restitution);
+    print_collision(out, &p);
     if (approach < 0)
         program_say("note: the bodies move apart along the normal: nothing "
                     "follows from this");
@@ -432,8 +429,7 @@ int main(int argc, char *argv[])
 {
     read_settings(argc, argv);
     struct table *out, *summary;
-    program_open(PROGRAM, given.output, given.summary, keys, &out,
-                 &summary);
+    program_open(given.output, given.summary, keys, &out, &summary);
     bool complete = true;
     if (given.velocities_given)
         run_by_hand(out, summary);

@@ -5,11 +5,8 @@
 #include "box/speeds.h"
 #include "box/states.h"
 #include "toolbox/bench.h"
-#include "toolbox/options.h"
 #include "toolbox/program.h"
 #include "toolbox/progress.h"
-#include "toolbox/random.h"
-#include "toolbox/table.h"
 
 #include <errno.h>
 #include <math.h>
@@ -996,6 +993,39 @@ static const struct table_key keys[] = {
     {"slope_exact", "m2/s3", "from heavy_rate"},
     {0}};
 
+static void take_option(struct options *o, int letter)
+{
+    switch (letter) {
+    case 'N': given.disks = options_count(o, 1, DISKS_MOST); break;
+    case 'D': given.dimensions = options_count(o, 2, 3); break;
+    case 'r': given.radius = options_positive(o, 1e100); break;
+    case 'p': given.packing = options_positive(o, 1); break;
+    case 'f': given.species = options_input(o); break;
+    case 'b': given.axes = options_list(o, given.box, DISKS_AXES); break;
+    case 'B': given.boundary = options_choice(o, states_boundaries); break;
+    case 'x':
+        given.start = options_text(o);
+        if (starts_from_file())
+            options_input(o);
+        break;
+    case 'v': given.speed = options_positive(o, 1e100); break;
+    case 'T': given.temperature = options_positive(o, 1e100); break;
+    case 'H': read_heavy(o, given.heavy); break;
+    case 's': given.seed = options_count(o, 0, UINT64_MAX); break;
+    case 'e': given.restitution = options_real(o, 0, 1); break;
+    case 'G': given.gravity = options_real(o, 0, 1e100); break;
+    case 'w': given.warmup = options_real(o, 0, 1e12); break;
+    case 't': given.until = options_real(o, 0, INFINITY); break;
+    case 'c': given.collisions = options_count(o, 0, UINT64_MAX - 1); break;
+    case 'd': given.every = options_positive(o, INFINITY); break;
+    case 'k': given.samples = options_count(o, 1, UINT64_MAX - 1); break;
+    case 'm': given.measure = options_choice(o, measure_names); break;
+    case 'g': given.engine = options_choice(o, engine_names); break;
+    case 'o': given.output = options_text(o); break;
+    case 'S': given.summary = options_text(o); break;
+    }
+}
+
 /* Reads the command line and refuses options that contradict each other.
    There is no default warm-up for a gas that cools, for a measurement of
    relaxation, or for a start from a file. */
@@ -1007,43 +1037,7 @@ static void read_settings(int argc, char *argv[])
                   entries, argc, argv);
     options_keys(&o, keys);
     while ((option = options_next(&o)) != -1)
-        switch (option) {
-        case 'N': given.disks = options_count(&o, 1, DISKS_MOST); break;
-        case 'D': given.dimensions = options_count(&o, 2, 3); break;
-        case 'r': given.radius = options_positive(&o, 1e100); break;
-        case 'p': given.packing = options_positive(&o, 1); break;
-        case 'f': given.species = options_input(&o); break;
-        case 'b':
-            given.axes = options_list(&o, given.box, DISKS_AXES);
-            break;
-        case 'B':
-            given.boundary = options_choice(&o, states_boundaries);
-            break;
-        case 'x':
-            given.start = options_text(&o);
-            if (starts_from_file())
-                options_input(&o);
-            break;
-        case 'v': given.speed = options_positive(&o, 1e100); break;
-        case 'T': given.temperature = options_positive(&o, 1e100); break;
-        case 'H': read_heavy(&o, given.heavy); break;
-        case 's': given.seed = options_count(&o, 0, UINT64_MAX); break;
-        case 'e': given.restitution = options_real(&o, 0, 1); break;
-        case 'G': given.gravity = options_real(&o, 0, 1e100); break;
-        case 'w': given.warmup = options_real(&o, 0, 1e12); break;
-        case 't': given.until = options_real(&o, 0, INFINITY); break;
-        case 'c':
-            given.collisions = options_count(&o, 0, UINT64_MAX - 1);
-            break;
-        case 'd': given.every = options_positive(&o, INFINITY); break;
-        case 'k':
-            given.samples = options_count(&o, 1, UINT64_MAX - 1);
-            break;
-        case 'm': given.measure = options_choice(&o, measure_names); break;
-        case 'g': given.engine = options_choice(&o, engine_names); break;
-        case 'o': given.output = options_text(&o); break;
-        case 'S': given.summary = options_text(&o); break;
-        }
+        take_option(&o, option);
     given.command = options_command(&o);
     if (given.packing > 0 && given.axes > 0 &&
         (given.radius > 0 || given.species))
@@ -1324,8 +1318,7 @@ int main(int argc, char *argv[])
     choose_engine(&r);
     check_start(&r);
     struct table *summary;
-    program_open(PROGRAM, given.output, given.summary, keys, &r.out,
-                 &summary);
+    program_open(given.output, given.summary, keys, &r.out, &summary);
     table_begin(r.out, given.command, given.seed);
     progress_begin(&r.progress, PROGRAM, PARTS, "collisions");
     warm_up(&r, given.warmup);

@@ -2,9 +2,7 @@
 #include "line/laws.h"
 #include "line/statistics.h"
 #include "toolbox/bench.h"
-#include "toolbox/options.h"
 #include "toolbox/program.h"
-#include "toolbox/table.h"
 
 #include <ctype.h>
 #include <errno.h>
@@ -67,9 +65,10 @@ static _Noreturn void bad_input(const struct columns *c, const char *format,
     program_leave(OPTIONS_FAILURE);
 }
 
-static _Noreturn void no_memory(const struct columns *c)
+static void memory_or_exit(const struct columns *c, bool got)
 {
-    bad_input(c, "no memory for %zu rows", c->rows);
+    if (!got)
+        bad_input(c, "no memory for %zu rows", c->rows);
 }
 
 struct head {
@@ -474,8 +473,8 @@ static void describe(struct columns *c, size_t i)
 {
     struct column *column = &c->column[i];
     const bool own = !(c->against && i + 1 == c->count);
-    if (!statistics_describe(c->rows, column->x, given.block, &column->d))
-        no_memory(c);
+    memory_or_exit(c, statistics_describe(c->rows, column->x, given.block,
+                                          &column->d));
     refuse_column(c, column);
     if (given.laws > 0 && own) {
         struct law law = given.law[given.laws > 1 ? i : 0];
@@ -514,13 +513,11 @@ static void test_law(const struct columns *c, size_t i,
                      const struct statistics_description *d)
 {
     const struct column *column = &c->column[i];
-    struct law *law = &given.law[given.laws > 1 ? i : 0];
-    struct law completed = *law;
+    struct law completed = given.law[given.laws > 1 ? i : 0];
     struct law_test t;
     const size_t fitted = laws_complete(&completed, d->mean, d->sd);
-    if (!laws_test(&completed, d->n, column->x, d->inefficiency, d->block,
-                   fitted, &t))
-        no_memory(c);
+    memory_or_exit(c, laws_test(&completed, d->n, column->x,
+                                d->inefficiency, d->block, fitted, &t));
     table_print(given.out, "#   law: mean %.4g, sd %.4g\n#   ",
                 laws_mean(&completed), laws_sd(&completed));
     if (!fitted)
@@ -558,9 +555,8 @@ static void compare(const struct columns *c, size_t i,
     const struct column *column = &c->column[i];
     const struct column *other = &c->column[c->count - 1];
     struct statistics_dependence t;
-    if (!statistics_dependence(c->rows, column->x, other->x, CELLS,
-                               given.block, &t))
-        no_memory(c);
+    memory_or_exit(c, statistics_dependence(c->rows, column->x, other->x,
+                                            CELLS, given.block, &t));
     const double g = fmax(d->inefficiency, other->d.inefficiency);
     const double chi2 = t.chi2 / g;
     const double probability = laws_chi2(chi2, (double)t.degrees);
@@ -587,8 +583,7 @@ static void write_histogram(const struct columns *c, size_t i,
     const struct bins bins = choose_bins(i, d);
     struct statistics_histogram *h =
         statistics_histogram_create(bins.low, bins.high, bins.count);
-    if (!h)
-        no_memory(c);
+    memory_or_exit(c, h);
     for (size_t k = 0; k < c->rows; ++k)
         statistics_histogram_add(h, c->column[i].x[k]);
     TABLE_RESULTS_OF(given.summary, c->column[i].name,
@@ -640,8 +635,7 @@ static double *in_unit(const struct columns *c, size_t i)
 {
     const double unit = statistics_unit(c->rows, c->column[i].x);
     double *x = malloc(c->rows * sizeof x[0]);
-    if (!x)
-        no_memory(c);
+    memory_or_exit(c, x);
     for (size_t k = 0; k < c->rows; ++k)
         x[k] = c->column[i].x[k] / unit;
     return x;
@@ -665,9 +659,8 @@ static void write_blocks(const struct columns *c, size_t i)
     const double square = unit * unit;
     struct statistics_blocking b, b2;
     double *y = squares_of(c, i);
-    if (!statistics_blocking(c->rows, c->column[i].x, &b) ||
-        !statistics_blocking(c->rows, y, &b2))
-        no_memory(c);
+    memory_or_exit(c, statistics_blocking(c->rows, c->column[i].x, &b) &&
+                          statistics_blocking(c->rows, y, &b2));
     free(y);
     for (size_t k = 0; k < b.levels; ++k)
         print_row(given.out, 6,
@@ -676,15 +669,15 @@ static void write_blocks(const struct columns *c, size_t i)
                              b.level[k].uncertainty,
                              b2.level[k].error * square,
                              b2.level[k].uncertainty * square});
-    const struct column *column = &c->column[i];
-    TABLE_RESULTS_OF(
-        given.summary, column->name, {"block_inefficiency", b.inefficiency},
-        {"block_inefficiency2", b2.inefficiency},
-        {"block_length", (double)b.level[b.chosen].length},
-        {"block_length2", (double)b2.level[b2.chosen].length},
-        {"block_error", b.error}, {"block_error2", b2.error * square},
-        {"block_naive", b.level[0].error},
-        {"block_naive2", b2.level[0].error * square});
+    TABLE_RESULTS_OF(given.summary, c->column[i].name,
+                     {"block_inefficiency", b.inefficiency},
+                     {"block_inefficiency2", b2.inefficiency},
+                     {"block_length", (double)b.level[b.chosen].length},
+                     {"block_length2", (double)b2.level[b2.chosen].length},
+                     {"block_error", b.error},
+                     {"block_error2", b2.error * square},
+                     {"block_naive", b.level[0].error},
+                     {"block_naive2", b2.level[0].error * square});
 }
 
 /* Writes the correlations for lags up to twice the window, to show what the
@@ -712,9 +705,8 @@ static void write_correlation(const struct columns *c, size_t i,
         g2 += 2 * rho2;
         print_row(given.out, 5, (double[]){(double)lag, rho, g, rho2, g2});
     }
-    const struct column *column = &c->column[i];
     TABLE_RESULTS_OF(
-        given.summary, column->name, {"window", (double)a.window},
+        given.summary, c->column[i].name, {"window", (double)a.window},
         {"window2", (double)b.window}, {"sum_inefficiency", a.inefficiency},
         {"sum_uncertainty", a.uncertainty},
         {"sum_inefficiency2", b.inefficiency},
@@ -770,12 +762,11 @@ static void write_cost(const struct columns *c, size_t i,
             time[way][round < 0 ? 0 : round] =
                 (bench_seconds() - start) * 1e9 / (double)d->n;
         }
-    for (int way = 0; way < WAYS; ++way) {
+    for (int way = 0; way < WAYS; ++way)
         table_print(given.out, "%-11s %.6g %.3g %.3g\n", ways[way],
                     error[way] * unit * unit,
                     uncertainty[way] * unit * unit,
                     bench_median(time[way], BENCH_ROUNDS));
-    }
     free(y);
 }
 
@@ -896,8 +887,8 @@ int main(int argc, char *argv[])
 {
     struct columns c = {0};
     read_settings(argc, argv);
-    given.out = program_table(PROGRAM, given.output);
-    given.summary = program_table(PROGRAM, given.summary_path);
+    given.out = program_table(given.output);
+    given.summary = program_table(given.summary_path);
     table_keys(given.summary, keys);
     read_table(&c);
     for (size_t i = 0; i < c.count; ++i)

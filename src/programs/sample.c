@@ -1,11 +1,8 @@
 /* Samples hard disks directly or by Markov chains. */
 #include "box/means.h"
 #include "box/sampling.h"
-#include "toolbox/options.h"
 #include "toolbox/program.h"
 #include "toolbox/progress.h"
-#include "toolbox/random.h"
-#include "toolbox/table.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -647,8 +644,7 @@ int main(int argc, char *argv[])
     if (given.method == DIRECT)
         check_throws(&o, &run.p);
     struct table *summary;
-    program_open(PROGRAM, given.output, given.summary, keys, &run.out,
-                 &summary);
+    program_open(given.output, given.summary, keys, &run.out, &summary);
     progress_begin(&run.progress, PROGRAM, given.samples, "tries");
     table_begin(run.out, given.command, given.seed);
     name_columns(&run);

@@ -1,9 +1,7 @@
 /* Writes a scene of the gallery with the values given to its keys. */
 #include "scenes/gallery.h"
 #include "scenes/scene.h"
-#include "toolbox/options.h"
 #include "toolbox/program.h"
-#include "toolbox/table.h"
 #include "toolbox/version.h"
 
 #include <stdarg.h>

@@ -5,21 +5,16 @@
 #include "forces/observables.h"
 #include "forces/opencl.h"
 #include "forces/reference.h"
-#include "scenes/scene.h"
 #include "toolbox/bench.h"
-#include "toolbox/options.h"
 #include "toolbox/program.h"
 #include "toolbox/progress.h"
 #include "toolbox/replace.h"
-#include "toolbox/table.h"
 #include "toolbox/vector.h"
 
-#include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #define PROGRAM "step"
 
@@ -535,18 +530,10 @@ static bool keep_checkpoint(struct run *r)
     return checkpoint_write(&r->checkpoint, &r->motion, known);
 }
 
-/* Returns the time of a clock that cannot be set back, s. */
-static double wall_clock(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
 /* Writes a checkpoint if it is due. Returns false if writing failed. */
 static bool keep_if_due(struct run *r, double *kept)
 {
-    const double now = r->kept ? wall_clock() : 0;
+    const double now = r->kept ? bench_clock() : 0;
     if (!r->kept || now - *kept < given.checkpoint)
         return true;
     *kept = now;
@@ -607,7 +594,7 @@ static enum ending ending_of(enum stepping_end end)
 static enum ending run_batch(struct run *r, uint64_t *batch)
 {
     const bool timed = r->took > 1e-5;
-    const double start = wall_clock();
+    const double start = bench_clock();
     const double begun = timed ? bench_seconds() : 0;
     const uint64_t steps = r->motion.stepping.steps;
     const uint64_t ahead =
@@ -619,7 +606,7 @@ static enum ending run_batch(struct run *r, uint64_t *batch)
         r->stepped += bench_seconds() - begun;
         r->timed += r->motion.stepping.steps - steps;
     }
-    r->took = wall_clock() - start;
+    r->took = bench_clock() - start;
     if (r->took > 0.05 && *batch > 1)
         *batch /= 2;
     else if (r->took < 0.02 && *batch < ahead)
@@ -672,7 +659,7 @@ static enum ending run_on(struct run *r)
     const double start = bench_seconds();
     const uint64_t before = *steps;
     uint64_t batch = 1;
-    double kept = r->kept ? wall_clock() : 0;
+    double kept = r->kept ? bench_clock() : 0;
     enum ending end = r->rows == 0 ? add_row(r) : WHOLE;
     while (end == WHOLE && *steps < r->last) {
         end = progress_signal() ? INTERRUPTED : run_batch(r, &batch);
@@ -731,9 +718,9 @@ static void explain(const struct run *r, enum ending end)
    process would leave the table's temporary file behind. */
 static void open_outputs(struct run *r)
 {
-    r->out = program_table(PROGRAM, given.output);
-    r->summary = program_table(PROGRAM, given.summary);
-    r->save = given.save ? program_table(PROGRAM, given.save) : NULL;
+    r->out = program_table(given.output);
+    r->summary = program_table(given.summary);
+    r->save = given.save ? program_table(given.save) : NULL;
     if (!r->kept)
         return;
     table_discard(r->out);

@@ -11,11 +11,9 @@
 /* Makes the scene "four-disks" of chapter 5, but with only two disks. */
 static void make_disks(struct scene *s, double seed)
 {
-    const char *wrong =
+    program_check(
         gallery_choose(s, hard_scenes, "four-disks",
-                       GALLERY_CHOICES({"particles", 2}, {"seed", seed}));
-    if (wrong)
-        program_give_up("%s", wrong);
+                       GALLERY_CHOICES({"particles", 2}, {"seed", seed})));
 }
 
 /* Returns Z, the pressure averaged over a run of T seconds, computed from

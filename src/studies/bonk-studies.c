@@ -1,7 +1,6 @@
 /* Maps cost against error for all scenes and measures the price list. */
 #include "choosing/choose.h"
 #include "scenes/gallery.h"
-#include "choosing/models.h"
 #include "toolbox/bench.h"
 #include "toolbox/quad.h"
 #include "toolbox/study.h"
@@ -71,13 +70,6 @@ static const struct subject subjects[] = {
     {"cantilever", "cantilever", 8, {{0}}},
     {0}};
 
-/* Prints the reason and ends the program, because an incomplete atlas is
-   useless. */
-_Noreturn static void fail(const char *why)
-{
-    program_give_up("%s", why);
-}
-
 /* Finds a scene in the three lists of the gallery. */
 static const struct gallery_scene *find_scene(const char *name)
 {
@@ -87,7 +79,7 @@ static const struct gallery_scene *find_scene(const char *name)
     for (size_t k = 0; k < 3 && !g; ++k)
         g = gallery_find(lists[k], name);
     if (!g)
-        fail("there is no such scene");
+        program_give_up("there is no such scene");
     return g;
 }
 
@@ -100,9 +92,7 @@ static void make_scene(struct scene *s, const struct subject *t)
     gallery_usual(g, value);
     for (size_t k = 0; k < KEYS && t->set[k].key; ++k)
         value[gallery_key(g, t->set[k].key)] = t->set[k].value;
-    const char *why = g->build(s, value);
-    if (why)
-        fail(why);
+    program_check(g->build(s, value));
 }
 
 /* The positions of all bodies at ROWS equally spaced times. Velocities are
@@ -537,17 +527,23 @@ struct map {
     size_t points;
 };
 
+/* Returns the error of the last run. Errors below 1e-17 are raised to
+   1e-17, because the map has logarithmic axes and ends there. */
+static double error_of(const struct map *m)
+{
+    return fmax(distance(&m->path, &m->truth.path, ROWS) / m->truth.scale,
+                1e-17);
+}
+
 /* Runs a plan and adds its point to the map. Returns its error, or INFINITY
-   if the run did not finish. Errors below 1e-17 are raised to 1e-17,
-   because the map has logarithmic axes and ends there. */
+   if the run did not finish. */
 static double add_point(struct map *m, struct models_plan plan)
 {
     if (m->points == MOST_POINTS)
-        fail("there are too many points");
+        program_give_up("there are too many points");
     if (!run_plan(&m->path, &plan, &m->scene, m->every, m->limit))
         return INFINITY;
-    const double error = fmax(
-        distance(&m->path, &m->truth.path, ROWS) / m->truth.scale, 1e-17);
+    const double error = error_of(m);
     m->point[m->points++] =
         (struct point){plan, m->path.cost, error, false};
     return error;
@@ -837,11 +833,8 @@ static void ask_chooser(struct pick *p, struct map *m, double tolerance)
     p->horizon = c.horizon;
     if (c.run.value &&
         run_plan(&m->path, &c.run.plan, &m->scene, m->every, 100))
-        p->point = (struct point){
-            c.run.plan, m->path.cost,
-            fmax(distance(&m->path, &m->truth.path, ROWS) / m->truth.scale,
-                 1e-17),
-            false};
+        p->point =
+            (struct point){c.run.plan, m->path.cost, error_of(m), false};
     choose_free(&c);
 }
 
@@ -956,17 +949,18 @@ static double time_run(const struct price_run *b, bool alone,
     struct models_plan plan;
     struct models_run r;
     struct scene s;
-    const char *why =
-        gallery_make(&s, find_scene(b->name), b->key, b->value);
-    if (why || !models_read(&plan, b->plan, message))
-        fail(why ? why : message);
+    const char *why;
+    program_check(gallery_make(&s, find_scene(b->name), b->key, b->value));
+    if (!models_read(&plan, b->plan, message))
+        program_give_up("%s", message);
     s.k2 = alone ? 0 : s.k2;
     const double begin = bench_seconds();
     if (!models_begin(&r, &plan, &s, b->every, &why))
-        fail(why);
+        program_give_up("%s", why);
     while (r.rows < b->rows)
         if (models_row(&r) != MODELS_DONE)
-            fail("a run that measures a price has not come to its end");
+            program_give_up(
+                "a run that measures a price has not come to its end");
     const double seconds = bench_seconds() - begin;
     memcpy(work, r.work, sizeof r.work);
     models_end(&r);
@@ -1102,11 +1096,9 @@ static void study_prices(struct study *s)
     table_print(s->out,
                 "# unit, price in the list (ns), measured, ratio\n");
     for (int k = 0; k < MODELS_UNITS && !progress_signal(); ++k) {
-        double value[BENCH_ROUNDS];
-        for (int round = -1; round < BENCH_ROUNDS; ++round)
-            value[round < 0 ? 0 : round] =
-                price_in(&price_runs[k], (enum models_unit)k);
-        const double found = bench_median(value, BENCH_ROUNDS);
+        double found;
+        BENCH_TURNS(i, 1, &found,
+                    price_in(&price_runs[k], (enum models_unit)k));
         table_print(s->out, "%s %.3g %.3g %.3g\n", models_prices[k].name,
                     models_prices[k].ns, found,
                     found / models_prices[k].ns);
@@ -1114,13 +1106,11 @@ static void study_prices(struct study *s)
     table_print(s->out,
                 "# whole runs: scene, plan, bill (s), seconds over bill\n");
     for (const struct price_run *b = whole_runs; b->name; ++b) {
-        double value[BENCH_ROUNDS], work[MODELS_UNITS];
-        for (int round = -1; round < BENCH_ROUNDS; ++round)
-            value[round < 0 ? 0 : round] = time_run(b, false, work);
+        double seconds, work[MODELS_UNITS];
+        BENCH_TURNS(i, 1, &seconds, time_run(b, false, work));
         const double bill = models_cost(work);
         table_print(s->out, "# %s/%s=%g %s %.3g %.2f\n", b->name, b->key,
-                    b->value, b->plan, bill,
-                    bench_median(value, BENCH_ROUNDS) / bill);
+                    b->value, b->plan, bill, seconds / bill);
     }
 }
 

@@ -1,7 +1,6 @@
 /* Measures engines for bodies on a line: speed, drift, reversal, steps. */
 #include "line/bonkers.h"
 #include "line/collide.h"
-#include "line/start.h"
 #include "toolbox/bench.h"
 #include "toolbox/quad.h"
 #include "toolbox/random.h"

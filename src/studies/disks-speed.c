@@ -1,11 +1,8 @@
 /* Measures the collisions per second of each engine for disks. */
 #include "box/cells.h"
 #include "toolbox/bench.h"
-#include "toolbox/options.h"
 #include "toolbox/program.h"
 #include "toolbox/progress.h"
-#include "toolbox/random.h"
-#include "toolbox/table.h"
 
 #include <math.h>
 #include <string.h>
@@ -405,7 +402,7 @@ int main(int argc, char *argv[])
     struct progress progress;
     read_settings(argc, argv);
     struct table *out, *summary;
-    program_open(PROGRAM, own.output, own.summary, keys, &out, &summary);
+    program_open(own.output, own.summary, keys, &out, &summary);
     progress_begin(&progress, PROGRAM, own.sizes, "sizes");
     write_head(out);
     for (size_t k = 0; k < own.sizes && !progress_signal(); ++k) {

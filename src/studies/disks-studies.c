@@ -2,7 +2,6 @@
 #include "box/loop.h"
 #include "toolbox/bench.h"
 #include "toolbox/quad.h"
-#include "toolbox/random.h"
 #include "toolbox/study.h"
 
 #include <math.h>

@@ -39,9 +39,7 @@ struct sky {
 static void make_scene(struct scene *s, const char *name,
                        const struct gallery_choice chosen[])
 {
-    const char *wrong = gallery_choose(s, celestial_scenes, name, chosen);
-    if (wrong)
-        program_give_up("%s", wrong);
+    program_check(gallery_choose(s, celestial_scenes, name, chosen));
 }
 
 static void begin_sky(struct sky *k, const char *name,
@@ -1216,23 +1214,24 @@ static double step_by_hand(double x[6], double v[6], const double m[2],
     return x[1];
 }
 
-/* Sets *general and *by_hand to the times of a leapfrog step of the Sun and
-   the Earth, with the module stepping and with step_by_hand, ns. */
-static void measure_two(double *general, double *by_hand)
+/* Returns the time of a leapfrog step of the Sun and the Earth, ns, with
+   step_by_hand or with the module stepping. */
+static double measure_two(bool by_hand)
 {
     const uint64_t steps = 2000000;
+    volatile double last = 0; /* keeps the loop */
     struct sky k;
     begin_sky(&k, "sun-earth", NULL, "leapfrog", 0.03);
-    double begin = bench_seconds();
-    stepping_run(&k.stepping, steps);
-    *general = (bench_seconds() - begin) / (double)steps * 1e9;
-    begin = bench_seconds();
-    volatile double last =
-        step_by_hand(k.scene.position, k.scene.velocity, k.scene.mass,
-                     k.scene.k2, 0.03, steps);
+    const double begin = bench_seconds();
+    if (by_hand)
+        last = step_by_hand(k.scene.position, k.scene.velocity,
+                            k.scene.mass, k.scene.k2, 0.03, steps);
+    else
+        stepping_run(&k.stepping, steps);
+    const double seconds = bench_seconds() - begin;
     (void)last;
-    *by_hand = (bench_seconds() - begin) / (double)steps * 1e9;
     end_sky(&k);
+    return seconds / (double)steps * 1e9;
 }
 
 /* Measures a kernel and writes its row, which includes the peak speed of
@@ -1258,7 +1257,7 @@ static void measure_kernel(struct study *s, struct sky *k, double a[],
 static void study_speed(struct study *s)
 {
     struct sky k;
-    double general[BENCH_ROUNDS], by_hand[BENCH_ROUNDS];
+    double ns[2];
     begin_sky(&k, "ring", NULL, "leapfrog", 4);
     double *a = malloc(3 * k.scene.bodies * sizeof *a);
     program_memory(a, NULL);
@@ -1271,14 +1270,11 @@ static void study_speed(struct study *s)
     for (int i = GRAVITY_PORTABLE; i < GRAVITY_TREE; ++i)
         if (gravity_can((enum gravity_kernel)i))
             measure_kernel(s, &k, a, (enum gravity_kernel)i);
-    for (int i = -1; i < BENCH_ROUNDS; ++i)
-        measure_two(&general[i < 0 ? 0 : i], &by_hand[i < 0 ? 0 : i]);
-    const double g = bench_median(general, BENCH_ROUNDS);
-    const double h = bench_median(by_hand, BENCH_ROUNDS);
+    BENCH_TURNS(way, 2, ns, measure_two(way == 1));
     table_print(s->out,
                 "# ns a step of two bodies: stepping, by hand, "
                 "ratio\ntwo       %.3g %.3g %.3g\n",
-                g, h, g / h);
+                ns[0], ns[1], ns[0] / ns[1]);
     free(a);
     end_sky(&k);
 }

@@ -43,17 +43,18 @@ static const struct options_entry entries[] = {
     {"step", 'd', "D1,..", "of the chain, m (0.1)"},
     {0}};
 
-static _Noreturn void end_without_memory(void)
+static void memory_or_exit(bool got)
 {
-    program_give_up("no memory; use fewer disks or samples");
+    if (!got)
+        program_give_up("no memory; use fewer disks or samples");
 }
 
 /* Makes a unit box with own.disks disks. */
 static void make_box(struct sampling *p, double radius)
 {
-    if (!sampling_create(p, 2, DISKS_WALLS, (const double[]){1, 1},
-                         own.disks, radius, 0, 0))
-        end_without_memory();
+    memory_or_exit(sampling_create(p, 2, DISKS_WALLS,
+                                   (const double[]){1, 1}, own.disks,
+                                   radius, 0, 0));
 }
 
 /* Starts a Markov chain and runs it for `sweeps` sweeps to remove the
@@ -194,8 +195,7 @@ static void study_mistakes(struct study *s)
     for (int way = 0; way < WAYS; ++way) {
         TABLE_COLUMNS(s->out, {way_names[way], "1/m", "density of x and y"},
                       {"e", "1/m", "its error"});
-        if (!means_create(&means[way], QUANTITIES))
-            end_without_memory();
+        memory_or_exit(means_create(&means[way], QUANTITIES));
         start_chain(&p, own.step[0], 1000, &r);
         for (uint64_t k = 0; k < own.samples && !progress_signal(); ++k)
             take((enum way)way, &means[way], &p, own.step[0], &r);
@@ -233,8 +233,7 @@ static double run_chain(struct sampling *p, double step, uint64_t sweeps,
 static double inefficiency(size_t n, const double x[])
 {
     static struct statistics_blocking b;
-    if (!statistics_blocking(n, x, &b))
-        end_without_memory();
+    memory_or_exit(statistics_blocking(n, x, &b));
     return b.inefficiency;
 }
 
@@ -264,8 +263,7 @@ static void study_memory(struct study *s)
 {
     double *x = malloc(2 * own.samples * sizeof *x);
     struct random r;
-    if (!x)
-        end_without_memory();
+    memory_or_exit(x);
     random_seed(&r, s->seed);
     TABLE_COLUMNS(s->out, {"r", "m", "radius"},
                   {"step", "m", "longest move along an axis"},
@@ -346,8 +344,7 @@ static void begin_method(enum method method, struct sampling *p,
     if (method != DYNAMICS)
         return;
     disks_set_speed(&p->disks, 1, r);
-    if (!disks_plan(&p->disks))
-        end_without_memory();
+    memory_or_exit(disks_plan(&p->disks));
 }
 
 /* Counts the current coordinates by their distance from the nearer wall. */
@@ -460,9 +457,9 @@ static void begin_gauge(struct gauge *g, enum gauging way, double packing,
 {
     const size_t count = 64;
     const double radius = sqrt(packing / (acos(-1) * (double)count));
-    if (!sampling_create(&g->p, 2, DISKS_PERIODIC, (const double[]){1, 1},
-                         count, radius, 0, 0))
-        end_without_memory();
+    memory_or_exit(sampling_create(&g->p, 2, DISKS_PERIODIC,
+                                   (const double[]){1, 1}, count, radius, 0,
+                                   0));
     g->step = step * radius;
     g->sum = 0;
     g->samples = 0;
@@ -471,8 +468,7 @@ static void begin_gauge(struct gauge *g, enum gauging way, double packing,
         return;
     disks_set_speed(&g->p.disks, 1, &g->r);
     disks_settle(&g->p.disks);
-    if (!disks_plan(&g->p.disks))
-        end_without_memory();
+    memory_or_exit(disks_plan(&g->p.disks));
 }
 
 /* Makes a sweep. Returns an estimate of Z - 1 from the contact densities of
@@ -597,8 +593,7 @@ static void study_one_way(struct study *s)
     const double both = find_truth(0.65, 0.3, own.samples, &g.r);
     begin_gauge(&g, CHAINS, 0.65, 0.3);
     start_chain(&g.p, g.step, 0, &g.r);
-    if (!means_create(&m, 1))
-        end_without_memory();
+    memory_or_exit(means_create(&m, 1));
     for (uint64_t n = 0; n < own.samples && !progress_signal(); ++n) {
         means_add(&m, 0, follow_chain(&g, 0));
         means_next(&m);

@@ -2,10 +2,8 @@
 #include "scenes/decimal.h"
 #include "scenes/scene.h"
 #include "toolbox/bench.h"
-#include "toolbox/options.h"
 #include "toolbox/program.h"
 #include "toolbox/random.h"
-#include "toolbox/table.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -110,7 +108,7 @@ int main(int argc, char *argv[])
                   entries, argc, argv);
     while (options_next(&o) != -1)
         output = options_text(&o);
-    struct table *out = program_table(PROGRAM, output);
+    struct table *out = program_table(output);
     struct random r;
     random_seed(&r, 1);
     table_begin(out, options_command(&o), 1);

@@ -2,7 +2,6 @@
 #include "box/blocks.h"
 #include "line/bonkers.h"
 #include "box/cells.h"
-#include "box/disks.h"
 #include "forces/hard.h"
 #include "forces/largest.h"
 #include "forces/motion.h"
@@ -11,7 +10,6 @@
 #include "toolbox/study.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #define PROGRAM "spheres-studies"
@@ -29,9 +27,7 @@ static const double usual_length = 60; /* of runs in other studies, s */
 static void make_scene(struct scene *s, const char *name,
                        const struct gallery_choice chosen[])
 {
-    const char *wrong = gallery_choose(s, hard_scenes, name, chosen);
-    if (wrong)
-        program_give_up("%s", wrong);
+    program_check(gallery_choose(s, hard_scenes, name, chosen));
 }
 
 /* The ways to resolve overlaps after a step. PAPER collides all overlapping

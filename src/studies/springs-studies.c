@@ -18,9 +18,10 @@ static struct {
     double until; /* duration of the run of --study membranes, s */
 } own = {.until = 40};
 
-static _Noreturn void no_memory(void)
+static void memory_or_exit(bool got)
 {
-    program_give_up("there is no memory");
+    if (!got)
+        program_give_up("there is no memory");
 }
 
 /* A scene, its springs, and the method that steps it. */
@@ -34,18 +35,16 @@ struct run {
 static void make(struct scene *s, const char *name,
                  const struct gallery_choice chosen[])
 {
-    const char *wrong = gallery_choose(s, elastic_scenes, name, chosen);
-    if (wrong)
-        program_give_up("%s", wrong);
+    program_check(gallery_choose(s, elastic_scenes, name, chosen));
 }
 
 static void set_off(struct run *r, const struct stepping_method *method,
                     double dt)
 {
-    if (!springs_create(&r->springs, &r->scene) ||
-        !stepping_begin(&r->stepping, method, springs_forces(&r->springs),
-                        dt, r->scene.position, r->scene.velocity))
-        no_memory();
+    memory_or_exit(springs_create(&r->springs, &r->scene) &&
+                   stepping_begin(&r->stepping, method,
+                                  springs_forces(&r->springs), dt,
+                                  r->scene.position, r->scene.velocity));
     r->stepping.sweep = springs_sweep;
 }
 
@@ -172,12 +171,10 @@ enum { DUMBBELL_ROWS = 101 };
    that is stretched by a tenth. It rotates about z. */
 static void make_dumbbell(struct scene *s, bool axial)
 {
-    if (!scene_create(s, 2) || !scene_add_kind(s, 100, 0.5))
-        no_memory();
+    memory_or_exit(scene_create(s, 2) && scene_add_kind(s, 100, 0.5));
     s->position[0] = -0.5;
     s->position[1] = 0.5;
-    if (!scene_add_spring(s, 0, 1, 0, -1))
-        no_memory();
+    memory_or_exit(scene_add_spring(s, 0, 1, 0, -1));
     s->position[0] -= 0.05;
     s->position[1] += 0.05;
     s->velocity[2] = -1;
@@ -256,13 +253,11 @@ static void study_path(struct study *s)
 static const double after_10[4] = {-.156264701442401, .0112096197458345,
                                    -.921375731195946, -1.25031461636596};
 
-/* Returns the largest difference between the four coordinates and
-   place[]. */
-static double miss(const struct scene *s, const double place[4])
+/* Sets place[] to these coordinates of a double pendulum. */
+static void take_place(const struct scene *s, double place[4])
 {
     const double *const x = s->position, *const z = x + 6;
-    const double found[4] = {x[1], z[1], x[2], z[2]};
-    return largest_difference(found, place, 4);
+    memcpy(place, (double[]){x[1], z[1], x[2], z[2]}, 4 * sizeof *place);
 }
 
 /* Runs the double pendulum for 10 s in n steps. Sets row[] to dt, number of
@@ -272,6 +267,7 @@ static bool swing_of(const struct stepping_method *method, uint64_t n,
                      double row[5])
 {
     struct run r;
+    double place[4];
     make(&r.scene, "double-pendulum", NULL);
     set_off(&r, method, 10 / (double)n);
     const double before = energy(&r), start = bench_seconds();
@@ -279,7 +275,8 @@ static bool swing_of(const struct stepping_method *method, uint64_t n,
     row[4] = bench_seconds() - start;
     row[0] = r.stepping.dt;
     row[1] = (double)r.stepping.evaluations;
-    row[2] = miss(&r.scene, after_10);
+    take_place(&r.scene, place);
+    row[2] = largest_difference(place, after_10, 4);
     row[3] = energy(&r) - before;
     tidy_up(&r);
     return end == STEPPING_DONE && row[2] < 3;
@@ -291,6 +288,7 @@ static bool swing_of(const struct stepping_method *method, uint64_t n,
    it, the table is the same on all machines. */
 static void write_errors(struct study *s, bool timed)
 {
+    double row[5];
     if (timed)
         bench_machine(s->out);
     TABLE_COLUMNS(s->out, {"dt", "s", "step"},
@@ -299,11 +297,9 @@ static void write_errors(struct study *s, bool timed)
                   {"energy", "J", "change of the energy"});
     if (timed)
         table_column(s->out, "cost", "s", "processor time");
-    for (const struct stepping_method *m = stepping_next(NULL); m;
-         m = stepping_next(m)) {
+    for (const struct stepping_method *m = NULL; (m = stepping_next(m));) {
         table_print(s->out, "# %s\n", m->name);
         for (uint64_t n = 50; n <= 160000; n *= 2) {
-            double row[5];
             if (!swing_of(m, n, row) || progress_signal())
                 continue;
             table_row(s->out, timed ? 5 : 4, row);
@@ -312,11 +308,6 @@ static void write_errors(struct study *s, bool timed)
         }
         table_print(s->out, "\n\n");
     }
-}
-
-static void sum_up_errors(struct study *s)
-{
-    double row[5];
     swing_of(stepping_find("leapfrog"), 10000, row);
     table_real(s->summary, "leapfrog_1e-3", row[2]);
     swing_of(stepping_find("rk4"), 10000, row);
@@ -334,13 +325,11 @@ static const struct table_key pendulum_keys[] = {
 static void study_errors(struct study *s)
 {
     write_errors(s, false);
-    sum_up_errors(s);
 }
 
 static void study_work(struct study *s)
 {
     write_errors(s, true);
-    sum_up_errors(s);
 }
 
 enum { WAYS = 3 };
@@ -443,11 +432,11 @@ static bool rod_swing(uint64_t n, double place[4])
     make(&o.run.scene, "double-pendulum",
          GALLERY_CHOICES({"stiffness1", 0}));
     set_off(&o.run, stepping_find("leapfrog"), 10 / (double)n);
-    const double *const x = o.run.scene.position, *const z = x + 6;
-    springs_accelerate(&o.run.springs, x, o.run.scene.velocity, o.a);
+    springs_accelerate(&o.run.springs, o.run.scene.position,
+                       o.run.scene.velocity, o.a);
     for (uint64_t i = 0; i < n; ++i)
         rod_step(&o, 10 / (double)n);
-    memcpy(place, (double[]){x[1], z[1], x[2], z[2]}, 4 * sizeof *place);
+    take_place(&o.run.scene, place);
     tidy_up(&o.run);
     return isfinite(place[0] + place[1] + place[2] + place[3]);
 }
@@ -463,8 +452,7 @@ static void spring_swing(double stiffness, double place[4])
          GALLERY_CHOICES({"stiffness1", stiffness}));
     set_off(&r, stepping_find("kahan-li8"), 10 / (double)n);
     stepping_run(&r.stepping, n);
-    const double *const x = r.scene.position, *const z = x + 6;
-    memcpy(place, (double[]){x[1], z[1], x[2], z[2]}, 4 * sizeof *place);
+    take_place(&r.scene, place);
     tidy_up(&r);
 }
 
@@ -516,8 +504,8 @@ static double disturb(struct scene *s)
 {
     struct springs p;
     struct modes m;
-    if (!springs_create(&p, s) || !modes_find(&m, &p, s->position))
-        no_memory();
+    memory_or_exit(springs_create(&p, s) &&
+                   modes_find(&m, &p, s->position));
     const double *shape = m.shape + (m.size - 1) * m.size;
     for (size_t i = 0; i < m.size; ++i)
         s->position[m.coordinate[i]] += 1e-9 * shape[i];
@@ -543,8 +531,7 @@ static bool grows(const struct stepping_method *method, bool pendulum,
     struct scene rest;
     double far[4] = {0}; /* largest displacement in each quarter, m */
     make_at_rest(&r.scene, pendulum);
-    if (!scene_copy(&rest, &r.scene))
-        no_memory();
+    memory_or_exit(scene_copy(&rest, &r.scene));
     const double fastest = disturb(&r.scene);
     const size_t size = 3 * rest.bodies;
     const double start =
@@ -636,16 +623,14 @@ static void study_limits(struct study *s)
    a. */
 static void put_between(struct scene *s, double a)
 {
-    if (!scene_create(s, 3) || !scene_add_kind(s, 50, 0))
-        no_memory();
+    memory_or_exit(scene_create(s, 3) && scene_add_kind(s, 50, 0));
     for (size_t i = 0; i < 3; ++i) {
         s->position[i] = 2.0 / 7 * (double)i;
         for (size_t k = 0; k < 3; ++k)
             s->freedom[3 * k + i] = i == 1 && k == 2;
     }
-    if (!scene_add_spring(s, 0, 1, 0, -1) ||
-        !scene_add_spring(s, 1, 2, 0, -1))
-        no_memory();
+    memory_or_exit(scene_add_spring(s, 0, 1, 0, -1) &&
+                   scene_add_spring(s, 1, 2, 0, -1));
     s->position[7] = a;
 }
 
@@ -846,8 +831,7 @@ static double sag(struct scene *s, double g)
     set_off(&r, stepping_find("leapfrog"), 0.05);
     stepping_run(&r.stepping, 20000);
     const double depth = -r.scene.position[2 * 81 + 40];
-    if (s && !scene_copy(s, &r.scene))
-        no_memory();
+    memory_or_exit(!s || scene_copy(s, &r.scene));
     tidy_up(&r);
     return depth;
 }
@@ -958,11 +942,10 @@ static void find_linear(struct beam *b, const struct scene *s, size_t nx)
 {
     struct springs p;
     struct modes m;
-    if (!springs_create(&p, s) || !modes_find(&m, &p, s->position))
-        no_memory();
+    memory_or_exit(springs_create(&p, s) &&
+                   modes_find(&m, &p, s->position));
     double *const u = calloc(3 * s->bodies, sizeof *u);
-    if (!u)
-        no_memory();
+    memory_or_exit(u);
     for (b->loose = 0; m.square[b->loose] < 1e-6;)
         ++b->loose;
     b->frequency = sqrt(m.square[b->loose]);
@@ -1149,8 +1132,7 @@ static void study_threads(struct study *s)
         struct run r[2];
         for (int way = 0; way < 2; ++way) {
             make_fast(&r[way], n, GATHER);
-            if (way && !springs_threads(&r[way].springs, 2))
-                no_memory();
+            memory_or_exit(!way || springs_threads(&r[way].springs, 2));
         }
         for (int round = -1; round < BENCH_ROUNDS; ++round) {
             const int at =

@@ -331,8 +331,7 @@ static void study_energy(struct study *s)
 {
     TABLE_COLUMNS(s->out, {"t", "orbits", "time"},
                   {"dE/E", "", "largest error of the energy so far"});
-    for (const struct stepping_method *m = stepping_next(NULL); m;
-         m = stepping_next(m))
+    for (const struct stepping_method *m = NULL; (m = stepping_next(m));)
         record_energy(s, m);
 }
 
@@ -401,8 +400,7 @@ static void study_stability(struct study *s)
     TABLE_COLUMNS(s->out, {"re", "", "real part of lambda dt"},
                   {"im", "", "imaginary part of lambda dt"},
                   {"growth", "", "of the state in a step"});
-    for (const struct stepping_method *m = stepping_next(NULL); m;
-         m = stepping_next(m)) {
+    for (const struct stepping_method *m = NULL; (m = stepping_next(m));) {
         table_print(s->out, "# %s\n", m->name);
         for (int i = 0; i <= 90; ++i) {
             for (int j = 0; j <= 70; ++j) {
@@ -525,8 +523,7 @@ static void study_order(struct study *s)
     reference(0, &x, &v);
     reference(0.5, &xc, &vc);
     table_print(s->out, "# method            order  with friction\n");
-    for (const struct stepping_method *m = stepping_next(NULL); m;
-         m = stepping_next(m)) {
+    for (const struct stepping_method *m = NULL; (m = stepping_next(m));) {
         double error;
         const double order = order_of(m->name, 0, x, v, &error);
         const double damped = order_of(m->name, 0.5, xc, vc, &error);
@@ -571,8 +568,7 @@ static double sum_of_moduli(const double y[], size_t n)
 static void study_damping(struct study *s)
 {
     table_print(s->out, "# method            sum|drift|  c dt\n");
-    for (const struct stepping_method *m = stepping_next(NULL); m;
-         m = stepping_next(m))
+    for (const struct stepping_method *m = NULL; (m = stepping_next(m));)
         table_print(s->out, "%-18s %9.3f  %6.3f\n", m->name,
                     sum_of_moduli(m->drift, m->drifts),
                     friction_limit(m, 0));
@@ -583,8 +579,7 @@ static void study_damping(struct study *s)
 static void study_friction(struct study *s)
 {
     table_column(s->out, "c dt", "", "friction times step");
-    for (const struct stepping_method *m = stepping_next(NULL); m;
-         m = stepping_next(m))
+    for (const struct stepping_method *m = NULL; (m = stepping_next(m));)
         table_column(s->out, m->name, "", "growth of the velocity");
     for (int i = 1; i <= 120; ++i) {
         double row[STEPPING_MOST + 1] = {i * 0.05}, matrix[3][3];
@@ -777,8 +772,7 @@ static void record_adaptive(struct study *s, const struct task *k,
    10 are left out. */
 static void record_work(struct study *s, const struct task *k)
 {
-    for (const struct stepping_method *m = stepping_next(NULL); m;
-         m = stepping_next(m)) {
+    for (const struct stepping_method *m = NULL; (m = stepping_next(m));) {
         table_print(s->out, "# %s\n", m->name);
         for (double budget = 500; budget < 1e6 && !progress_signal();
              budget *= sqrt(2)) {

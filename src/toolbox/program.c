@@ -57,26 +57,32 @@ _Noreturn void program_give_up(const char *format, ...)
     program_leave(EXIT_FAILURE);
 }
 
+void program_check(const char *wrong)
+{
+    if (wrong)
+        program_give_up("%s", wrong);
+}
+
 void program_memory(bool got, const char *what)
 {
     if (!got)
         program_give_up("no memory%s%s", what ? " " : "", what ? what : "");
 }
 
-struct table *program_table(const char *program, const char *path)
+struct table *program_table(const char *path)
 {
-    struct table *t = table_open(program, path);
+    struct table *t = table_open(options_program(), path);
     if (!t)
         program_leave(EXIT_FAILURE);
     return t;
 }
 
-void program_open(const char *program, const char *output,
-                  const char *summary, const struct table_key keys[],
-                  struct table **out, struct table **results)
+void program_open(const char *output, const char *summary,
+                  const struct table_key keys[], struct table **out,
+                  struct table **results)
 {
-    *out = program_table(program, output);
-    *results = program_table(program, summary);
+    *out = program_table(output);
+    *results = program_table(summary);
     table_keys(*results, keys);
     progress_catch_signals();
 }

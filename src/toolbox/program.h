@@ -13,18 +13,18 @@
 void program_apart(struct options *o, const char *output,
                    const char *summary, const char *name);
 
-/* Opens a table like table_open. On failure ends the process with
-   EXIT_FAILURE. */
-struct table *program_table(const char *program, const char *path);
+/* Opens a table like table_open, under the program's name from
+   options_begin. On failure ends the process with EXIT_FAILURE. */
+struct table *program_table(const char *path);
 
 /* Opens the table at output (NULL: standard output) and the summary with
    these keys, and sets *out and *results. Then catches signals, which only
    ask the program to end (toolbox/progress.h). If table or summary cannot
    be opened, ends the process like program_table and leaves no empty
    file. */
-void program_open(const char *program, const char *output,
-                  const char *summary, const struct table_key keys[],
-                  struct table **out, struct table **results);
+void program_open(const char *output, const char *summary,
+                  const struct table_key keys[], struct table **out,
+                  struct table **results);
 
 /* Closes the table. Closes the summary, too, if `whole' is true and the
    table was written. Otherwise discards the summary, because a mean over
@@ -45,6 +45,11 @@ void program_say(const char *format, ...);
    program_give_up exits with EXIT_FAILURE, for a run that has failed. */
 _Noreturn void program_refuse(const char *format, ...);
 _Noreturn void program_give_up(const char *format, ...);
+
+/* If `wrong' is not NULL, prints it and ends the process like
+   program_give_up. Use this for functions that return NULL or the reason of
+   their failure. */
+void program_check(const char *wrong);
 
 /* If `got' is false, ends the process with the message "no memory". `what'
    completes the message, for example with "for the disks", and may be

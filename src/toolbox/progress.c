@@ -1,29 +1,21 @@
 /* Writes the progress line, and handles signals that end a run. */
 #include "toolbox/progress.h"
-#include "toolbox/replace.h"
 
-#include "toolbox/table.h"
+#include "toolbox/bench.h"
+#include "toolbox/replace.h"
 
 #include <math.h>
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
-
-static double seconds(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
 
 void progress_begin(struct progress *p, const char *program, uint64_t total,
                     const char *what)
 {
     *p = (struct progress){.program = program, .what = what};
     p->total = total;
-    p->start = seconds();
+    p->start = bench_clock();
     p->visible = isatty(STDERR_FILENO) == 1;
 }
 
@@ -57,7 +49,7 @@ void progress_update(struct progress *p, uint64_t done, uint64_t events)
     p->done = done;
     if (!p->visible)
         return;
-    const double now = seconds();
+    const double now = bench_clock();
     if (now - p->start < 1 || now - p->last < 0.2)
         return;
     p->last = now;

@@ -115,8 +115,8 @@ int study_main(const struct study_program *p, int argc, char *argv[])
     struct command c = {.seed = p->seeds > 0, .summary = "/dev/null"};
     struct study s = {0};
     read_command(p, &c, argc, argv);
-    program_open(p->name, c.output, c.summary, p->studies[c.study].keys,
-                 &s.out, &s.summary);
+    program_open(c.output, c.summary, p->studies[c.study].keys, &s.out,
+                 &s.summary);
     s.seed = c.seed;
     progress_begin(&s.progress, p->name, 0, p->events);
     table_begin(s.out, c.line, c.seed);

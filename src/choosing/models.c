@@ -45,8 +45,7 @@ const struct models_price models_prices[MODELS_UNITS] = {
     [MODELS_FLIGHT] = {"flight", "coordinate moved freely", 3.6},
     [MODELS_ORDER] = {"order", "comparison of two bodies", 2.7},
     [MODELS_MODE] = {"mode", "operation on modes", 0.5},
-    [MODELS_ROW] = {"row", "row of a run", 40},
-};
+    [MODELS_ROW] = {"row", "row of a run", 40}};
 
 double models_cost(const double work[MODELS_UNITS])
 {

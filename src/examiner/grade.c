@@ -467,17 +467,15 @@ struct job {
 static struct marks blank_marks(const struct batch *b,
                                 const struct job *job)
 {
-    return (struct marks){
-        .student = b->submissions[job->student].name,
-        .exercise = b->kits[job->exercise].exercise,
-        .title = b->kits[job->exercise].title,
-        .file = job->remark,
-        .note = job->note,
-        .story = strdup(""),
-        .prints = strdup(""),
-        .advice = strdup(""),
-        .tries = job->tries,
-    };
+    return (struct marks){.student = b->submissions[job->student].name,
+                          .exercise = b->kits[job->exercise].exercise,
+                          .title = b->kits[job->exercise].title,
+                          .file = job->remark,
+                          .note = job->note,
+                          .story = strdup(""),
+                          .prints = strdup(""),
+                          .advice = strdup(""),
+                          .tries = job->tries};
 }
 
 static void write_by_hand(const struct batch *b, const char *place,

@@ -295,8 +295,7 @@ static enum state run_test(struct job *job, const struct kit_test *test,
         .user = sandbox_judge(),
         .sandbox = {job->sandbox.answers, job->sandbox.requests},
         .later = later_seconds(job),
-        .prints = "prints",
-    };
+        .prints = "prints"};
     if (ftruncate(job->prints, 0) != 0)
         text_fail("cannot empty a file: %s", strerror(errno));
     trial_open(&trial);
@@ -372,13 +371,12 @@ static void name_once(char *mistake, size_t room, char **text, size_t *size)
 static void keep_mark(struct marks *marks, const struct kit_test *test,
                       enum state state, const char *text, size_t size)
 {
-    marks->marks[marks->count++] = (struct mark){
-        .name = strdup(test->name),
-        .hidden = test->hidden,
-        .points = test->points,
-        .state = state,
-        .story = marks_text(text, size, STORY_KEPT),
-    };
+    marks->marks[marks->count++] =
+        (struct mark){.name = strdup(test->name),
+                      .hidden = test->hidden,
+                      .points = test->points,
+                      .state = state,
+                      .story = marks_text(text, size, STORY_KEPT)};
     if (marks->state == PASSED ||
         (!state_wrong(marks->state) && state_wrong(state)))
         marks->state = state;

@@ -41,8 +41,7 @@ static const int allowed[] = {
     SYS_getpid,       SYS_gettid,         SYS_tgkill, /* for raise */
     SYS_clone,        SYS_setpgid,        SYS_clock_gettime,
     SYS_getrusage,    SYS_getrandom,      SYS_exit,
-    SYS_exit_group,
-};
+    SYS_exit_group};
 
 static void forbid_other_calls(void)
 {

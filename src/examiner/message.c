@@ -129,8 +129,7 @@ static const struct meaning {
      "follows is no part of it."},
     {"does not guard", "misleading indentation",
      "Only the first statement belongs to it. Braces hold several "
-     "together."},
-};
+     "together."}};
 
 static const struct {
     const char *header, *names; /* names with a blank on either side */
@@ -146,8 +145,7 @@ static const struct {
     {"string.h", " memcpy memmove memset strlen strcmp "},
     {"stdint.h", " uint64_t int64_t uint32_t int32_t "},
     {"limits.h", " INT_MAX INT_MIN "},
-    {"assert.h", " assert "},
-};
+    {"assert.h", " assert "}};
 
 enum { LINE_ROOM = 512 };
 

@@ -1133,8 +1133,7 @@ static const struct {
     {"table", report_table, NULL},    {"csv", report_csv, NULL},
     {"notes", report_notes, NULL},    {"gradescope", NULL, gradescope},
     {"classroom50", NULL, classroom}, {"github", NULL, github},
-    {"junit", report_junit, NULL},
-};
+    {"junit", report_junit, NULL}};
 
 const char publish_names[] = "gradescope, classroom50, github, junit";
 

@@ -450,11 +450,9 @@ static struct submission *student(struct submissions *all,
             return &all->list[i];
     all->list =
         text_must(realloc(all->list, (all->count + 1) * sizeof *all->list));
-    all->list[all->count] = (struct submission){
-        .entry = strdup(entry),
-        .name = compose("%s", name),
-        .notes = compose(""),
-    };
+    all->list[all->count] = (struct submission){.entry = strdup(entry),
+                                                .name = compose("%s", name),
+                                                .notes = compose("")};
     return &all->list[all->count++];
 }
 

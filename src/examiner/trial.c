@@ -157,8 +157,7 @@ static bool start_runner(const struct trial *trial, const char *test,
                             ? RLIM_INFINITY
                             : (rlim_t)MEMORY_MIB * MIB,
         .file_bytes = MIB,
-        .processes = RLIM_INFINITY,
-    };
+        .processes = RLIM_INFINITY};
     char options[256];
     snprintf(options, sizeof options,
              "exitcode=%d:hard_rss_limit_mb=%d:handle_abort=1:"
@@ -342,8 +341,7 @@ static const struct {
      "the stack is full; does a function call itself without end?"},
     {"requested allocation size", 0,
      "it asked for more memory than there is"},
-    {"out of memory", 0, "it asked for more memory than there is"},
-};
+    {"out of memory", 0, "it asked for more memory than there is"}};
 
 static const char *meaning(const char *word, int signal)
 {

@@ -5,6 +5,15 @@
 
 static const char no_memory[] = "there is no memory";
 
+/* Returns NULL if `made`. Otherwise frees the scene and returns the
+   reason. */
+static const char *finish(struct scene *s, bool made)
+{
+    if (!made)
+        scene_free(s);
+    return made ? NULL : no_memory;
+}
+
 /* Returns the sine of x, |x| <= pi, from its power series. The result is
    bit-identical on all machines, unlike the sine of libm. */
 static double sine(double x)
@@ -58,13 +67,11 @@ static const char *oscillator(struct scene *s, const double value[])
         s->freedom[2 * k + 1] = k == 0;
     }
     s->dt = 0.01;
-    if (!scene_add_kind(s, value[O_STIFFNESS], value[O_DAMPING]) ||
-        !scene_add_spring(s, 0, 1, 0, -1)) {
-        scene_free(s);
-        return no_memory;
-    }
+    const bool made =
+        scene_add_kind(s, value[O_STIFFNESS], value[O_DAMPING]) &&
+        scene_add_spring(s, 0, 1, 0, -1);
     s->position[1] += value[O_PLACE];
-    return NULL;
+    return finish(s, made);
 }
 
 enum {
@@ -105,12 +112,11 @@ static const char *double_pendulum(struct scene *s, const double value[])
          z - l * cosine(value[P_ANGLE2]));
     s->gravity[2] = -value[P_GRAVITY];
     s->dt = 1e-3;
-    if (scene_add_kind(s, value[P_STIFFNESS1], value[P_DAMPING]) &&
-        scene_add_kind(s, value[P_STIFFNESS2], value[P_DAMPING]) &&
-        scene_add_spring(s, 0, 1, 0, l) && scene_add_spring(s, 1, 2, 1, l))
-        return NULL;
-    scene_free(s);
-    return no_memory;
+    return finish(
+        s, scene_add_kind(s, value[P_STIFFNESS1], value[P_DAMPING]) &&
+               scene_add_kind(s, value[P_STIFFNESS2], value[P_DAMPING]) &&
+               scene_add_spring(s, 0, 1, 0, l) &&
+               scene_add_spring(s, 1, 2, 1, l));
 }
 
 /* Places the bodies of a grid in the plane z = 0, row by row. All springs
@@ -174,36 +180,18 @@ const char *elastic_membrane(struct scene *s,
     s->gravity[2] = -m->gravity;
     s->damping = m->friction;
     s->dt = 0.01;
-    if (scene_add_kind(s, m->stiffness, m->damping) &&
-        join(s, m->nx, m->ny, 1, 0, rest) &&
-        join(s, m->nx, m->ny, 0, 1, rest))
-        return NULL;
-    scene_free(s);
-    return no_memory;
+    return finish(s, scene_add_kind(s, m->stiffness, m->damping) &&
+                         join(s, m->nx, m->ny, 1, 0, rest) &&
+                         join(s, m->nx, m->ny, 0, 1, rest));
 }
 
-enum {
-    M_NX,
-    M_NY,
-    M_MASS,
-    M_STIFFNESS,
-    M_DAMPING,
-    M_REST,
-    M_AMPLITUDE,
-    M_R,
-    M_S,
-    M_FREE,
-    M_GRAVITY,
-    M_FRICTION
-};
-
+/* The keys of the scene have the order of the struct. */
 static const char *membrane(struct scene *s, const double value[])
 {
     const struct elastic_membrane m = {
-        (size_t)value[M_NX], (size_t)value[M_NY], value[M_MASS],
-        value[M_STIFFNESS],  value[M_DAMPING],    value[M_REST],
-        value[M_AMPLITUDE],  (size_t)value[M_R],  (size_t)value[M_S],
-        value[M_FREE] > 0,   value[M_GRAVITY],    value[M_FRICTION]};
+        (size_t)value[0], (size_t)value[1], value[2],  value[3],
+        value[4],         value[5],         value[6],  (size_t)value[7],
+        (size_t)value[8], value[9] > 0,     value[10], value[11]};
     return elastic_membrane(s, &m);
 }
 
@@ -249,11 +237,9 @@ static const char *cantilever(struct scene *s, const double value[])
     s->gravity[1] = -value[C_GRAVITY];
     s->damping = value[C_FRICTION];
     s->dt = 1e-3;
-    if (scene_add_kind(s, value[C_STIFFNESS], value[C_DAMPING]) &&
-        truss(s, nx, ny, dx, dy, (int)value[C_DIAGONALS]))
-        return NULL;
-    scene_free(s);
-    return no_memory;
+    return finish(s,
+                  scene_add_kind(s, value[C_STIFFNESS], value[C_DAMPING]) &&
+                      truss(s, nx, ny, dx, dy, (int)value[C_DIAGONALS]));
 }
 
 #define OF_A_BODY "of each body, kg"

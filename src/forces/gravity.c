@@ -204,8 +204,7 @@ static const struct kernel kernels[GRAVITY_KERNELS] = {
 #ifdef VECTOR_AVX512
     [GRAVITY_AVX512] = {8, add_avx512},
 #endif
-    [GRAVITY_TREE] = {BLOCK, tree_add},
-};
+    [GRAVITY_TREE] = {BLOCK, tree_add}};
 
 const char *gravity_summed_by(const struct gravity *g)
 {

@@ -208,8 +208,7 @@ static const struct observables_kind kinds[] = {
     {"vy", 1, 1, "vy", SPEED, "velocity of a body", NULL},
     {"vz", 1, 1, "vz", SPEED, "velocity of a body", NULL},
     {"speed", 1, 1, "v", SPEED, "speed of a body", speed},
-    {"distance", 2, 1, "d", "length", "distance of two bodies", distance},
-};
+    {"distance", 2, 1, "d", "length", "distance of two bodies", distance}};
 
 enum { KINDS = sizeof kinds / sizeof kinds[0] };
 
@@ -345,7 +344,8 @@ void observables_head_states(struct table *t, size_t n, const size_t body[])
     char name[32];
     for (size_t j = 0; j < n; ++j)
         for (size_t k = 0; k < 6; ++k) {
-            snprintf(name, sizeof name, "%s:%zu", symbol[k], body[j]);
+            snprintf(name, sizeof name, "%s:%zu", symbol[k],
+                     body ? body[j] : j);
             table_column(t, name, k < 3 ? "length" : "length/time",
                          k < 3 ? "place" : "velocity");
         }
@@ -357,8 +357,9 @@ void observables_states(const struct motion *m, size_t n,
     const struct scene *s = m->scene;
     for (size_t j = 0; j < n; ++j, values += 6)
         for (size_t k = 0; k < 3; ++k) {
-            values[k] = s->position[k * s->bodies + body[j]];
-            values[3 + k] = s->velocity[k * s->bodies + body[j]];
+            const size_t c = k * s->bodies + (body ? body[j] : j);
+            values[k] = s->position[c];
+            values[3 + k] = s->velocity[c];
         }
 }
 

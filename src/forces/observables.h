@@ -41,9 +41,9 @@ void observables_values(const struct observables *o, const struct motion *m,
                         double values[]);
 
 /* observables_head_states adds the lines of the head for the positions and
-   velocities of n bodies, six columns for each body. observables_states
-   writes their values. A table without observables has these columns for
-   all bodies. */
+   velocities of n bodies, six columns for each body. If body is NULL, these
+   are the bodies 0 to n - 1. observables_states writes their values. A
+   table without observables has these columns for all bodies. */
 void observables_head_states(struct table *t, size_t n,
                              const size_t body[]);
 void observables_states(const struct motion *m, size_t n,

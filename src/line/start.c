@@ -198,17 +198,15 @@ static void fill_piston(struct start *s, struct random *r, double ratio,
 static const struct {
     size_t usual, least, most;
     bool odd;
-} kinds[START_KINDS] = {
-    [START_FOUR] = {4, 1, 10000000, false},
-    [START_MIXED] = {8, 8, 8, false},
-    [START_CRADLE] = {8, 8, 8, false},
-    [START_THERMAL] = {10, 2, 10000000, false},
-    [START_PISTON] = {11, 3, 9999999, true},
-    [START_ADIABATIC] = {401, 3, 9999999, true},
-    [START_TWO] = {2, 2, 2, false},
-    [START_RANDOM] = {10, 1, 10000000, false},
-    [START_GALPERIN] = {2, 2, 2, false},
-};
+} kinds[START_KINDS] = {[START_FOUR] = {4, 1, 10000000, false},
+                        [START_MIXED] = {8, 8, 8, false},
+                        [START_CRADLE] = {8, 8, 8, false},
+                        [START_THERMAL] = {10, 2, 10000000, false},
+                        [START_PISTON] = {11, 3, 9999999, true},
+                        [START_ADIABATIC] = {401, 3, 9999999, true},
+                        [START_TWO] = {2, 2, 2, false},
+                        [START_RANDOM] = {10, 1, 10000000, false},
+                        [START_GALPERIN] = {2, 2, 2, false}};
 
 bool start_allows(enum start_kind kind, size_t movers)
 {

@@ -337,21 +337,19 @@ const double *page_array(double which)
    head contains the command of step that makes this table, which the script
    provides. */
 static void write_rows(struct table *t, struct motion *m, uint64_t every,
-                       size_t body[], double row[])
+                       double row[])
 {
     const size_t n = observed.count > 0 ? 0 : m->scene->bodies;
     const size_t columns = 1 + observed.columns + 6 * n;
     const uint64_t last = motion.stepping.steps;
-    for (size_t i = 0; i < n; ++i)
-        body[i] = i;
     table_begin(t, given, 0);
     table_column(t, "t", "time", "time, in the units of the scene");
     observables_head(&observed, t);
-    observables_head_states(t, n, body);
+    observables_head_states(t, n, NULL);
     do {
         row[0] = motion_time(m);
         observables_values(&observed, m, row + 1);
-        observables_states(m, n, body, row + 1 + observed.columns);
+        observables_states(m, n, NULL, row + 1 + observed.columns);
         table_row(t, columns, row);
     } while (m->stepping.steps + every <= last &&
              motion_run(m, every) == STEPPING_DONE);
@@ -365,13 +363,11 @@ static bool write_table(struct table *t, uint64_t every)
     if (!scene_copy(&s, &start))
         return false;
     double *row = malloc(room * sizeof *row);
-    size_t *body = malloc((s.bodies + 1) * sizeof *body);
-    const bool good = row && body && begin_motion(&m, &s);
+    const bool good = row && begin_motion(&m, &s);
     if (good) {
-        write_rows(t, &m, every, body, row);
+        write_rows(t, &m, every, row);
         motion_end(&m);
     }
-    free(body);
     free(row);
     scene_free(&s);
     return good;

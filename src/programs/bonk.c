@@ -283,17 +283,8 @@ static void write_head(struct run *r)
     table_column(r->out, "t", "time", "time, in the units of the scene");
     if (r->request.asked)
         observables_head(&r->asked, r->out);
-    else {
-        static const char *const symbol[] = {"x",  "y",  "z",
-                                             "vx", "vy", "vz"};
-        char name[32];
-        for (size_t i = 0; i < r->scene.bodies; ++i)
-            for (size_t k = 0; k < 6; ++k) {
-                snprintf(name, sizeof name, "%s:%zu", symbol[k], i);
-                table_column(r->out, name, k < 3 ? "length" : "length/time",
-                             k < 3 ? "place" : "velocity");
-            }
-    }
+    else
+        observables_head_states(r->out, r->scene.bodies, NULL);
 }
 
 static bool write_rows(struct run *r)

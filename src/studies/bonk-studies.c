@@ -936,8 +936,7 @@ static const struct price_run price_runs[MODELS_UNITS] = {
     [MODELS_FLIGHT] = {"ring", "particles", 500, "free", 1, 200},
     [MODELS_ORDER] = {"cradle", "balls", 1000, "relabel", 1, 50},
     [MODELS_MODE] = {"cantilever", "nx", 12, "modes", 1, 2},
-    [MODELS_ROW] = {"cradle", "balls", 2, "relabel", 1, 20000},
-};
+    [MODELS_ROW] = {"cradle", "balls", 2, "relabel", 1, 20000}};
 /* Performs the run. Returns its processor time, s, and sets work[] to the
    number of units of each kind. Includes the time for starting, which
    accounts for most of the work of `modes`. If `alone`, gravity is off, so

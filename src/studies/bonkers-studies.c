@@ -8,7 +8,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #define PROGRAM "bonkers-studies"
@@ -617,19 +616,13 @@ static struct bonkers_body bounce_by_events(uint64_t *bounces)
    velocities, so they move like ten independent balls sorted by height. */
 enum { BEADS = 10 };
 
-static int by_height(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* Returns the root mean square error of the beads' positions, m. */
 static double error_of_beads(const struct bonkers_body body[], double until)
 {
     double truth[BEADS], sum = 0;
     for (int i = 0; i < BEADS; ++i)
         truth[i] = bounced(0.2 * (i + 1), until);
-    qsort(truth, BEADS, sizeof truth[0], by_height);
+    bench_median(truth, BEADS); /* sorts them */
     for (int i = 0; i < BEADS; ++i)
         sum += (body[i + 1].x - truth[i]) * (body[i + 1].x - truth[i]);
     return sqrt(sum / BEADS);

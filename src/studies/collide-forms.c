@@ -278,8 +278,6 @@ static void study_galperin(struct study *s)
 static void study_map(struct study *s)
 {
     const double im[] = {1, 0.25};
-    struct random r;
-    random_seed(&r, s->seed);
     progress_begin(&s->progress, PROGRAM, own.tests, "pairs");
     TABLE_COLUMNS(s->out, {"u1", "m/s", "before, body 1"},
                   {"u2", "m/s", "before, body 2"},
@@ -287,7 +285,7 @@ static void study_map(struct study *s)
                   {"v2", "m/s", "after, body 2"});
     for (uint64_t n = 0; n < own.tests && !progress_signal();) {
         double u[2], v[2];
-        random_direction(&r, 2, u);
+        random_direction(&s->random, 2, u);
         for (int i = 0; i < 2; ++i)
             v[i] = u[i] *= sqrt(im[i]);
         if (!(u[0] > u[1]))
@@ -323,14 +321,12 @@ static double time_form(const struct bench *b, int form, uint64_t passes)
 static void study_cost(struct study *s)
 {
     static struct bench b;
-    struct random r;
     double times[COLLIDE_FORMS][BENCH_ROUNDS];
     const uint64_t passes = own.collisions / PAIRS + 1;
-    random_seed(&r, s->seed);
     for (int i = 0; i < PAIRS; ++i)
         for (int body = 0; body < 2; ++body) {
-            b.u[i][body] = random_between(&r, -1, 1);
-            b.im[i][body] = random_between(&r, 0.5, 1.5);
+            b.u[i][body] = random_between(&s->random, -1, 1);
+            b.im[i][body] = random_between(&s->random, 0.5, 1.5);
         }
     progress_begin(&s->progress, PROGRAM, BENCH_ROUNDS, "rounds");
     for (int round = -1; round < BENCH_ROUNDS; ++round)

@@ -304,8 +304,6 @@ static void study_contact(struct study *s)
 {
     static const char *const keys[] = {"time", "place",      "book",
                                        "ours", "book_exact", "ours_exact"};
-    struct random r;
-    random_seed(&r, s->seed);
     TABLE_COLUMNS(s->out,
                   {"s", "", "gap, or what lacks to sigma; sigma = 1"},
                   {"time", "", "grazing: error of the time"},
@@ -317,7 +315,7 @@ static void study_contact(struct study *s)
     for (int k = 1; k <= 50; ++k) {
         double row[1 + 2 * KINDS] = {ldexp(1, -k)};
         for (int kind = GRAZE; kind < KINDS; ++kind)
-            worst_of(kind, row[0], &r, &row[1 + 2 * kind]);
+            worst_of(kind, row[0], &s->random, &row[1 + 2 * kind]);
         table_row(s->out, 1 + 2 * KINDS, row);
         for (int c = 0; c < 2 * KINDS; ++c)
             if (k == (c < 2 ? 40 : 26))

@@ -188,17 +188,15 @@ static void study_mistakes(struct study *s)
 {
     struct means means[WAYS];
     struct sampling p;
-    struct random r;
     make_box(&p, own.radius[0]);
-    random_seed(&r, s->seed);
     table_column(s->out, "x", "m", "middle of the bin");
     for (int way = 0; way < WAYS; ++way) {
         TABLE_COLUMNS(s->out, {way_names[way], "1/m", "density of x and y"},
                       {"e", "1/m", "its error"});
         memory_or_exit(means_create(&means[way], QUANTITIES));
-        start_chain(&p, own.step[0], 1000, &r);
+        start_chain(&p, own.step[0], 1000, &s->random);
         for (uint64_t k = 0; k < own.samples && !progress_signal(); ++k)
-            take((enum way)way, &means[way], &p, own.step[0], &r);
+            take((enum way)way, &means[way], &p, own.step[0], &s->random);
     }
     write_mistakes(s, means);
     for (int way = 0; way < WAYS; ++way)
@@ -239,16 +237,15 @@ static double inefficiency(size_t n, const double x[])
 
 /* Runs chain k, which has the k-th combination of radius and step. x has
    room for two series. The keys of the results end in k + 1. */
-static void study_chain(struct study *s, size_t k, double x[],
-                        struct random *r)
+static void study_chain(struct study *s, size_t k, double x[])
 {
     const double radius = own.radius[k / own.steps];
     const double step = own.step[k % own.steps];
     const size_t n = own.samples;
     struct sampling p;
     make_box(&p, radius);
-    start_chain(&p, step, n / 10, r);
-    const double acceptance = run_chain(&p, step, n, x, x + n, r);
+    start_chain(&p, step, n / 10, &s->random);
+    const double acceptance = run_chain(&p, step, n, x, x + n, &s->random);
     const double g_x = inefficiency(n, x), g_edge = inefficiency(n, x + n);
     char which[24];
     snprintf(which, sizeof which, "%zu", k + 1);
@@ -262,9 +259,7 @@ static void study_chain(struct study *s, size_t k, double x[],
 static void study_memory(struct study *s)
 {
     double *x = malloc(2 * own.samples * sizeof *x);
-    struct random r;
     memory_or_exit(x);
-    random_seed(&r, s->seed);
     TABLE_COLUMNS(s->out, {"r", "m", "radius"},
                   {"step", "m", "longest move along an axis"},
                   {"acceptance", "", "of moves"},
@@ -273,7 +268,7 @@ static void study_memory(struct study *s)
                   {"mean", "m", "mean x of disk 1"});
     const size_t chains = own.radii * own.steps;
     for (size_t k = 0; k < chains && !progress_signal(); ++k)
-        study_chain(s, k, x, &r);
+        study_chain(s, k, x);
     free(x);
 }
 
@@ -282,8 +277,6 @@ static void study_memory(struct study *s)
    PATIENCE configurations in total. */
 static void study_acceptance(struct study *s)
 {
-    struct random r;
-    random_seed(&r, s->seed);
     TABLE_COLUMNS(s->out, {"r", "m", "radius"},
                   {"packing", "", "fraction of the box that is filled"},
                   {"acceptance", "", "fraction of throws"},
@@ -295,7 +288,7 @@ static void study_acceptance(struct study *s)
         for (; fitted < own.samples && throws < PATIENCE; ++throws) {
             if (progress_signal())
                 break;
-            fitted += sampling_throw(&p, &r) == own.disks;
+            fitted += sampling_throw(&p, &s->random) == own.disks;
         }
         const double acceptance = (double)fitted / (double)throws;
         if (fitted > 0)
@@ -403,8 +396,6 @@ static void run_method(enum method method, struct sampling *p, double step,
    longest time. */
 static void study_cost(struct study *s)
 {
-    struct random r;
-    random_seed(&r, s->seed);
     bench_machine(s->out);
     TABLE_COLUMNS(
         s->out, {"method", "", "and radius"}, {"r", "m", "radius"},
@@ -414,9 +405,9 @@ static void study_cost(struct study *s)
         double reference[HALF] = {0};
         struct sampling p;
         make_box(&p, own.radius[k]);
-        begin_method(DYNAMICS, &p, own.step[0], &r);
+        begin_method(DYNAMICS, &p, own.step[0], &s->random);
         for (uint64_t n = 0; n < own.samples && !progress_signal(); ++n) {
-            next_try(DYNAMICS, &p, own.step[0], &r);
+            next_try(DYNAMICS, &p, own.step[0], &s->random);
             add_places(&p, reference);
         }
         for (unsigned method = 0; method < METHODS; ++method) {
@@ -425,7 +416,7 @@ static void study_cost(struct study *s)
             for (int seed = -1; seed < SEEDS; ++seed) {
                 if (seed == 0)
                     memset(sum, 0, sizeof sum); /* discard the warm-up */
-                run_method((enum method)method, &p, own.step[0], &r,
+                run_method((enum method)method, &p, own.step[0], &s->random,
                            reference, sum);
             }
             for (int t = 0; t < TIMES; ++t, until *= 4)
@@ -559,22 +550,20 @@ static double find_truth(double packing, double step, uint64_t chains,
 static void study_pressure(struct study *s)
 {
     static const double packing[] = {0.3, 0.65}, step[] = {1.2, 0.3};
-    struct random r;
-    random_seed(&r, s->seed);
     bench_machine(s->out);
     TABLE_COLUMNS(s->out, {"method", "", "and packing"},
                   {"time", "s", "of the processor, for a run"},
                   {"error", "", "rms of Z"});
     for (int k = 0; k < 2; ++k) {
         const double truth =
-            find_truth(packing[k], step[k], own.samples, &r);
+            find_truth(packing[k], step[k], own.samples, &s->random);
         table_print(s->out, "# packing %g: Z %.5f\n", packing[k],
                     1 + truth);
         for (int way = 0; way < GAUGINGS; ++way) {
             double square[MARKS] = {0}, until = 0.004;
             for (int n = 0; n < GAUGES && !progress_signal(); ++n)
                 measure_gauge((enum gauging)way, packing[k], step[k], truth,
-                              &r, square);
+                              &s->random, square);
             for (int t = 0; t < MARKS; ++t, until *= 4)
                 table_print(s->out, "%s-%g %.4g %.4g\n", gauging_names[way],
                             packing[k], until, sqrt(square[t]));
@@ -589,8 +578,8 @@ static void study_one_way(struct study *s)
 {
     struct means m;
     struct gauge g;
-    random_seed(&g.r, s->seed);
-    const double both = find_truth(0.65, 0.3, own.samples, &g.r);
+    const double both = find_truth(0.65, 0.3, own.samples, &s->random);
+    g.r = s->random;
     begin_gauge(&g, CHAINS, 0.65, 0.3);
     start_chain(&g.p, g.step, 0, &g.r);
     memory_or_exit(means_create(&m, 1));

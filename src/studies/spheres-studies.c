@@ -134,11 +134,6 @@ static void gas_by_steps(struct run *r, double until, double value[])
     value[ENERGY] = fabs(energy(&r->scene) / E - 1);
 }
 
-static void as_disks(struct disks *d, const struct scene *s)
-{
-    program_memory(hard_disks(d, s), "for the disks");
-}
-
 /* Runs a gas with the event-driven engine of chapter 7 and sets value[] to
    its results. RECEDING and FOURTH are set to 0. */
 static void gas_by_events(struct disks *d, double until, double value[])
@@ -179,7 +174,7 @@ static void average(const struct study *s, int way, double dt,
             end(&r);
         } else {
             struct disks d;
-            as_disks(&d, &r.scene);
+            program_memory(hard_disks(&d, &r.scene), "for the disks");
             scene_free(&r.scene);
             gas_by_events(&d, usual_length, value);
             disks_free(&d);
@@ -329,7 +324,7 @@ static double fill_shells(const struct study *s, double shell[])
     struct disks d;
     struct cells c;
     make_scene(&r.scene, "gas", GALLERY_CHOICES({"seed", seed}));
-    as_disks(&d, &r.scene);
+    program_memory(hard_disks(&d, &r.scene), "for the disks");
     scene_free(&r.scene);
     const double E = disks_energy(&d), end = own.until;
     program_memory(cells_create(&c, &d), "for the cells");
@@ -447,7 +442,7 @@ static double near_by_events(struct run *r)
     struct disks d;
     struct cells c;
     double near = 0;
-    as_disks(&d, &r->scene);
+    program_memory(hard_disks(&d, &r->scene), "for the disks");
     program_memory(cells_create(&c, &d), "for the cells");
     for (int k = 0; k < 200; ++k) {
         cells_run(&c, warm_time + 0.2 * k, UINT64_MAX);
@@ -884,7 +879,7 @@ static void break_by_events(double jitter, uint64_t seed, double x[])
         scene.low[k] = -far;
         scene.high[k] = far;
     }
-    as_disks(&d, &scene);
+    program_memory(hard_disks(&d, &scene), "for the disks");
     program_memory(disks_plan(&d), "for the break");
     disks_run(&d, usual_break, UINT64_MAX);
     for (size_t i = 0; i < RACK; ++i) {
@@ -1311,7 +1306,7 @@ static double time_run(struct scene *scene, int way, double dt,
     double value[MEASURED];
     struct run r = {.scene = *scene};
     struct disks d;
-    as_disks(&d, scene);
+    program_memory(hard_disks(&d, scene), "for the disks");
     begin(&r, way, dt);
     const double start = bench_seconds();
     if (way < WAYS)

@@ -118,6 +118,7 @@ int study_main(const struct study_program *p, int argc, char *argv[])
     program_open(c.output, c.summary, p->studies[c.study].keys, &s.out,
                  &s.summary);
     s.seed = c.seed;
+    random_seed(&s.random, c.seed);
     progress_begin(&s.progress, p->name, 0, p->events);
     table_begin(s.out, c.line, c.seed);
     p->studies[c.study].run(&s);

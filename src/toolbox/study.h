@@ -7,6 +7,7 @@
 #include "toolbox/options.h"
 #include "toolbox/program.h"
 #include "toolbox/progress.h"
+#include "toolbox/random.h"
 #include "toolbox/table.h"
 
 #include <stdbool.h>
@@ -17,6 +18,7 @@
 struct study {
     struct table *out, *summary; /* open; out has its first lines */
     uint64_t seed;
+    struct random random;     /* begun with the seed */
     struct progress progress; /* begun, without a total */
     bool broken;              /* set by a study that has failed */
 };

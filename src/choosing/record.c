@@ -1,4 +1,4 @@
-/* Runs models, and their twins in other units, and compares the rows. */
+/* Runs models, also in other units, and compares the rows. */
 #include "choosing/record.h"
 
 #include "toolbox/bench.h"
@@ -10,7 +10,8 @@
 
 /* Returns the extent of the scene along axis k, m, without the body
    `without`. Walls count like bodies, since a gas may fill its box or only
-   a corner of it. Sets *near to the distance of this extent from 0. */
+   a corner of it. Sets *near to the distance between the origin and this
+   extent, m. */
 static double spread_of(const struct scene *s, size_t k, size_t without,
                         double *near)
 {
@@ -66,17 +67,18 @@ struct scales {
     double length, speed, energy, momentum;
 };
 
-/* Returns a, or b if a is zero and cannot be a scale. An example is the
-   energy of bodies at rest without forces. */
+/* Returns a, or b if a is zero and thus no scale. For example, the energy
+   of bodies at rest without forces is zero. */
 static double or_next(double a, double b)
 {
     return a > 0 ? a : b;
 }
 
-/* Computes the scales at the start. A single body has no size, so the scale
-   of length is the distance that it covers in the run, or a metre if it
-   rests. The scale of momentum is the sum of all |p|. The sum of vectors is
-   not used, since it is zero for two bodies about their centre of mass. */
+/* Computes the scales from the scene at the start. A single body has no
+   size, so its scale of length is the distance that it covers in the run,
+   or a metre if it rests. The scale of momentum is the sum of all |p|. The
+   absolute value of the total momentum would be zero for two bodies about
+   their centre of mass. */
 static struct scales measure_scales(const struct record_view *v,
                                     double length)
 {
@@ -100,10 +102,9 @@ static struct scales measure_scales(const struct record_view *v,
     return to;
 }
 
-/* Returns the scale of an observable with this unit. Sets *as to the name
-   of the quantity whose errors are judged. All kinds of energy have the
-   scale of the total energy, as the error of the total is the sum of their
-   errors. */
+/* Returns the scale of an observable with this unit, and sets *as to the
+   name of the quantity. All kinds of energy have the scale of the total
+   energy, as the error of the total is the sum of their errors. */
 static double scale_of(const struct scales *to, const char *unit,
                        const char **as)
 {
@@ -125,9 +126,10 @@ static double scale_of(const struct scales *to, const char *unit,
     return known[k].scale;
 }
 
-/* Sets the scale of a column. axis is that of a coordinate, or SCENE_AXES.
-   In a periodic box a coordinate is compared modulo the length of the box.
-   Distances and the centre of mass are not. */
+/* Sets the scale of a column. `axis` is the axis of a coordinate, or
+   SCENE_AXES for any other quantity. In a periodic box coordinates are
+   compared modulo the length of the box, but distances and the centre of
+   mass are not. */
 static void scale_column(struct record_view *v, size_t column, double scale,
                          size_t axis)
 {
@@ -139,8 +141,9 @@ static void scale_column(struct record_view *v, size_t column, double scale,
 }
 
 /* Sets the scale of each column. Without a list of observables, positions
-   and velocities are stored, but velocities keep the weight 0 and are not
-   judged. With several observables, v->scale is the scale of the first. */
+   and velocities are stored, but only positions are compared: velocities
+   keep the weight 0. With a list, v->scale is the scale of the first
+   observable. */
 static void find_scales(struct record_view *v, double length)
 {
     const struct scales to = measure_scales(v, length);
@@ -159,13 +162,14 @@ static void find_scales(struct record_view *v, double length)
     }
 }
 
-/* Finds the shift that moves the scene to the origin, axis by axis. A scene
-   may be farther from the origin than it is long, and rounding errors of
-   positions are proportional to that distance. Whether two disks four
-   kilometres away miss each other by 3e-13 m can be decided only near the
-   origin. Rows are moved back. Returns the rounding error of moving them
-   back, as a fraction of the scale: runs that are compared may share this
-   error. Returns 0 with observables. */
+/* Finds the shift that moves the scene to the origin. Returns the rounding
+   error of moving rows back, as a fraction of the scale, since runs that
+   are compared may share this error. Returns 0 with observables.
+
+   Rounding errors of positions are proportional to the distance from the
+   origin, which may be larger than the scene. For example, whether two
+   disks four kilometres away miss each other by 3e-13 m can be decided only
+   near the origin. */
 static double find_origin(struct record_view *v)
 {
     const struct scene *s = &v->scene;
@@ -208,27 +212,30 @@ void record_view_free(struct record_view *v)
     *v = (struct record_view){0};
 }
 
-/* The units of length (negative: mirrored), mass and time of the twins. If
-   two collisions at the same time share a body, which comes first depends
-   on the order of bodies in a list or on the orientation of the axes. So
-   all twins reverse the order, and every other twin also mirrors the axes.
+/* The units of length (negative: mirrored), mass and time of the twins.
+
+   If two simultaneous collisions share a body, their order depends on the
+   order of the bodies or on the orientation of the axes. So all twins
+   reverse the order of the bodies, and every other twin also mirrors the
+   axes.
+
    No factor is a power of two, so every number is rounded differently in
    each twin. The only exception is the unit of time of twin 1, whose steps
-   must end at exactly the times of the run itself. */
+   must end at exactly the same times as those of the run itself. */
 static const struct units {
     double length, mass, time;
 } units[] = {{1, 1, 1},        {-0.7, 1.3, 1},   {0.9, 0.6, 1.1},
              {-1.1, 1.7, 0.7}, {1.3, 0.9, 1.9},  {-0.6, 2.3, 1.3},
              {1.9, 1.1, 0.85}, {-0.85, 0.7, 0.6}};
 
-/* Returns the index of coordinate c with n bodies in reverse order. */
+/* Returns the index of coordinate c after the order of n bodies is
+   reversed. */
 static size_t reversed(size_t n, size_t c)
 {
     return c / n * n + (n - 1 - c % n);
 }
 
-/* Reverses each row of n numbers, and multiplies every number by a factor.
- */
+/* Reverses each row of n numbers, and multiplies all numbers by `by`. */
 static void reverse_rows(double a[], size_t rows, size_t n, double by)
 {
     for (size_t c = 0; a && c < rows * n; ++c) {
@@ -241,12 +248,14 @@ static void reverse_rows(double a[], size_t rows, size_t n, double by)
     }
 }
 
-/* Converts a scene to other units and reverses the order of the bodies. A
-   negative unit of length also mirrors the scene, and the lower wall
-   becomes the upper wall. Each quantity is multiplied by the factor of its
-   dimension: stiffness (kg/s^2) by m/t^2, k^2 (m^3/(kg s^2)) by |l|^3/(m
-   t^2), and friction (kg/s) by m/t. If a factor is forgotten, the twin is
-   so different that no tolerance is met, which tests detect. */
+/* Converts a scene to other units and reverses the order of the bodies. If
+   the unit of length is negative, also mirrors the scene, so that the lower
+   wall becomes the upper wall.
+
+   Each quantity is multiplied by the factor of its dimension: stiffness
+   (kg/s^2) by m/t^2, k^2 (m^3/(kg s^2)) by |l|^3/(m t^2), and friction
+   (kg/s) by m/t. If a factor were missing, the twin would be so different
+   that no tolerance would be met, which tests would detect. */
 static void change_units(struct scene *s, const struct units *u)
 {
     const double l = u->length, size = fabs(l), m = u->mass, t = u->time;
@@ -286,8 +295,8 @@ static void change_units(struct scene *s, const struct units *u)
     s->damping *= m / t;
 }
 
-/* Returns the change of velocity coordinate c in a twin, as a fraction:
-   2^-52 or -2^-52. The signs differ from twin to twin. */
+/* Returns the relative change of velocity coordinate c in a twin: 2^-52 or
+   -2^-52. The signs differ from twin to twin. */
 static double last_bit(size_t c, unsigned twin)
 {
     const uint64_t h = (c + 1) * UINT64_C(0x9e3779b97f4a7c15) +
@@ -297,11 +306,11 @@ static double last_bit(size_t c, unsigned twin)
     return ((double)(drawn >> 62 & 1) * 2 - 1) * 0x1p-52;
 }
 
-/* Changes the last bits of all velocities along the axes that matter, to
-   remove exact coincidences in time or position. The change of a component
-   is proportional to the component or, if larger, to a quarter of the speed
-   of the body. With uniform gravity the speed is at least that of a fall
-   through the scene. */
+/* Changes the last bits of all velocities along the axes that matter, so
+   that events no longer coincide exactly in time or position. The change is
+   proportional to the velocity component or, if larger, to a quarter of the
+   speed of the body. With uniform gravity this speed is taken to be at
+   least that of a fall through the scene. */
 static void move_last_bits(struct scene *s, unsigned twin)
 {
     struct models_acts acts;
@@ -328,10 +337,10 @@ static double distance(double a, double b, double turn)
     return turn > 0 ? fabs(d - turn * floor(d / turn + 0.5)) : d;
 }
 
-/* Returns the largest difference of two rows, each column relative to its
-   scale. The result is at least the rounding error, since equal numbers may
-   have been rounded alike. A NaN, which is unequal to itself, gives
-   INFINITY. */
+/* Returns the largest difference of two rows, where each column is divided
+   by its scale. The result is at least the rounding error of the numbers,
+   since two equal numbers may have been rounded alike. If a number is NaN,
+   the result is INFINITY. */
 static double row_difference(const struct record_view *v, const double a[],
                              const double b[])
 {
@@ -368,9 +377,10 @@ size_t record_agree(const struct record_view *v, const struct record *a,
 }
 
 /* Writes a row of a run to r->value, in the units of the scene: positions
-   and velocities, or the requested observables. The view's own scene gets
-   the state of the run. The time is the exact time of the row, and not the
-   sum made by a method. met is the number of collisions so far. */
+   and velocities, or the requested observables. `met` is the number of
+   collisions so far. Stores the state of the run in v->scene. Observables
+   get the exact time of the row, which the sum of a method's steps may
+   miss. */
 static void write_row(struct record *r, struct record_view *v,
                       const struct record_setup *o, const struct scene *now,
                       uint64_t met)
@@ -407,8 +417,8 @@ struct pass {
     double since;
 };
 
-/* Begins a run and stores the row of the start. For a twin, converts the
-   scene, and two lengths and a time in the plan, to other units. */
+/* Begins a run and stores the row of the start. For a twin, first converts
+   the scene, and the lengths and the time in the plan, to other units. */
 static void begin_pass(struct pass *w, struct record_view *v)
 {
     const struct record_setup *o = w->o;
@@ -431,7 +441,7 @@ static void begin_pass(struct pass *w, struct record_view *v)
         if (w->twin.radius[i] > 0)
             w->twin.radius[i] = fmax(w->twin.radius[i] + o->grow, 0);
     if (o->twin) {
-        /* A closed form without contacts has no coincidences to remove, and
+        /* A formula without contacts has no coincidences to remove, and
            changed last bits would only hide its rounding errors. */
         if (plan.model->family != MODELS_CLOSED || o->scene->contact)
             move_last_bits(&w->twin, o->twin);
@@ -453,7 +463,7 @@ static void begin_pass(struct pass *w, struct record_view *v)
     write_row(r, v, o, &w->run.scene, 0);
 }
 
-/* Computes and stores the next row. Returns false if the run ends here. */
+/* Computes and stores the next row. Returns false if the run has ended. */
 static bool next_row(struct pass *w, struct record_view *v)
 {
     struct record *r = w->r;
@@ -492,7 +502,8 @@ void record_run(struct record *r, struct record_view *v,
     end_pass(&w);
 }
 
-/* Computes the next row with next_row. Two runs share the cost limit. */
+/* Computes the next row of a run that shares its cost limit with
+   `other`. */
 static bool next_row_beside(struct pass *w, const struct pass *other,
                             double limit, struct record_view *v)
 {
@@ -514,7 +525,8 @@ void record_both(struct record *a, struct record *b, struct record_view *v,
         ;
     end_pass(&x);
     end_pass(&y);
-    /* Each clock measured both runs. Divide the time by cost. */
+    /* Both clocks have measured the two runs together, so divide the time
+       in proportion to the costs. */
     const double seconds = fmax(a->seconds, b->seconds);
     const double bill = a->cost + b->cost;
     a->seconds = bill > 0 ? seconds * (a->cost / bill) : seconds / 2;

@@ -5,24 +5,24 @@
 #include "choosing/models.h"
 #include "forces/observables.h"
 
-/* The columns of the stored rows, and how they are compared. An error times
-   its weight is a fraction of the scale. The motion only computes
-   observables and takes no steps. */
+/* The columns of the stored rows, and how they are compared. The difference
+   of two numbers times the weight of their column is a fraction of the
+   scale. `motion` is only used to compute observables, and takes no
+   steps. */
 struct record_view {
     const struct observables *asked; /* NULL: positions and velocities */
     size_t columns;
-    double *weight;     /* [columns] 1/scale; 0: stored, not judged */
-    double *period;     /* [columns] box of a periodic coordinate, or 0 */
-    double *rounding;   /* [columns] relative rounding error; 0 if a
-                           count */
-    double scale;       /* scale of the first judged column */
-    double length;      /* scale of positions, m */
-    const char *judged; /* what is judged: "positions", "energy", ... */
+    double *weight;   /* [columns] 1/scale; 0: stored, not compared */
+    double *period;   /* [columns] length of a periodic box, or 0 */
+    double *rounding; /* [columns] relative rounding error; 0 for counts */
+    double scale;     /* scale of the first compared column */
+    double length;    /* scale of positions, m */
+    const char *judged; /* compared quantity: "positions", "energy", ... */
     /* ---- private */
     struct scene scene;
     struct motion motion;
     double origin[SCENE_AXES]; /* shift of the scene, m */
-    double rounded;            /* rounding error of shifted rows / scale */
+    double rounded;            /* rounding error of shifting rows / scale */
 };
 
 /* A run with all its rows. */
@@ -30,7 +30,7 @@ struct record {
     struct models_plan plan;
     enum models_end end;
     size_t reached; /* number of rows after the start */
-    double *value;  /* [(rows + 1) * columns], filled up to reached */
+    double *value;  /* [(rows + 1) * columns], filled up to row `reached` */
     double work[MODELS_UNITS];
     uint64_t collisions; /* as counted by the model */
     double cost;         /* cost of the work, s */
@@ -41,7 +41,7 @@ struct record {
     const char *why;     /* NULL, or why the run could not begin */
 };
 
-enum { RECORD_TWINS = 7 }; /* twins have numbers from 1 to this */
+enum { RECORD_TWINS = 7 }; /* twins have numbers from 1 to this one */
 
 /* The parameters of a run. */
 struct record_setup {
@@ -51,9 +51,9 @@ struct record_setup {
     size_t rows;
     double limit;  /* cost limit, s */
     double grow;   /* added to all radii, m */
-    unsigned twin; /* 0: the run itself; 1 to RECORD_TWINS: a twin, the same
-                      scene with other units, order, orientation and last
-                      bits */
+    unsigned twin; /* 0: the run itself; 1 to RECORD_TWINS: a twin, which
+                      differs in its units, the order of bodies, the
+                      orientation, and the last bits */
 };
 
 /* Prepares to store a run of the duration `length`, s. `asked` must outlive
@@ -70,9 +70,9 @@ void record_run(struct record *r, struct record_view *v,
                 const struct record_setup *o);
 void record_free(struct record *r);
 
-/* Runs two plans side by side, until two rows differ by more than `apart`,
-   a fraction of the scale, or a run ends. The cost limit of oa applies to
-   both runs together. */
+/* Runs two plans side by side, until a row of one differs from that of the
+   other by more than `apart`, a fraction of the scale, or a run ends. The
+   cost limit of oa applies to both runs together. */
 void record_both(struct record *a, struct record *b, struct record_view *v,
                  const struct record_setup *oa,
                  const struct record_setup *ob, double apart);
@@ -84,12 +84,13 @@ double record_difference(const struct record_view *v,
                          const struct record *a, const struct record *b,
                          size_t first, size_t last);
 
-/* Returns the size of the scene without the body that increases it most, m.
+/* Returns the size of the scene, m, without the body that enlarges it most.
    Sets *far to the index of that body. */
 double record_scale_without(const struct scene *s, size_t *far);
 
 /* Returns the number of rows after the start in which two runs agree within
-   e, a fraction of the scale. Stops counting at the first difference. */
+   e, a fraction of the scale. Counting stops at the first row in which they
+   do not agree. */
 size_t record_agree(const struct record_view *v, const struct record *a,
                     const struct record *b, double e);
 

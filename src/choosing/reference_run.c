@@ -1,6 +1,6 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 210396079 of the lines below */
-/* Finds a reference: two runs that agree, the second a finer twin. */
+/* checksum 1546350585 of the lines below */
+/* Finds a reference run, which agrees with a run with coarser steps. */
 #include "choosing/task.h"
 
 #include <math.h>
@@ -10,8 +10,8 @@ static struct models_plan finer(struct models_plan p)
     return rung_at(p, rung_fineness(&p) + log2(100));
 }
 
-/* Makes two runs side by side, the second with finer steps, until they
-   differ by more than the tolerance. */
+/* Makes two runs side by side, the second with finer steps and in other
+   units, until they differ by more than the tolerance. */
 static void run_pair(const struct task *t, struct reference *f,
                      struct models_plan plan)
 {
@@ -24,16 +24,16 @@ static void run_pair(const struct task *t, struct reference *f,
     task_bill(t, &f->run);
 }
 
-/* Returns whether the two runs agree on the narrowest contact or near
-   miss. */
+/* Returns whether the two runs roughly agree on the gap of the narrowest
+   miss, or on the overlap of the shallowest contact. */
 static bool is_decided(const struct reference *f)
 {
     const double a = f->coarser.least, b = f->run.least;
     return 2 * fabs(a - b) < fmin(fabs(a), fabs(b));
 }
 
-/* Runs twins of the finer run until they bound its error by `want`. Returns
-   whether the bound is at most half of the tolerance. */
+/* Repeats the finer run in other units until these twins bound its error by
+   `want`. Returns whether the bound is at most half of the tolerance. */
 bool reference_ask_twins(const struct task *t, struct reference *f,
                          double want)
 {
@@ -66,8 +66,8 @@ static void ask_balls(const struct task *t, struct reference *f)
     }
 }
 
-/* Returns whether the error of the finest possible run is certainly below
-   half of the tolerance. */
+/* Returns whether the error of the reference is below half of the
+   tolerance, although no finer run is possible. */
 static bool is_sure(const struct task *t, struct reference *f)
 {
     if (f->doubt <= t->q->tolerance / last_margin)
@@ -84,7 +84,7 @@ static bool is_sure(const struct task *t, struct reference *f)
 static bool find_adaptive(const struct task *t, struct reference *f)
 {
     struct models_plan plan = {.model = models_find("radau15"), .steps = 1};
-    size_t stood = 0; /* 1 + rows before the last standstill */
+    size_t stood = 0; /* 0, or 1 + rows before the last standstill */
     plan = rung_at(plan, -log2(task_first_tolerance(t)));
     for (;; plan = finer(plan)) {
         run_pair(t, f, plan);
@@ -101,8 +101,9 @@ static bool find_adaptive(const struct task *t, struct reference *f)
 }
 
 /* Runs one method with finer and finer steps until two successive runs
-   agree. Their numbers of steps, n and 2n + 1, have no common divisor.
-   Returns false if they do not agree even with the finest steps. */
+   agree. Returns false if they do not agree even with the finest steps. The
+   numbers of steps of successive runs, n and 2n + 1, have no common
+   divisor. */
 static bool find_even(const struct task *t, struct reference *f,
                       const char *name)
 {

@@ -1,18 +1,18 @@
-/* Runs plans on rungs, which are fixed numbers of steps or tolerances. */
+/* Runs plans with numbers of steps, or tolerances, from a fixed list. */
 #include "choosing/task.h"
 
 #include <math.h>
 #include <stdint.h>
 
-/* Returns rung n of a method, n >= 1. The numbers of steps are 1 to 16, 18,
-   20 ... 32, 36 ..., eight in each octave. The tolerances of an adaptive
-   method are 1, 0.5, 0.2, 0.1 ... Rungs are fixed, so similar questions get
-   equal plans. */
+/* Returns plan n of a method, n >= 1, from a fixed list. Similar requests
+   thus get equal plans. The numbers of steps are 1 to 16, 18, 20 ... 32, 36
+   ..., which is eight for each factor of two. The tolerances of an adaptive
+   method are 1, 0.5, 0.2, 0.1 ... */
 static struct models_plan nth_rung(struct models_plan p, int n)
 {
     static const double digit[] = {0.2, 1, 0.5};
-    /* Division by a power of ten gives the number nearest to the decimal.
-       Repeated multiplication by 0.1 does not. */
+    /* Division by a power of ten gives the double nearest to the decimal
+       number; repeated multiplication by 0.1 does not. */
     double power = 1;
     for (int k = 1; k <= (n - 1) / 3 && p.model->method->adaptive; ++k)
         power *= 10;
@@ -53,8 +53,8 @@ double rung_error(const struct task *t, const struct record *r)
     return task_difference(t, r, &t->f->run) + t->f->doubt;
 }
 
-/* Returns the error of the next finer rung. Runs this rung unless it is the
-   best run of the ladder. */
+/* Returns the error of the plan with the next larger number of steps. It is
+   run, unless it is the best run of the ladder. */
 static double error_of_finer(const struct task *t, const struct ladder *l,
                              const struct models_plan *p)
 {
@@ -69,9 +69,9 @@ static double error_of_finer(const struct task *t, const struct ladder *l,
     return error;
 }
 
-/* Runs the next coarser rung into r and returns its error. Returns INFINITY
-   without a run if this rung is known to fail, or if the plan has 8 steps
-   or fewer: the rungs below are more than 0.19 octaves apart. */
+/* Runs the plan with the next smaller number of steps into *r and returns
+   its error. Returns INFINITY without a run if that plan is known to fail,
+   or if p has at most 8 steps: smaller numbers are then too far apart. */
 static double error_of_coarser(const struct task *t, const struct ladder *l,
                                const struct models_plan *p,
                                struct record *r)
@@ -84,13 +84,14 @@ static double error_of_coarser(const struct task *t, const struct ladder *l,
     return rung_error(t, r);
 }
 
-/* Tries the neighbours of a rung within the tolerance. The errors of the
-   rung may cancel by chance, and be ten times as large with one more step,
-   so a neighbour must be within the tolerance, too. If this is the finer
-   neighbour, the run is kept. If it is the coarser neighbour, which is
-   cheaper, it replaces the run. Otherwise the run gets the error of its
-   finer neighbour. Adaptive methods need no such test, as all their steps
-   change with the tolerance. */
+/* Tests whether a run is within the tolerance only by chance: with one more
+   step, its error might be ten times as large. So a run with the next
+   larger or smaller number of steps must be within the tolerance, too.
+
+   If the run with more steps passes, *r is kept. If only the run with fewer
+   steps passes, it replaces *r, as it is cheaper. If neither passes, *r
+   gets the error of the run with more steps. Adaptive methods need no such
+   test, as all their steps change with the tolerance. */
 static void ask_neighbours(const struct task *t, const struct ladder *l,
                            struct record *r, struct choose_point *seen)
 {

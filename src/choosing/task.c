@@ -14,10 +14,10 @@ double task_first_tolerance(const struct task *t)
     return fmax(1e-8, fmin(1e-3, pow(t->q->tolerance, 2.0 / 3)));
 }
 
-/* A passage of two bodies matters if it moves one of them by more than a
-   twentieth of the tolerance before the end (12.13, eq:choose-passage). For
-   finer references this threshold is lower, since two runs that both miss a
-   passage would agree. */
+/* A close passage of two bodies matters if it moves one of them by more
+   than a twentieth of the tolerance before the end of the run (12.13,
+   eq:choose-passage). For finer references this threshold is lower, since
+   two runs that both miss a passage would agree. */
 struct record_setup task_setup(const struct task *t,
                                struct models_plan plan, double limit)
 {
@@ -146,9 +146,9 @@ void task_refuse_plan(const struct task *t, const struct models_plan *p,
                  plan, role, t->q->budget, t->c->spent);
 }
 
-/* Refuses a scene whose bodies come to rest on each other. Runs with two
-   tolerances have stopped after equal numbers of rows, so neither rounding
-   nor the order of simultaneous collisions is the cause. */
+/* Refuses a scene whose bodies come to rest on each other. Rounding and the
+   order of simultaneous collisions cannot be the cause, since runs with two
+   tolerances have stopped after the same number of rows. */
 static void refuse_standstill(const struct task *t, const struct record *r)
 {
     snprintf(t->c->refusal, CHOOSE_REFUSAL,

@@ -1,4 +1,4 @@
-/* Shared by the files of the chooser: the question, the cost, the runs. */
+/* Declares what the files of the chooser share: request, cost, runs. */
 #ifndef TASK_H
 #define TASK_H
 
@@ -6,16 +6,16 @@
 #include "choosing/models.h"
 #include "choosing/record.h"
 
-/* A question, the view for comparing its runs, and the answer so far. */
+/* A request, the view for comparing its runs, and the answer so far. */
 struct task {
     const struct choose_request *q;
     struct record_view *view;
-    struct reference *f;     /* found before candidates are compared */
+    struct reference *f;     /* the reference, once it is found */
     struct choose_choice *c; /* the answer, with all results */
 };
 
-/* The run with which others are compared, and a bound on its error. The
-   coarser of its two runs is kept as a candidate. */
+/* The run with which all candidates are compared, and a bound on its error.
+   It agrees with a run with coarser steps, which is kept as a candidate. */
 struct reference {
     struct record run, coarser;
     double seen;    /* difference of the two runs */
@@ -24,22 +24,26 @@ struct reference {
 };
 
 /* The runs of a method with finer and finer steps: the best run so far, and
-   bounds on the fineness of the next run. */
+   bounds on the next number of steps. A fineness is the binary logarithm of
+   the number of steps, or minus that of the tolerance of an adaptive
+   method. */
 struct ladder {
     struct choose_candidate *candidate;
     struct models_plan foot;
     struct choose_point best; /* coarsest run within the tolerance, or else
                                  the last run; its model is NULL if there is
                                  none */
-    double least, most;       /* bounds on the next fineness, octaves */
-    double rise;              /* octaves of cost per octave of fineness */
-    double price;             /* predicted cost of a run within the
-                                 tolerance, s */
+    double least, most;       /* bounds on the fineness of the next run */
+    double rise;  /* increase of log2(cost) per unit of fineness */
+    double price; /* predicted cost of a run within the
+                     tolerance, s */
 };
 
-/* Fractions of the tolerance. Errors up to `negligible` do not matter, and
-   references that agree so well need no bound. `roughly` suffices for
-   references with equal steps, and as a bound found by twins. */
+/* Fractions of the tolerance. Errors up to `negligible` do not matter, so
+   if two adaptive reference runs differ by less, no bound is needed.
+   `roughly` is the largest allowed difference of two reference runs with
+   equal steps, and the bound on the error at which no more twins are
+   run. */
 static const double negligible = 0.05;
 static const double roughly = 0.2;
 
@@ -48,7 +52,7 @@ static const double roughly = 0.2;
 /* Returns the rest of the budget, s. */
 double task_budget(const struct task *t);
 
-/* Returns the tolerance for the steps of the first reference. */
+/* Returns the tolerance of the steps of the first reference. */
 double task_first_tolerance(const struct task *t);
 
 /* Returns the parameters of a run of a plan, with thresholds for passages
@@ -73,12 +77,12 @@ bool task_complete(const struct task *t, const struct record *r);
 double task_difference(const struct task *t, const struct record *a,
                        const struct record *b);
 
-/* Records a horizon of the scene: runs differ after the first `held` rows.
-   Only the earliest horizon is kept. */
+/* Records a horizon: the motion is unpredictable after the first `held`
+   rows, since runs differ. Only the earliest horizon is kept. */
 void task_note_horizon(const struct task *t, size_t held, double every);
 
-/* Records the horizon after which two runs differ by more than `most`. Does
-   nothing if a run ends before. */
+/* Records a horizon at the last row before two runs differ by more than
+   `most`. Does nothing if one of them ends before they differ. */
 void task_note_parting(const struct task *t, const struct record *a,
                        const struct record *b, double most);
 
@@ -90,44 +94,46 @@ struct choose_candidate *task_candidate(const struct task *t,
 /* Stores the reason why a candidate is excluded. */
 void task_explain(struct choose_candidate *k, const char *text);
 
-/* Returns a text that says how a run without all its rows ended. */
+/* Returns why a run ended before its last row, as a text. */
 const char *task_ending(const struct record *r);
 
 /* Returns the cost of the best run so far, s, or INFINITY if there is
    none. */
 double task_best_cost(const struct task *t);
 
-/* Stores a run with its error: as a point of the chart, and in its
-   candidate unless this has a better run. If the run is within the
-   tolerance and the cheapest of all, its rows move to the answer and *r is
-   left empty. */
+/* Stores a run with its error as a point of the chart, and in its candidate
+   unless this has a better run. If the run is within the tolerance and the
+   cheapest so far, it becomes the answer; its rows are moved there, and *r
+   is left empty. */
 void task_consider(const struct task *t, struct choose_candidate *k,
                    struct record *r, double error);
 
-/* Writes a refusal of a plan for the reason `why`. If why is NULL, the plan
-   is too expensive in its `role`. */
+/* Writes a refusal of a plan because of `why`. If why is NULL, the reason
+   is that the plan is too expensive; `role` says what it was needed for. */
 void task_refuse_plan(const struct task *t, const struct models_plan *p,
                       const char *why, const char *role);
 
-/* Writes a refusal and returns true if finer references are useless: they
-   are too expensive, or always end early. *stood must be 0 at first. It
-   becomes 1 plus the number of rows of the last run that ended because
-   bodies came to rest on each other. */
+/* Writes a refusal and returns true if finer references are useless,
+   because runs are too expensive or always end early. *stood must be 0 at
+   first. If a run has ended because bodies came to rest on each other,
+   *stood becomes 1 plus the number of rows before. */
 bool task_gives_up(const struct task *t, const struct reference *f,
                    size_t *stood);
 
-/* ---- rung.c: the numbers of steps of a method */
+/* ---- rung.c: the numbers of steps, or tolerances, that may be tried */
 
-/* Returns the fineness of the steps of a plan, in octaves. An octave finer
-   is twice as many steps, or half the tolerance. */
+/* Returns the fineness of the steps of a plan: the binary logarithm of the
+   number of steps, or minus that of the tolerance. */
 double rung_fineness(const struct models_plan *p);
 
-/* Returns the coarsest rung of at least this fineness, with at most 2^52
+/* Returns the coarsest plan of at least this fineness, with at most 2^52
    steps or a tolerance of at least 1e-15. */
 struct models_plan rung_at(struct models_plan p, double fine);
 
-/* Returns the lowest rung, which has the longest useful steps: three fifths
-   of the method's stability limit, or a radian of the largest rate. */
+/* Returns the coarsest useful plan. Equal steps are three fifths of the
+   method's stability limit, but at most two radians at the largest rate; if
+   there is no limit, one radian. The tolerance of an adaptive method is
+   that of the request, but at most 1e-4. */
 struct models_plan rung_lowest(const struct task *t, struct models_plan p);
 
 /* Returns the distance of a run from the reference plus the error of the
@@ -135,28 +141,28 @@ struct models_plan rung_lowest(const struct task *t, struct models_plan p);
 double rung_error(const struct task *t, const struct record *r);
 
 /* Runs a plan with the cost limit `limit` and stores its error. l is NULL
-   or the plan's ladder. With a ladder, a neighbouring rung must be within
-   the tolerance, too. */
+   or the plan's ladder. With a ladder, a run with a neighbouring number of
+   steps must be within the tolerance, too. */
 struct choose_point rung_try(const struct task *t, const struct ladder *l,
                              struct models_plan plan, double limit,
                              struct choose_candidate *k);
 
-/* ---- twins.c: rounding errors of a run */
+/* ---- twins.c: bounds on rounding errors, from runs in other units */
 
-/* The largest number of twins of a run. The largest distance of k twins
-   from the run, times twins_margin[k - 1], bounds the error of the run. For
+/* The largest number of twins of a run. If k twins differ from the run by
+   at most d, then twins_margin[k - 1] d bounds the error of the run. For
    each k this bound fails with probability 6.7e-5. */
 enum { TWINS = 6 };
 extern const double twins_margin[TWINS];
 static const double last_margin = 2; /* the last twins_margin */
 
-/* Runs a plan and its twin side by side until they differ. Returns whether
-   they do. Free both records. */
+/* Runs a plan and its twin side by side until a row differs. Returns
+   whether one does. Free both records. */
 bool twins_run(const struct task *t, struct record_setup one,
                struct record *a, struct record *b);
 
-/* Runs another twin of a run and returns their distance. If the distance
-   exceeds `most` and most > 0, records a horizon. */
+/* Runs another twin of a run and returns how far the two differ. If the
+   difference exceeds `most`, and most > 0, records a horizon. */
 double twins_add(const struct task *t, const struct record *r,
                  unsigned number, double most);
 
@@ -165,29 +171,29 @@ double twins_add(const struct task *t, const struct record *r,
 double twins_bound(const struct task *t, const struct record *a,
                    const struct record *b);
 
-/* ---- reference_run.c: references */
+/* ---- reference_run.c: finds references */
 
 /* Finds a reference. If there is none, records a horizon or a refusal and
    returns false. */
 bool reference_find(const struct task *t, struct reference *f);
 
-/* Runs twins of the finer run until they bound its error by `want`, differ
-   by too much, or none are left. Returns whether the bound is at most half
-   of the tolerance. */
+/* Runs twins of the finer reference run until they bound its error by
+   `want`, differ by too much, or none are left. Returns whether the bound
+   is at most half of the tolerance. */
 bool reference_ask_twins(const struct task *t, struct reference *f,
                          double want);
 
-/* ---- climb.c: finer and finer steps of a method */
+/* ---- climb.c: tries finer and finer steps of a method */
 
-/* Updates a ladder with the result of a run of one of its rungs. */
+/* Updates a ladder with the result of one of its runs. */
 void climb_note(const struct task *t, struct ladder *l,
                 struct choose_point r);
 
 /* Returns the predicted cost, s, of a run within the tolerance. The
-   prediction uses the order of the method. */
+   prediction is based on the order of the method. */
 double climb_price(const struct task *t, const struct ladder *l);
 
-/* Tries finer rungs while one may be cheaper than the best run. */
+/* Tries finer steps while these may be cheaper than the best run. */
 void climb(const struct task *t, struct ladder *l);
 
 #endif

@@ -1,6 +1,6 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 2747443795 of the lines below */
-/* Bounds the rounding errors of a run by its twins, in other units. */
+/* checksum 3473406800 of the lines below */
+/* Bounds the rounding errors of a run by repeating it in other units. */
 #include "choosing/task.h"
 
 #include <math.h>
@@ -23,8 +23,8 @@ bool twins_run(const struct task *t, struct record_setup one,
 }
 
 const double twins_margin[TWINS] = {4800, 43, 9.2, 4.3, 2.7, 2};
-/* Runs another twin and returns its distance from the run. If most > 0,
-   records a horizon where the distance exceeds most. */
+/* Runs another twin and returns how far it differs from the run. If most
+   is positive, records a horizon where the difference exceeds it. */
 double twins_add(const struct task *t, const struct record *r,
                  unsigned number, double most)
 {
@@ -38,8 +38,8 @@ double twins_add(const struct task *t, const struct record *r,
     record_free(&twin);
     return far;
 }
-/* Returns the error of a run due to an error of time that all its twins
-   share (12.11, eq:choose-slip). */
+/* Returns the error of a run that is caused by an error of time. All twins
+   share this error, so they do not reveal it (12.11, eq:choose-slip). */
 static double error_of_clock(const struct task *t, const struct record *r)
 {
     const double late_by = 0x1p-40;

@@ -45,8 +45,8 @@ static const char *read_digits(const char *c, const char *end,
 }
 
 /* Adds the exponent that follows an e to d->exponent. Returns where it
-   ends, or NULL if it has no digit. The exponent e99999999999 is valid and
-   must not overflow. */
+   ends, or NULL if it has no digit. Large exponents such as e99999999999
+   are valid, so their value is limited to avoid an overflow. */
 static const char *read_exponent(const char *c, const char *end,
                                  struct decimal *d)
 {
@@ -77,8 +77,8 @@ static bool find_decimal(const char *c, size_t length, struct decimal *d)
     return c == end;
 }
 
-/* The powers of ten that are exact doubles: the largest one is 10^22 = 2^22
-   5^22, where 5^22 < 2^53. */
+/* The powers of ten that are exact doubles. The largest is 10^22 = 2^22
+   5^22, since 5^22 < 2^53. */
 enum { POWERS = 23 };
 static const double power[POWERS] = {
     1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
@@ -112,20 +112,25 @@ static double lost_product(double a, double b, double product)
     return ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2;
 }
 
-/* Sets *value to the double nearest to a number of more than 53 bits whose
-   power of ten p is exact. Returns false if it is not certain which double
-   is the nearest.
+/* Sets *value to the double nearest to digits * 10^exponent. The digits
+   have more than 53 bits, and the power of ten p is exact. Returns false if
+   it is not certain which double is nearest.
 
-   The digits are high + low, with the lowest eleven bits in low, so both
-   are doubles. The product high * p is known exactly as a sum of two
-   doubles; low * p is added to it. In a division, `back` is so near to
-   `high` that their difference is exact. The remainder high - head * p is
-   exact as well, since it is a double. In both cases the number is head +
-   tail + rest, with |tail| <= 2^-41 |head|. The tail is rounded two or
-   three times to its own 53 bits, so |rest| < 2^-90 |head|. If head + (tail
-   - 2^-90 head) and head + (tail + 2^-90 head) round to the same double, so
-   does every number between them. For random digits they differ once in
-   2^36 times. */
+   The digits are the sum of two doubles, high and low, where low has the
+   lowest eleven bits.
+
+   Multiplication: high * p is known exactly as a sum of two doubles, and
+   low * p is added to it.
+
+   Division: head is the rounded quotient high / p, and back is the rounded
+   product head * p. As back is close to high, their difference is exact.
+   The remainder high - head * p is exact as well, since it is a double.
+
+   In both cases the number is head + tail + rest, with |tail| <= 2^-41
+   |head|. The tail is rounded two or three times to its own 53 bits, so
+   |rest| < 2^-90 |head|. If head + (tail - 2^-90 head) and head + (tail +
+   2^-90 head) round to the same double, so does every number between them.
+   For random digits they round differently about once in 2^36 numbers. */
 static bool round_pair(const struct decimal *d, double *value)
 {
     const double high = (double)(d->digits & ~(uint64_t)2047);

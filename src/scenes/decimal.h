@@ -4,9 +4,9 @@
 
 #include <stddef.h>
 
-enum { DECIMAL_LONGEST = 200 }; /* most characters of a number */
+enum { DECIMAL_LONGEST = 200 }; /* maximum length of a number */
 
-/* The ways to read a number. */
+/* How a number was read. */
 enum decimal_way {
     DECIMAL_NONE,  /* not read: not a decimal number */
     DECIMAL_SHORT, /* read by one operation on exact doubles */

@@ -13,11 +13,11 @@ struct gallery_key {
     const char *help; /* one phrase, with the unit */
 };
 
-enum { GALLERY_KEYS = 15 }; /* most keys of a scene */
+enum { GALLERY_KEYS = 15 }; /* maximum number of keys of a scene */
 
 /* A scene that a program can make. For all values in the ranges of the
    keys, `build` must make a scene that can be written and read, or return a
-   message. Tests set each key to both ends of its range. */
+   message. Tests set each key to each end of its range. */
 struct gallery_scene {
     const char *name, *about; /* a name of NULL ends a list */
     struct gallery_key key[GALLERY_KEYS + 1];
@@ -52,16 +52,17 @@ size_t gallery_usual(const struct gallery_scene *g,
    returns the number of keys. */
 size_t gallery_key(const struct gallery_scene *g, const char *name);
 
-/* Makes the scene `name` of the list with its usual values, except for the
-   values in `chosen`, which may be NULL. Returns the result of build, or a
-   message if there is no such scene or key. */
+/* Makes the scene `name` of the list. Its keys have their usual values,
+   except for those in `chosen`, which may be NULL. Returns the result of
+   build, or a message if there is no such scene or key. */
 const char *gallery_choose(struct scene *s,
                            const struct gallery_scene list[],
                            const char *name,
                            const struct gallery_choice chosen[]);
 
-/* Makes the scene g with its usual values, except that the key `name` has
-   the given value; name may be NULL. Returns as gallery_choose does. */
+/* Makes the scene g with the usual values of its keys, except that the key
+   `name` has the given value; name may be NULL. Returns NULL or a message,
+   as gallery_choose does. */
 const char *gallery_make(struct scene *s, const struct gallery_scene *g,
                          const char *name, double value);
 

@@ -159,7 +159,7 @@ struct piece {
     size_t length;
 };
 
-/* The sorts of lines; those that describe a body come first. */
+/* Sorts of lines; those that describe a body come first. */
 enum { POS, VEL, VFIX, DIS, SPECIES, CARRY, KEPT };
 enum { S = KEPT + 1, SL, DASHPOT };
 enum { GRAV = DASHPOT + 1, DAMP, K2, SOFT, DT, TIME };
@@ -232,17 +232,17 @@ static bool fail(struct reader *r, struct piece found, const char *format,
     return false;
 }
 
-/* Describes one sort of line in a scene file. `fields` names the values.
-   A mark before a name gives its type: @ a body, & a kind of spring, # a
-   whole number, + not negative, > more than 0, % from 0 to 1, ! 0 or 1, |
-   the type of a wall, = the word axial. The values after a ; are
+/* Describes one sort of line in a scene file. `fields` names the values on
+   the line. A mark before a name gives its type: @ a body, & a kind of
+   spring, # a whole number, + not negative, > more than 0, % from 0 to 1, !
+   0 or 1, | the type of a wall, = the word axial. Values after a ; are
    optional. */
 struct line {
     const char *word, *fields;
     int pass; /* number of the pass over the text that reads such lines */
     /* Stores the values. If it is NULL, they are copied to the member of
-       the scene at `offset` or, if `list` is true, as coordinates of a body
-       to the list to which that member points. */
+       the scene at `offset`. If `list` is true, this member is a pointer to
+       a list, and they are stored in it as coordinates of a body. */
     bool (*store)(struct reader *r, const double value[], size_t count);
     size_t offset;
     bool list;
@@ -302,8 +302,8 @@ static bool read_choice(struct piece p, const char *const names[],
 static const char *const wall_names[] = {"open", "hard", "periodic", NULL};
 static const char *const axial_names[] = {"axial", NULL};
 
-/* Reads a word as a value of the type that `mark` stands for. Returns false
-   if the word is not of this type. */
+/* Converts a word to a value of the type given by `mark`. Returns false if
+   the word has another type. */
 static bool read_value(const struct reader *r, char mark, struct piece p,
                        double *value)
 {
@@ -337,8 +337,8 @@ static const char *describe(char mark)
     return "a number";
 }
 
-/* Fills the error with the values that the field allows, or with the range
-   of numbers if these are bodies or kinds. Returns false. */
+/* Writes an error that states the allowed values of the field. For a body
+   or a kind of spring, states the range of its numbers. Returns false. */
 static bool refuse_value(struct reader *r, const struct field *f,
                          struct piece p)
 {
@@ -381,9 +381,9 @@ static bool fail_text(struct reader *r, const char *what)
     return false;
 }
 
-/* Stores value[1], value[2], ... as coordinates of body value[0]. Most
-   scenes have no carry or kept; such a list is allocated, with zeros, when
-   its first line is read. */
+/* Stores value[1], value[2], ... as coordinates of body value[0]. If the
+   list does not exist yet, allocates it and fills it with zeros: most
+   scenes have no `carry` or `kept`. */
 static bool store_axes(double **to, struct reader *r, const double value[],
                        size_t count)
 {
@@ -559,7 +559,7 @@ static const struct line forms[LINES] = {
     [BOX] = {"box", "xlow xhigh ylow yhigh zlow zhigh", 1, BY(store_box)},
     [WALLS] = {"walls", "|x |y |z", 2, BY(store_walls)}};
 
-/* Returns the sort of lines that begin with this word; LINES: none. */
+/* Returns the sort of lines that begin with this word, or LINES if none. */
 static size_t find_form(struct piece p)
 {
     size_t i = 0;
@@ -585,10 +585,10 @@ static bool refuse_word(struct reader *r)
 
 _Static_assert(S < 8, "a byte of `seen` has a bit for each sort");
 
-/* Refuses a second line of a sort that may occur only once in the scene, or
-   only once for each body or kind. This also ensures that no body is
-   missing: the n lines pos have n different numbers below n. The same holds
-   for kinds. */
+/* Refuses a second line of a sort that is allowed only once in the scene,
+   or only once for each body or kind. This also ensures that no body is
+   missing: n lines "pos" must have n different numbers below n. The same
+   holds for kinds. */
 static bool check_once(struct reader *r, size_t sort, const double value[])
 {
     if (sort > S)
@@ -779,9 +779,9 @@ static void write_places(const struct scene *s, struct table *out)
 }
 
 /* Writes the remainders of compensated sums, and the accelerations with
-   which a damped leapfrog continues. The line "carry" of the first body is
-   written even if all its numbers are 0, so that the reader knows that the
-   scene has remainders. A line "kept" is written for every body, also if
+   which a damped leapfrog continues. A line "carry" is written for the
+   first body even if its numbers are 0, so that the reader knows that the
+   scene has remainders. A line "kept" is written for every body, even if
    its numbers are 0. */
 static void write_carried(const struct scene *s, struct table *out)
 {

@@ -29,8 +29,8 @@ struct scene_spring {
 
 /* The bodies, their state, and what acts on them. Arrays with three numbers
    per body are ordered by axis: coordinate k of body i is at [k * bodies +
-   i]. A method can then treat all coordinates as one long array, and loops
-   over bodies read memory in sequence. */
+   i]. So a method can treat all coordinates as one long array, and loops
+   over bodies read memory sequentially. */
 struct scene {
     size_t bodies, kinds, springs;
     double *mass, *charge, *radius; /* [bodies] kg, no unit, m */

@@ -111,9 +111,9 @@ static void add_up(struct search *h)
 
 /* Returns the mean position of a body at equilibrium, m. By symmetry, a
    disk between four walls is on average at the centre of the box. On a line
-   all states are equally likely, so the mean length of the gaps to the left
-   of the k-th of n bodies is k/(n + 1) of the length of all gaps. To this
-   are added the diameters of the bodies to its left and its own radius. */
+   all states are equally likely, so on average k/(n + 1) of the total gap
+   length is to the left of the k-th of n bodies. To this are added the
+   diameters of the bodies to its left and its own radius. */
 static double settled_place(const struct search *h, size_t body)
 {
     const size_t axis = h->q->quantity.axis;
@@ -228,9 +228,9 @@ static void answer_conserved(const struct search *h)
 
 /* Computes the answer from Tonks's law, with a proven bound on the
    deviation of a run from this law (12.16, eq:averages-bound). On a line
-   NkT is 2K, so by the virial theorem Z is V divided by the length of all
-   gaps. V is the length accessible to the centres: the box minus the radii
-   of the two outer bodies. */
+   NkT is 2K, so by the virial theorem Z is V divided by the total gap
+   length. V is the length accessible to the centres: the box minus the
+   radii of the two outer bodies. */
 static void answer_tonks(const struct search *h)
 {
     struct averages_found *f = h->f;
@@ -362,8 +362,9 @@ static double relaxation(const struct search *h, const double velocity[])
 
 /* Takes the next sample and adds the work of moving every body to the time
    of the sample. Returns false if the run ends. In a periodic box the
-   excluded motion of the centre of mass has the energy of one body, so the
-   sum in (7.5, eq:virial) has the factor (N - 1)/N. */
+   motion of the centre of mass is excluded. At equilibrium it has the
+   energy of one body, so the sum in (7.5, eq:virial) has the factor (N -
+   1)/N. */
 static bool sample(struct measurement *w, double value[])
 {
     const struct search *h = w->h;
@@ -475,9 +476,9 @@ static void conclude(struct averages_found *f, const struct measurement *w)
    e.
 
    Even a run of length T has an error, since the mean over T varies from
-   run to run. If its square is more than half of e^2, T is too short and
-   the result is INFINITY. For a run that is not at equilibrium the result
-   is finite and at least 2. */
+   run to run. If the square of this error is more than half of e^2, T is
+   too short and the result is INFINITY. For a run that is not at
+   equilibrium the result is finite and at least 2. */
 static double longer_by(const struct measurement *w, double e)
 {
     const double two = 2 * w->se / scale_of(w->h, w->mean);
@@ -506,12 +507,12 @@ static bool advance(struct measurement *w, double to)
 /* Continues the run until the error is small enough, or until it is clear
    that the budget does not suffice. Returns false if memory runs out.
 
-   A run that is not at equilibrium is doubled. A run at equilibrium is
-   extended to the predicted length, so that few evaluations are needed.
-   Predicted costs are rough and errors are overestimated. So a run at
-   equilibrium continues even if its predicted cost is up to 1.5 times the
-   budget, and no run is given up before it has cost a two-hundredth of the
-   budget. */
+   A run that is not at equilibrium is extended to twice its length. A run
+   at equilibrium is extended to the predicted length, so that few
+   evaluations are needed. Predicted costs are rough and errors are
+   overestimated. So a run at equilibrium continues even if its predicted
+   cost is up to 1.5 times the budget, and no run is given up before it has
+   cost a two-hundredth of the budget. */
 static bool go_on_until_sure(struct averages_found *f,
                              struct measurement *w)
 {
@@ -535,10 +536,10 @@ static bool go_on_until_sure(struct averages_found *f,
     return true;
 }
 
-/* Writes why a run at equilibrium gives no answer: because T is too short
-   (if `brief`), or because the run is too expensive (otherwise). Suggests
-   the smallest error that T and the budget allow. As predicted costs are
-   rough, the suggestion leaves a factor of three in cost. */
+/* Writes why a run at equilibrium gives no answer. If `brief`, T is too
+   short; if not, the run is too expensive. Suggests the smallest error that
+   T and the budget allow. As predicted costs are rough, the suggestion
+   leaves a factor of three in cost. */
 static void refuse_settled(char *to, const struct measurement *w,
                            double price, bool brief)
 {

@@ -234,19 +234,19 @@ static void compare(const struct task *t)
 
 /* If two reference runs differ by less than tolerance/seldom, no further
    test is needed. If their errors were as large as the tolerance, they
-   would agree so well only once in pi/2 seldom = 630 cases (P_1 of one twin
-   in the book). This is about as rare as a wrong result of
-   is_near_floor. */
+   would agree so well only once in pi/2 * seldom = 630 cases (the
+   probability P_1 for one twin in the book). This is about as rare as a
+   wrong result of is_near_floor. */
 static const double seldom = 400;
 
 /* Returns whether a twin of the chosen run differs from it by more than a
    300th of the tolerance. If not, rounding errors are taken to be below the
    tolerance.
 
-   If they were not, two coincidences would be needed. The small difference
-   from the twin has a probability of less than 1/100. The agreement of the
-   two references to a twentieth of the tolerance has a probability of 1/12.
-   Both together are rare enough. */
+   If they were not, there would be two coincidences. The probability of so
+   small a difference from the twin is less than 1/100. The probability that
+   the two references agree to a twentieth of the tolerance is 1/12. Both
+   together are rare enough. */
 static bool is_near_floor(const struct task *t)
 {
     struct record twin;
@@ -412,7 +412,8 @@ void choose_free(struct choose_choice *c)
     *c = (struct choose_choice){0};
 }
 
-/* Names of orders of methods with equal steps, which are at most eight. */
+/* Words for the orders of methods with equal steps, which are at most
+   eight. */
 static const char *const order_in_words[] = {"",      "first",   "second",
                                              "third", "fourth",  "fifth",
                                              "sixth", "seventh", "eighth"};

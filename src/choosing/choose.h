@@ -48,7 +48,8 @@ struct choose_hidden {
 };
 
 /* The answer and how it was found. The chosen run is that of
-   candidate[taken]. If the request is refused, taken equals candidates. */
+   candidate[taken]. If the request is refused, `taken` equals
+   `candidates`. */
 struct choose_choice {
     struct choose_candidate candidate[CHOOSE_MOST];
     size_t candidates, taken;

@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 3033106385 of the lines below */
+/* checksum 2126250543 of the lines below */
 /* Tries finer and finer steps of one method while these may be cheaper. */
 #include "choosing/task.h"
 
@@ -23,10 +23,10 @@ static bool is_vain(const struct ladder *l, double error)
                               fabs(error - before) < 0.01 * error;
 }
 
-/* Returns whether the last error is too large for an extrapolation. Much
-   finer steps are then tried next. If the scene was simplified, the result
-   is false for any finite error: the simplification may be its cause, and
-   finer steps would not help. */
+/* Returns whether the last error is too large for an extrapolation. If so,
+   much finer steps are tried next. If the scene was simplified, no finite
+   error is too large: it may be due to the simplification, and finer steps
+   would then not help. */
 static bool is_blind(const struct ladder *l)
 {
     const double error = l->best.error;
@@ -54,15 +54,14 @@ static double order_of_method(const struct ladder *l)
     return m->adaptive ? 1 : m->order;
 }
 
-/* Returns the number of factors of two by which the last error exceeds the
-   tolerance, or INFINITY if the error is unknown. */
+/* Returns log2 of the ratio of the last error to the tolerance, or INFINITY
+   if the error is unknown. */
 static double excess(const struct task *t, const struct ladder *l)
 {
     return log2(l->best.error / t->q->tolerance);
 }
 
-/* Returns the predicted cost, s, of a run whose steps are finer by a factor
-   of 2^more. */
+/* Returns the predicted cost, s, of a run with steps 2^more times finer. */
 static double price_of(const struct ladder *l, double more)
 {
     return l->best.cost * exp2(l->rise * more);
@@ -89,7 +88,7 @@ double climb_price(const struct task *t, const struct ladder *l)
 static struct models_plan next_rung(const struct task *t,
                                     const struct ladder *l)
 {
-    const double one = 0.125; /* finest spacing of plans, octaves */
+    const double one = 0.125; /* typical difference in fineness of plans */
     const double may = fmin(0.98 * task_best_cost(t), task_budget(t));
     const double now = rung_fineness(&l->best.plan);
     const double more = octaves_up(t, l);

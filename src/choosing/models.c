@@ -13,10 +13,10 @@
    No unit of work occurs alone. So `bonk-studies --study prices` runs a
    scene with much of one unit and little of the others, subtracts the cost
    of the others according to the list, and divides by the number of units.
-   After a few rounds of this the prices converge. Then they were fitted to
-   more than two hundred scenes, each computed by all suitable models,
-   together with the factors that turn passes, examined pairs and springs
-   into units.
+   After a few rounds of this the prices converge. Then the prices, and the
+   weights of body updates, examined pairs and springs, were fitted to the
+   costs of more than two hundred scenes, each computed by all suitable
+   models.
 
    Predicted costs are rarely wrong by more than a factor of 1.5. Costs do
    not add up exactly: operations that overlap in the processor cost less,
@@ -140,16 +140,16 @@ void models_write(const struct models_plan *p, char text[MODELS_TEXT])
                                      models_cut_names[k]);
 }
 
-/* Returns the name of simplification k (if `cuts`) or of model k
-   (otherwise), or NULL after the last. */
+/* Returns the k-th name of a simplification (if `cuts`) or of a model (if
+   not), or NULL after the last. */
 static const char *name_of(size_t k, bool cuts)
 {
     return cuts ? models_cut_names[k] : models_all()[k].name;
 }
 
 /* Writes an error with the word found (at most 40 characters) and what was
-   expected. If `what` is NULL, that is a list of all simplifications (if
-   `cuts`) or of all models (otherwise). Returns false. */
+   expected. If `what` is NULL, any name from a list was expected: of a
+   simplification (if `cuts`) or of a model (if not). Returns false. */
 static bool complain(char message[MODELS_MESSAGE], const char *word,
                      const char *what, bool cuts)
 {

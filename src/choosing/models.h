@@ -13,20 +13,20 @@
 enum models_unit {
     MODELS_EVALUATION, /* call of the force function */
     MODELS_BODY,       /* update of a body; several per stage */
-    MODELS_PAIR,       /* gravity of a pair, or of 8 if over 32 bodies */
-    MODELS_SPRING,     /* force of a spring; counts 10 outside a band */
+    MODELS_PAIR,       /* gravity of a pair (8 pairs above 32 bodies) */
+    MODELS_SPRING,     /* force of a spring; counts as 10 outside a band */
     MODELS_ROD,        /* correction of a rod */
     MODELS_CONTACT,    /* body checked for contacts in a part of a step */
     MODELS_OVERLAP,    /* pair examined for contacts */
     MODELS_CURVE,      /* product in the polynomial of a gap */
-    MODELS_ROOT,       /* polynomial of a gap, if it has a root */
+    MODELS_ROOT,       /* the same, if that polynomial has a root */
     MODELS_LINE_EVENT, /* collision on a line */
     MODELS_LINE_SCAN,  /* gap examined on a line */
     MODELS_DISK_EVENT, /* collision of disks, or with a wall */
     MODELS_DISK_SCAN,  /* disk examined to predict a collision */
     MODELS_RENEWAL,    /* construction of a neighbour list */
     MODELS_ELLIPSE,    /* body moved along its ellipse */
-    MODELS_FLIGHT,     /* coordinate moved freely; counts 10 if damped */
+    MODELS_FLIGHT,     /* coordinate moved freely; counts as 10 if damped */
     MODELS_ORDER,      /* comparison in sorting bodies */
     MODELS_MODE,       /* operation in finding or summing modes */
     MODELS_ROW,        /* output of a row */
@@ -113,9 +113,9 @@ struct models_model {
     enum models_end (*row)(struct models_run *r);
     /* Begins a run. Returns NULL, or why it fails. */
     const char *(*begin)(struct models_run *r);
-    /* Returns why the model cannot compute this scene, or NULL. It is
-       called only if the model supports all interactions. A NULL pointer
-       means that nothing else needs a check. */
+    /* Returns why the model cannot compute this scene, or NULL. Called only
+       if the model supports all interactions. A NULL pointer means that
+       nothing else needs a check. */
     void (*end)(struct models_run *r);
     /* Returns why the model cannot compute this scene, or NULL. `bears` is
        checked before. The pointer is NULL if nothing else needs a check. */
@@ -136,9 +136,9 @@ struct models_run {
     struct models_acts acts;
     double start, every; /* s */
     double elapsed;      /* time from the start to the next row, s */
-    double clock;  /* bound on the relative error of time that all twins
-                      share, or 0 */
-    uint64_t rows; /* rows so far */
+    double clock; /* bound on the relative error of time that is the same in
+                     all units, or 0 */
+    uint64_t rows;       /* rows so far */
     uint64_t collisions; /* see models_collisions */
     double least;  /* gap of the narrowest miss or, if negative, of the
                       shallowest contact, m */
@@ -173,8 +173,9 @@ double models_square(const struct scene *s, size_t i, size_t j);
 const struct models_model *models_all(void);
 const struct models_model *models_find(const char *name); /* or NULL */
 
-/* Write a plan as text, and parse it. If the text is wrong, models_read
-   writes an error to message and returns false. */
+/* models_write writes a plan as text, and models_read parses it. If the
+   text is wrong, models_read writes an error to message and returns
+   false. */
 void models_write(const struct models_plan *p, char text[MODELS_TEXT]);
 bool models_read(struct models_plan *p, const char *text,
                  char message[MODELS_MESSAGE]);

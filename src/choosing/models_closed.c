@@ -41,12 +41,12 @@ const struct models_model models_free = {
     .row = row_free};
 
 /* Returns whether only the central body attracts bodies that can move, and
-   all other bodies are free along every axis that matters. Otherwise a body
+   all other bodies are free along all axes of the motion. Otherwise a body
    would not move on an ellipse: a body that is free along x but not along y
    slides on a wire.
 
-   Bodies without mass do not attract, and light bodies may be neglected.
-   For two bodies the formula includes both attractions (12.3,
+   Bodies without mass do not attract, and with MODELS_NO_LIGHT neither do
+   light bodies. For two bodies the formula includes both attractions (12.3,
    eq:light-ellipse). */
 static bool is_central(const struct scene *s, const struct models_acts *a,
                        size_t centre)
@@ -283,9 +283,9 @@ static bool is_start_dear(const struct models_run *r)
            models_cost(work) > r->plan.start_limit;
 }
 
-/* Moves w->rest to a stable equilibrium. Returns NULL, or why it found
-   none, so that there is no small vibration. At an unstable equilibrium the
-   smallest squared frequency is clearly negative. */
+/* Moves w->rest to a stable equilibrium. Returns NULL, or why there is no
+   stable equilibrium and thus no small vibration. At an unstable
+   equilibrium the smallest squared frequency is clearly negative. */
 static const char *find_rest(struct vibration *w, struct models_run *r)
 {
     const double size = largest(w->rest, 3 * r->scene.bodies);
@@ -326,8 +326,8 @@ static void take_apart(const struct modes *m, const double x[],
    A spring that is longer or shorter by u than at equilibrium has the
    energy D u^2/2. This is at most the total energy of all modes, which
    friction only reduces. So a spring whose length at equilibrium is d
-   cannot reverse if D d^2/2 exceeds this total. It must also have the
-   direction of equilibrium at the start. */
+   cannot reverse if D d^2/2 exceeds this total. At the start it must also
+   point in its direction at equilibrium. */
 static bool keeps_sides(const struct vibration *w, const struct scene *s,
                         size_t axis)
 {
@@ -350,8 +350,8 @@ static bool keeps_sides(const struct vibration *w, const struct scene *s,
 }
 
 /* Finds the equilibrium, and the amplitudes of positions and velocities at
-   the start. Fixes coordinates along axes that do not matter. Returns NULL,
-   or why it fails. */
+   the start. Fixes coordinates along axes without motion. Returns NULL, or
+   why it fails. */
 static const char *begin_modes(struct models_run *r)
 {
     struct vibration *w = r->engine;

@@ -6,8 +6,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* The axes of the scene in the order used by the engine. Axes that matter
-   come first, and the others count as open, whatever their walls.
+/* The axes of the scene in the order used by the engine. First come the
+   axes along which bodies move or their positions differ. The other axes
+   count as open, whatever their walls.
 
    The axis of gravity is second, as in the engine of chapter 5. Without
    gravity, in a box that is otherwise periodic, the second axis is the one

@@ -1,4 +1,4 @@
-/* Computes bodies on a line, by events or by sorting equal bodies. */
+/* Computes bodies on a line, collision by collision or by sorting them. */
 #include "choosing/models_parts.h"
 
 #include "choosing/closed.h"
@@ -211,9 +211,9 @@ const struct models_model models_line = {
     .end = end_line,
     .refuses = refuse_line};
 
-/* Returns why the bodies on a line do not just exchange velocities, as
-   equal bodies do, or NULL if they do. The conditions for any line are
-   checked first. */
+/* Returns NULL if the bodies on a line only exchange velocities, as equal
+   bodies do, or why they do not. The conditions for any line are checked
+   first. */
 static const char *refuse_relabel(const struct scene *s,
                                   const struct models_acts *a)
 {

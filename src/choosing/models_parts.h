@@ -67,7 +67,7 @@ bool models_is_costly(const struct models_run *r);
    cost, since a gas may have very many collisions before the next row. */
 enum { AT_A_TIME = 4096 };
 
-/* Adds the work of sorting n bodies, `times` times, to the run. */
+/* Adds to r->work the work of `times` sorts of n bodies. */
 void models_count_sorting(struct models_run *r, size_t n, double times);
 
 /* ---- models_acts.c */

@@ -133,8 +133,8 @@ static double passage_rate(const struct pair *p, double a2)
            way;
 }
 
-/* Returns the longest time step, s, that cannot miss a close passage that
-   matters. */
+/* Returns the longest time step, s, that cannot miss a close passage to
+   which passage_counts applies. */
 static double longest_step(void *what, const double x[], const double v[],
                            const double a[])
 {

@@ -11,7 +11,7 @@ struct pair {
     double r2, v2, rv; /* r . r, m^2; v . v, m^2/s^2; r . v, m^2/s */
 };
 
-/* Adds the terms of an axis: r, m, and v, m/s, are the components of the
+/* Adds the terms of an axis. r (m) and v (m/s) are the components of the
    relative position and velocity along it. */
 static inline void pair_add(struct pair *p, double r, double v)
 {

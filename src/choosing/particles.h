@@ -37,7 +37,7 @@ bool particles_is_light(const struct scene *s, size_t i, double heaviest);
 /* Divides the bodies of s into heavy and light bodies, and sorts the light
    ones. Body `centre` is heavy, and so are all bodies with at least a
    hundredth of the mass `heaviest`. There must be at least one heavy body.
-   `moving` must be false if a body is fixed or another force than gravity
+   `moving` must be false if a body is fixed or a force other than gravity
    acts. Returns false, with nothing to free, if memory runs out. */
 bool particles_create(struct particles *l, const struct scene *s,
                       double heaviest, size_t centre, bool moving);

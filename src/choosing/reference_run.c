@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1546350585 of the lines below */
+/* checksum 3196782259 of the lines below */
 /* Finds a reference run, which agrees with a run with coarser steps. */
 #include "choosing/task.h"
 
@@ -18,7 +18,7 @@ static void run_pair(const struct task *t, struct reference *f,
     const struct record_setup a = task_setup(t, plan, INFINITY);
     struct record_setup b = task_setup(t, finer(plan), INFINITY);
     b.twin = 1;
-    b.plan.slack = 0.2; /* no two steps of the runs are equal */
+    b.plan.slack = 0.2; /* no step of one run equals one of the other */
     record_both(&f->coarser, &f->run, t->view, &a, &b, t->q->tolerance);
     task_bill(t, &f->coarser);
     task_bill(t, &f->run);
@@ -79,8 +79,8 @@ static bool is_sure(const struct task *t, struct reference *f)
     return false;
 }
 
-/* Runs pairs with finer and finer steps until two runs agree. Returns false
-   if none agree. */
+/* Makes pairs of runs with finer and finer steps until a pair agrees.
+   Returns false if none agrees. */
 static bool find_adaptive(const struct task *t, struct reference *f)
 {
     struct models_plan plan = {.model = models_find("radau15"), .steps = 1};

@@ -53,8 +53,8 @@ double rung_error(const struct task *t, const struct record *r)
     return task_difference(t, r, &t->f->run) + t->f->doubt;
 }
 
-/* Returns the error of the plan with the next larger number of steps. It is
-   run, unless it is the best run of the ladder. */
+/* Returns the error of the plan with the next larger number of steps. Runs
+   this plan, unless it is the best run of the ladder. */
 static double error_of_finer(const struct task *t, const struct ladder *l,
                              const struct models_plan *p)
 {

@@ -14,8 +14,8 @@ double task_first_tolerance(const struct task *t)
     return fmax(1e-8, fmin(1e-3, pow(t->q->tolerance, 2.0 / 3)));
 }
 
-/* A close passage of two bodies matters if it moves one of them by more
-   than a twentieth of the tolerance before the end of the run (12.13,
+/* A close passage of two bodies must be resolved if it moves one of them by
+   more than a twentieth of the tolerance before the end of the run (12.13,
    eq:choose-passage). For finer references this threshold is lower, since
    two runs that both miss a passage would agree. */
 struct record_setup task_setup(const struct task *t,

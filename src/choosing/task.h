@@ -35,8 +35,7 @@ struct ladder {
                                  none */
     double least, most;       /* bounds on the fineness of the next run */
     double rise;  /* increase of log2(cost) per unit of fineness */
-    double price; /* predicted cost of a run within the
-                     tolerance, s */
+    double price; /* predicted cost of a run within the tolerance, s */
 };
 
 /* Fractions of the tolerance. Errors up to `negligible` do not matter, so
@@ -108,15 +107,15 @@ double task_best_cost(const struct task *t);
 void task_consider(const struct task *t, struct choose_candidate *k,
                    struct record *r, double error);
 
-/* Writes a refusal of a plan because of `why`. If why is NULL, the reason
-   is that the plan is too expensive; `role` says what it was needed for. */
+/* Writes a refusal of a plan for the reason `why`. If why is NULL, the plan
+   is too expensive, and `role` says what it was needed for. */
 void task_refuse_plan(const struct task *t, const struct models_plan *p,
                       const char *why, const char *role);
 
 /* Writes a refusal and returns true if finer references are useless,
    because runs are too expensive or always end early. *stood must be 0 at
-   first. If a run has ended because bodies came to rest on each other,
-   *stood becomes 1 plus the number of rows before. */
+   first. If a run has ended because bodies came to rest on each other, sets
+   *stood to 1 plus the number of its rows. */
 bool task_gives_up(const struct task *t, const struct reference *f,
                    size_t *stood);
 
@@ -150,7 +149,7 @@ struct choose_point rung_try(const struct task *t, const struct ladder *l,
 /* ---- twins.c: bounds on rounding errors, from runs in other units */
 
 /* The largest number of twins of a run. If k twins differ from the run by
-   at most d, then twins_margin[k - 1] d bounds the error of the run. For
+   at most d, then twins_margin[k - 1] * d bounds the error of the run. For
    each k this bound fails with probability 6.7e-5. */
 enum { TWINS = 6 };
 extern const double twins_margin[TWINS];

@@ -159,7 +159,7 @@ struct piece {
     size_t length;
 };
 
-/* Sorts of lines; those that describe a body come first. */
+/* The types of lines; those that describe a body come first. */
 enum { POS, VEL, VFIX, DIS, SPECIES, CARRY, KEPT };
 enum { S = KEPT + 1, SL, DASHPOT };
 enum { GRAV = DASHPOT + 1, DAMP, K2, SOFT, DT, TIME };
@@ -240,9 +240,10 @@ static bool fail(struct reader *r, struct piece found, const char *format,
 struct line {
     const char *word, *fields;
     int pass; /* number of the pass over the text that reads such lines */
-    /* Stores the values. If it is NULL, they are copied to the member of
-       the scene at `offset`. If `list` is true, this member is a pointer to
-       a list, and they are stored in it as coordinates of a body. */
+    /* Stores the values. If this pointer is NULL, the values are copied to
+       the member of the scene at `offset`. If `list` is true, that member
+       is a pointer to a list, and the values are stored in it as
+       coordinates of a body. */
     bool (*store)(struct reader *r, const double value[], size_t count);
     size_t offset;
     bool list;

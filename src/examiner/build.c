@@ -150,13 +150,13 @@ static int count(const char *text, const char *word)
     return found;
 }
 
-/* Returns the line of the error or warning that the student should see. Of
-   the errors in the student's file, this is the first, since later ones
-   often follow from it. A missing return is reported only if there is no
-   other error: after that error, the compiler may not have read the
-   function to its end. Of the warnings, it is the first that has an
-   explanation or, if none has, the first: a warning about an unused
-   variable, for example, seldom helps a beginner. */
+/* Returns the line of the error or warning that the student should see.
+   This is the first error in the student's file, since later errors often
+   follow from it. A missing return is reported only if there is no other
+   error: after another error, the compiler may not have read the function
+   to its end. Of the warnings, it is the first that has an explanation or,
+   if none has, the first: a warning about an unused variable, for example,
+   seldom helps a beginner. */
 static const char *find_first(const char *text, const char *source,
                               const char *word)
 {

@@ -22,11 +22,11 @@
     "    bad && sub(/note: .*/, of) { sub(/^\\.\\//, \"\"); left = 3 }\n"  \
     "    left && left-- { print; if (!left) exit } END { exit bad }')\n"
 
-/* Runs make to compile the tests of `exercise', such as "01a", unless they
+/* Runs make to compile the tests of `exercise`, such as "01a", unless they
    are compiled already. Exits with status 2 on failure. */
 void build_suite(const char *exercise);
 
-/* Compiles source and links it with the tests of `exercise', such as "01a",
+/* Compiles source and links it with the tests of `exercise`, such as "01a",
    to the program folder/runner. If strict is true, warnings are errors.
    Returns whether that succeeded; on failure, writes an explanation for the
    student to story. Exits with status 2 if build/check/flags or the

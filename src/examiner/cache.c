@@ -10,8 +10,9 @@
 #include <unistd.h>
 
 /* Returns whether an #include names a system header or a header that the
-   kit gives to students. A name in angle brackets may also be one of the
-   kit's own headers, where the compiler looks first. */
+   kit gives to students. A name in angle brackets is not a system header if
+   the kit has a header of that name, because the compiler finds the kit's
+   first. */
 static bool harmless(const char *what)
 {
     char name[64], path[128];

@@ -38,13 +38,13 @@ const char *check_text(const char *format, ...)
 static pid_t report_owner;
 static char report_nonce[REPORT_NONCE + 1];
 
-/* Writes one line of the report. It is written in one piece, so that a
-   process that dies leaves either the whole line or nothing. It begins with
-   a newline, in case the program has left half a line. Only the process
-   that opened the report writes: a child that the student's code has forked
-   must not report. If the descriptor is closed, the process ends with a
-   nonzero status, which the examiner sees. REPORT_LINE has room for every
-   text of check_text. */
+/* Writes one line of the report. The whole line is one write, so that a
+   process that dies leaves either all of it or nothing. The line begins
+   with a newline, in case the program has left half a line. Only the
+   process that opened the report writes: a child that the student's code
+   has forked must not report. If the descriptor is closed, the process ends
+   with a nonzero status, which the examiner sees. REPORT_LINE has room for
+   every text of check_text. */
 static void report(const char *word, const char *text)
 {
     char line[REPORT_LINE];
@@ -88,8 +88,8 @@ void check_tell(const char *label, const char *text)
     say(label, text);
 }
 
-/* Writes x with this many digits. A NaN has no sign, because the sign means
-   nothing and differs between compilers. */
+/* Writes x with this many digits. A NaN is written without its sign, which
+   means nothing and differs between compilers. */
 static void number_text(char *text, size_t room, int digits, double x)
 {
     if (isnan(x))
@@ -121,7 +121,7 @@ static bool near(double got, double expected, double tolerance)
     return got == expected || fabs(got - expected) <= tolerance;
 }
 
-/* Returns whether x and the NaN `mark' have the same bits, apart from the
+/* Returns whether x and the NaN `mark` have the same bits, apart from the
    sign. */
 static bool is_mark(double x, double mark)
 {

@@ -59,17 +59,16 @@ struct check_test {
 enum { CHECK_TESTS = 32 }; /* maximum number of tests, plus 1 */
 
 /* The tests of one exercise. Every suite defines one of these structs,
-   named check_suite. Idle tests are those that a function that does nothing
-   passes: for example, it conserves momentum if it returns the velocities
-   that it was given. They earn points only if a test that is not idle has
-   passed. The kit's tests find the idle tests by running each suite with
-   stubs that do nothing. */
+   named check_suite. A test is idle if a function that does nothing passes
+   it: for example, a function that returns the velocities it was given
+   conserves momentum. Idle tests earn points only if a test that is not
+   idle has passed. The kit's tests find the idle tests by running each
+   suite with stubs that do nothing. */
 struct check_suite {
     const char *file; /* "01a-collide.c", in exercises/ and solutions/ */
     const char *title;
     int minutes; /* time that a student needs, min */
-    /* Label of the equation that is named after a failure:
-       "eq:difference". */
+    /* Label of the equation that reports cite, such as "eq:difference". */
     const char *equation;
     struct check_test tests[CHECK_TESTS]; /* the last has no name */
     void (*idle[8])(void);                /* the idle tests */

@@ -133,10 +133,10 @@ struct exercise *course_choose(struct course *course, const char *name)
     exit(2);
 }
 
-/* Compares the file with its stub. The times of the files do not show
-   whether it was changed: git clone gives all files the same time. Nor does
-   a search for NOT_DONE_YET: a stub may be a whole program with a mistake
-   in it. */
+/* Compares the file with its stub. File times do not show whether the file
+   was changed: git clone gives all files the same time. A search for
+   NOT_DONE_YET does not show it either: a stub may be a whole program with
+   a mistake in it. */
 bool course_touched(const struct exercise *e)
 {
     return *e->file && sum_file(0, e->file) != sum_file(0, e->stub);

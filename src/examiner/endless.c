@@ -76,7 +76,7 @@ static void add_range(uintptr_t start, uintptr_t end)
 }
 
 /* Adds the writable memory in one line of /proc/self/maps to the checksum,
-   except `scratch'. Returns false if the memory cannot be read, exceeds
+   except `scratch`. Returns false if the memory cannot be read, exceeds
    MEMORY_MOST, or is shared with other processes and can change by itself.
    The process is then never checked again. */
 static bool add_piece(const char *line)

@@ -75,7 +75,7 @@ bool folder_remove(const char *path)
     DIR *list = top >= 0 ? fdopendir(top) : NULL;
     if (!list)
         return false;
-    /* Entries moved to `top' may not appear until the next pass. */
+    /* Entries moved to `top` may not appear until the next pass. */
     do {
         removed = kept = 0;
         rewinddir(list);

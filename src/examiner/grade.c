@@ -439,7 +439,7 @@ static uint64_t sum_kit(const struct batch *b, const char *exercise)
 }
 
 /* Computes the key of a result, a checksum of everything that the result
-   depends on. `kit' covers the judge, the objects linked with the student's
+   depends on. `kit` covers the judge, the objects linked with the student's
    file, the compiler and its flags, the seed, the time limit, the kind of
    sandbox and the script of the student's figure. The compiler is included
    because jobs may run on machines with different compilers, whose code
@@ -576,9 +576,9 @@ static void show_progress(const struct batch *b)
 
 /* Waits until a worker has ended. Polls, because a signal that comes just
    before an unlimited wait would not end that wait. After a signal, stops
-   the workers; kills those that still run five seconds later. A worker that
-   failed has written no result and is counted in b->failed. If the command
-   is repeated, it grades that job again. */
+   the workers and, five seconds later, kills those that still run. A worker
+   that failed has written no result and is counted in b->failed. If the
+   command is repeated, it grades that job again. */
 static void wait_for_one(struct batch *b)
 {
     int status, i = 0;

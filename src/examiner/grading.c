@@ -65,9 +65,9 @@ static void public_first(struct kit *kit)
 }
 
 /* Reads the list of tests of each exercise. Exits if a list has no title or
-   no test, as after a full disk: otherwise nobody would get a point. Skips
-   an exercise without a list: it has no remote.c and is not graded, as make
-   has reported. */
+   no test, perhaps because the disk was full: with such a list nobody would
+   get a point. Skips an exercise without a list: it has no remote.c and is
+   not graded, as make has reported. */
 size_t grading_kits(struct kit **kits)
 {
     glob_t found = {0};
@@ -409,10 +409,10 @@ static void keep_prints(struct marks *marks)
     fclose(file);
 }
 
-/* If every test that passed is one that an empty function passes (`idle`),
-   marks these tests as failed and adds the reason. If they stayed passed
-   but earned nothing, reports that count tests would disagree with reports
-   that count points. */
+/* If only idle tests have passed, those that an empty function passes,
+   marks them as failed and adds the reason. If they stayed passed but
+   earned nothing, reports that count tests would disagree with reports that
+   count points. */
 static void settle_idle(const struct kit *kit, struct marks *marks)
 {
     static const char why[] = "  A function that does nothing passes this "

@@ -44,7 +44,7 @@ void __asan_poison_memory_region(const volatile void *x, size_t n) WEAK;
 void __asan_unpoison_memory_region(const volatile void *x, size_t n) WEAK;
 
 /* Forbids access to the guards of an output, or allows it again if `on` is
-   false. The address sanitizer then also notices reads, and reports the
+   false. The address sanitizer then also notices a read, and reports its
    line. The two functions are weak symbols, which are NULL without a
    sanitizer, because the same driver is used in programs with and without
    sanitizers. Only ELF has weak symbols. */

@@ -23,9 +23,9 @@ enum { MARKS_MOST = 96 };
 
 /* The result of one exercise for one student. The texts are UTF-8, without
    control characters except line ends, and none is NULL. Each result is
-   written to a file at once, and reports are made only from these files. So
-   an interrupted run of the grader can be continued, and a new report needs
-   no new grading. */
+   written to a file immediately, and reports are made only from these
+   files. So an interrupted run of the grader can be continued, and a new
+   report needs no new grading. */
 struct marks {
     char *student;  /* name of the student's folder */
     char *exercise; /* "01a" */

@@ -135,8 +135,8 @@ static bool has_ended(pid_t pid)
 }
 
 /* Returns whether a process uses more than `most` bytes of memory. The
-   second number in statm is the memory in use, in pages. Copies of a runner
-   need this check, because a limit on address space is impossible:
+   second number in statm is the memory in use, in pages. Forked copies of a
+   runner need this check, because a limit on address space is impossible:
    sanitizers map terabytes. */
 static bool uses_more(pid_t pid, rlim_t most)
 {

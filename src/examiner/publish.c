@@ -836,8 +836,8 @@ static void put_tally(struct junit *j, const struct tally *tally)
 }
 
 /* Writes how a test ended. If the file does not build, the first test gets
-   the compiler's messages. The test may be hidden, since these messages are
-   only about the student's file. */
+   the compiler's messages, even if that test is hidden, since the messages
+   are only about the student's file. */
 static void put_ending(struct junit *j, const char *element,
                        const struct marks *m, int test)
 {
@@ -1097,8 +1097,8 @@ static void show_line(void *to, const char *student, const char *exercise,
         putchar('\n');
 }
 
-/* Prints the whole table, with the kind of isolation in its first line.
-   Changes the locale meanwhile. */
+/* Prints the whole table, with the kind of isolation in its first line. No
+   other function changes the locale. */
 static void report_table(const struct course *c, const char *folder)
 {
     const locale_t utf8 = newlocale(LC_CTYPE_MASK, "C.UTF-8", (locale_t)0);

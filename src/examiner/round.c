@@ -51,8 +51,9 @@ void round_solution(const struct exercise *e)
 }
 
 /* Returns the urgency of an exercise, or 0 if it passes. Exercises named by
-   the user come first. In both groups, an exercise that fails comes first,
-   then an unfinished one (`gap`), then one that is not begun. */
+   the user come before all others. Within each group, an exercise that
+   fails comes first, then an unfinished one (`gap`), then one that is not
+   begun. */
 static int urgency(const struct exercise *e)
 {
     if (e->judged && e->state == PASSED)

@@ -90,9 +90,9 @@ int __lsan_do_recoverable_leak_check(void) __attribute__((weak));
 /* Replaces this process with the program. The program gets a process group
    of its own, the standard descriptors, the counter, and a folder that
    contains only the files of the order. Its environment is empty, except
-   for the options of a sanitizer. A link named after the project starts it,
-   which hides the number of the function that the program is linked
-   with. */
+   for the options of a sanitizer. It is started through a link named after
+   the project; its own name would show the number of the function that it
+   is linked with. */
 static _Noreturn void become(int given, int out, int complain, int counter)
 {
     char program[32], *none[] = {NULL, NULL, NULL};
@@ -127,7 +127,7 @@ struct stream {
     int file; /* -1 if closed */
     char *text;
     size_t length, most;
-    bool more; /* the text was cut after `most' bytes */
+    bool more; /* the text was cut after `most` bytes */
 };
 
 /* Reads new output of the program. Returns whether there was any. Output
@@ -173,8 +173,8 @@ static double seconds_allowed(void)
    it prints too much, or if its wall-clock time exceeds 1.8 times its limit
    on processor time, since a program that sleeps uses no processor time.
    Sets how[0] to the status, how[1] to whether the program ran too long,
-   and how[2] to whether it printed too much. If it did, how[0] and how[1]
-   are 0. */
+   and how[2] to whether it printed too much. If it printed too much, how[0]
+   and how[1] are 0. */
 static void watch(pid_t pid, struct stream s[2], int how[3])
 {
     const double allowed = seconds_allowed(), start = now();

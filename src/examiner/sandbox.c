@@ -242,8 +242,8 @@ static void add_copies(struct words *w, const struct sandbox_order *order)
 }
 
 /* Adds bubblewrap's options for namespaces. A new session has no terminal,
-   so a program cannot type into one (TIOCSTI). The sandbox has none of
-   root's capabilities, and is killed when this process ends. */
+   so the program cannot send input to one (TIOCSTI). The sandbox has none
+   of root's capabilities, and is killed when this process ends. */
 static void add_namespaces(struct words *w, enum sandbox_kind kind)
 {
     ADD(w, "bwrap", "--unshare-ipc", "--unshare-pid", "--unshare-net",

@@ -38,10 +38,10 @@ struct submissions {
 
 /* Finds the submissions in a folder. The folder contains a folder for each
    student, or files whose names begin with the students' names, or the
-   files of one student. `usual` lists the names of all exercises' files,
-   such as "01a-collide.c", and ends with NULL. Only students whose names
-   begin with `start` are included; "" means all. Exits with status 2 if the
-   folder cannot be read or has no submission. */
+   files of one student. `usual` lists the usual file names of all
+   exercises, such as "01a-collide.c", and ends with NULL. Only students
+   whose names begin with `start` are included; "" means all. Exits with
+   status 2 if the folder cannot be read or has no submission. */
 struct submissions submissions_find(const char *folder,
                                     const char *const usual[],
                                     const char *start);

@@ -96,8 +96,8 @@ static void add(double *restrict to, double *restrict owed,
 }
 
 /* Computes the end of a trial step from the changes in place[] and speed[].
-   Writes it over s->from, the beginning of the last step: the requested
-   time is after that step, so its beginning is no longer needed. */
+   Writes it over s->from, which is the beginning of the last step and no
+   longer needed, because the requested time is after that step. */
 static void arrive(struct adaptive *s)
 {
     const size_t n = s->forces.size;

@@ -226,9 +226,10 @@ static bool copy_disks(struct scene *s, const struct disks *d, double dt)
 
 /* Builds a gas with the functions of chapter 5. The scene four-disks
    therefore starts in exactly the same state as `disks --disks 4 --radius
-   0.15 --box 1,1`, and the scene gas in that of `disks --disks 250 --radius
-   0.1 --box 7.5,5 --start random`. A heavy disk is placed first, while the
-   box is empty. It gets the kinetic energy of a light disk. */
+   0.15 --box 1,1`, and the scene gas in the same state as `disks --disks
+   250 --radius 0.1 --box 7.5,5 --start random`. A heavy disk is placed
+   first, while the box is empty. It gets the kinetic energy of a light
+   disk. */
 static const char *fill_gas(struct scene *s, struct disks *d,
                             const double value[], double heavy,
                             double heavy_radius)

@@ -76,8 +76,9 @@ static void spread(const struct scene *s, size_t k, double *low,
 }
 
 /* Returns the axis along which the bodies are spread farthest. A sweep
-   along this axis separates most pairs of paths. Periodic axes, which have
-   no beginning, are ignored. If no axis remains, returns SPHERES_AXES. */
+   along this axis separates most pairs of paths. Periodic axes are ignored,
+   since bodies cannot be sorted along them. If no axis remains, returns
+   SPHERES_AXES. */
 static size_t widest_axis(const struct scene *s)
 {
     size_t widest = SPHERES_AXES;
@@ -185,9 +186,9 @@ static double rate_rounding(const struct impact *p,
     return ROUNDING * most;
 }
 
-/* Computes the control points of the path of each coordinate in a part, of
-   length h (in s), of the step: (11.8, eq:gap-control). The paths are
-   cubics. Returns the degree. */
+/* Computes the control points of the path of each coordinate in a part of
+   length h (in s): (11.8, eq:gap-control). The paths are cubics. Returns
+   the degree. */
 static size_t draw_cubics(struct impact *p, double h)
 {
     const struct stepping *s = p->stepping;
@@ -278,10 +279,10 @@ static bool sinks(const double q[], size_t m, double below)
 }
 
 /* Updates p->least, the minimal width of a gap that is nearest to 0. If it
-   is small, an error of a path may have made or prevented a contact. A
-   curve counts if its minimum is inside the part; divided by `unit`, it is
-   the width. A minimum that is below 0 only by a rounding error counts as
-   0. */
+   is small, an error of a path may have made or prevented a contact. Only
+   curves with a minimum inside the part count. `unit` is the change of the
+   curve per change of the width. A minimum that is below 0 only by a
+   rounding error counts as 0. */
 static void notice(struct impact *p, const double q[], size_t m,
                    double unit, double rounding)
 {
@@ -370,9 +371,9 @@ static void add_wall(struct impact *p, size_t k, size_t i, double side,
     double far = fmax(fabs(p->note[c]), fabs(edge)) + s->radius[i];
     if (!(out > 0 && s->freedom[c]))
         return;
-    /* For a point at a wall at 0, both the position and the radius are 0,
-       so they set no scale for rounding errors. The length of the path then
-       does. */
+    /* For a point at a wall at 0, both the position and the radius are 0
+       and set no scale for rounding errors. The length of the path sets it
+       instead. */
     const double way = p->high[c] - p->low[c];
     if (fabs(edge) + s->radius[i] <= ROUNDING * way)
         far = fmax(far, way);
@@ -726,8 +727,9 @@ static bool find_contact(struct impact *p, double *h)
     return false;
 }
 
-/* Like find_contact, but also ensures that no other gap closes earlier when
-   the method moves the bodies. */
+/* Like find_contact, but also ensures that no other gap closes earlier.
+   Such a gap may appear when the method moves the bodies, since its paths
+   differ slightly from the polynomials. */
 static bool find_first(struct impact *p, double *h)
 {
     struct impact_gap *g;

@@ -8,8 +8,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Bodies in the order of their scene. Coordinate k of body i has the index
-   k * bodies + i in an array. */
+/* Bodies in the order of their scene. In arrays, coordinate k of body i has
+   the index k * bodies + i. */
 struct jacobi {
     size_t bodies;
     double k2;

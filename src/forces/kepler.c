@@ -1,5 +1,5 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 2314955046 of the lines below */
+/* checksum 903942627 of the lines below */
 /* Solves Kepler's equation and moves a body along its ellipse. */
 #include "forces/kepler.h"
 
@@ -101,7 +101,7 @@ void kepler_place(double mu, const struct kepler_elements *o, double x[],
     }
 }
 
-/* Returns a guess of the change of the eccentric anomaly while the mean
+/* Returns a guess for the change of the eccentric anomaly while the mean
    anomaly changes by m: the first two terms of a series. p and q are e cos
    E and e sin E at the start. The error is of the order of m^3. */
 static double first_guess(double p, double q, double m)

@@ -22,8 +22,8 @@ void kepler_shape(double mu, const double x[], const double v[],
                   double *axis, double *eccentricity);
 
 /* Moves x[3] and v[3] along their ellipse by the time t (in s), which may
-   be negative: (9.6, eq:gauss), a closed form. If the orbit is open, x[0]
-   becomes NaN. */
+   be negative. Uses a closed form: (9.6, eq:gauss). If the orbit is open,
+   x[0] becomes NaN. */
 void kepler_move(double mu, double t, double x[], double v[]);
 
 /* Computes the cosine and the sine of an angle from -1e5 to 1e5 rad. The

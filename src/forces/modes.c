@@ -1,5 +1,5 @@
 /* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 3284924019 of the lines below */
+/* checksum 3550833300 of the lines below */
 /* Finds normal modes: Jacobi rotations diagonalise the stiffness matrix. */
 #include "forces/modes.h"
 
@@ -80,8 +80,8 @@ static void add_spring(const struct springs *p,
     }
 }
 
-/* Adds all springs to the matrix, which must be zero before. Returns false
-   if memory runs out. */
+/* Adds all springs to the matrix, which must contain zeros at first.
+   Returns false if memory runs out. */
 static bool assemble(const struct modes *m, const struct springs *p,
                      const double x[], double matrix[])
 {

@@ -182,9 +182,9 @@ static size_t longest_axis(const struct spheres *p)
     return longest;
 }
 
-/* Sorts the edges, the first time by qsort, since insertion would take a
-   time proportional to the square of the number of bodies. Later the edges
-   are nearly in order, and insertion is faster. */
+/* Sorts the edges. The first time qsort is used, since insertion would take
+   a time proportional to the square of the number of bodies. Later the
+   edges are nearly sorted, and insertion is faster. */
 static void sort_edges(struct spheres *p)
 {
     static int (*const along[SPHERES_AXES])(const void *, const void *) = {

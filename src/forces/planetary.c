@@ -18,8 +18,8 @@ static bool is_held(const struct scene *s, size_t axis)
     return held > 0 && (held < n || flat < n);
 }
 
-/* Returns a message if the scene has more than gravity between free points,
-   otherwise NULL. */
+/* Returns a message if the scene contains anything besides gravity between
+   free points, otherwise NULL. */
 static const char *find_more(const struct scene *s)
 {
     if (s->contact)
@@ -38,9 +38,9 @@ static const char *find_more(const struct scene *s)
 }
 
 /* Returns whether body i is on an ellipse about the centre of mass of the
-   bodies before it: (9.9, eq:jacobi). This centre is at x and moves with v.
-   The bodies before i have the total mass *mass. Includes body i in x, v
-   and *mass. */
+   bodies before it: (9.9, eq:jacobi). These have the total mass *mass, and
+   their centre of mass is at x and has the velocity v. Afterwards x, v and
+   *mass include body i. */
 static bool is_bound(const struct scene *s, size_t i, double x[3],
                      double v[3], double *mass)
 {

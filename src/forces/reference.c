@@ -75,9 +75,10 @@ static double largest_or(const double y[], size_t n, double otherwise)
     return most > 0 ? most : otherwise;
 }
 
-/* Returns a control that measures errors relative to the largest coordinate
-   and the largest velocity, since a single coordinate may be zero. If all
-   bodies are at rest, the velocity after dt is used. */
+/* Returns a control object of the library that measures errors relative to
+   the largest coordinate and the largest velocity, since a single
+   coordinate may be zero. If all bodies are at rest, the velocity after dt
+   is used. */
 static gsl_odeiv2_control *control_errors(struct reference *r, double dt)
 {
     struct reference_parts *const p = r->parts;

@@ -45,10 +45,10 @@ bool rods_create(struct rods *p, const struct scene *s,
     return true;
 }
 
-/* Adds lambda * way / m to q of the rod's first end, where m is the mass of
-   that end, and subtracts the same expression from q of the other end.
-   `way` is in m. lambda is in kg if q are positions, and in kg/s if q are
-   velocities. */
+/* Shifts the ends of a rod in opposite directions along `way` (in m): adds
+   lambda * way / m to q of the first end and subtracts it from q of the
+   other end, where m is the mass of the end in question. lambda is in kg if
+   q are positions, and in kg/s if q are velocities. */
 static void shift_ends(const struct rods *p, const struct rods_rod *r,
                        const double way[3], double lambda, double q[])
 {
@@ -154,8 +154,9 @@ bool rods_project(struct rods *p, const double x[], double v[])
     return !wrong;
 }
 
-/* Computes the accelerations at x, unless they were last computed at the
-   same positions. A contact may have moved bodies since then. */
+/* Computes the accelerations at x, unless the last ones were computed at
+   the same positions. This is checked because a contact may have moved
+   bodies since then. */
 static void look(struct rods *p, const double x[], const double v[])
 {
     const size_t bytes = 3 * p->bodies * sizeof *x;

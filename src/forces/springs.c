@@ -74,8 +74,8 @@ static void scatter(struct springs *p, size_t count, const double x[],
     }
 }
 
-/* Returns a spring with its ends in the order a < b. Exchanging the ends
-   does not change the motion. */
+/* Returns a spring with its ends exchanged if necessary, so that a < b.
+   This does not change the motion. */
 static struct scene_spring forwards(struct scene_spring s)
 {
     const uint32_t a = s.a;

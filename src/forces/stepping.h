@@ -29,10 +29,11 @@ struct stepping_ahead {
     void *step;
 };
 
-/* Takes `steps` steps of leapfrog. Calls ahead->ready to move the
-   coordinates in parts, just before it reads them for the forces. The speed
-   for large systems is limited by memory: coordinates moved in a separate
-   pass would have left the cache when the forces need them.
+/* Takes `steps` steps of leapfrog, except for the last half kick. Calls
+   ahead->ready to move the coordinates in parts, just before it reads them
+   for the forces. The speed for large systems is limited by memory:
+   coordinates moved in a separate pass would have left the cache when the
+   forces need them.
 
    In each step the function calls ahead->ready once for each coordinate,
    before it reads x and v or writes a there. In the first step owing is
@@ -60,8 +61,8 @@ struct stepping_method {
     enum stepping_family family;
     int order;
     bool symmetric, symplectic;
-    size_t stages;       /* force evaluations in a step without friction; a
-                            lower limit for implicit methods */
+    size_t stages;       /* number of force evaluations in a step without
+                            friction; a lower limit for implicit methods */
     size_t drifts;       /* number of drifts of a splitting */
     const double *drift; /* [drifts], in units of dt */
     const double *kick;  /* [drifts + 1] before, between and after the

@@ -11,11 +11,11 @@
 const char *const bonkers_engine_names[BONKERS_ENGINES + 1] = {
     "auto", "naive", "scan", "heap", "slab", NULL};
 
-/* Prepares a run, as bonkers_create does, and allocates only what the run
-   needs. Points need no shifts. Counters of repeats are needed only if
-   energy is lost, and fractions only by the scan and slab engines. The heap
-   has room for all gaps in the heap engine, and for the gaps of an island
-   in the slab engine. */
+/* Prepares a run like bonkers_create, but allocates only the arrays that
+   this run needs. Only bodies with radii need shifts. Only inelastic runs
+   count repeats. Only the scan and slab engines use fractions. The heap has
+   room for all gaps in the heap engine, but only for those of one island in
+   the slab engine. */
 static bool create(struct bonkers *b, size_t movers, double restitution,
                    enum bonkers_engine engine, bool points)
 {
@@ -80,8 +80,8 @@ static void take_out_radii(struct bonkers *b, const double radius[])
 }
 
 /* Subtracting the radii may make touching bodies overlap by a rounding
-   error. Such an overlap is corrected. A larger overlap or a NaN is an
-   error of the caller. */
+   error, which is corrected here. A larger overlap or a NaN is an error of
+   the caller. */
 size_t bonkers_start(struct bonkers *b, const double radius[])
 {
     b->extent = 0;
@@ -109,9 +109,9 @@ size_t bonkers_start(struct bonkers *b, const double radius[])
     return b->gaps;
 }
 
-/* Mover i of the start becomes body i + 1 of the line. b->shift first
-   contains the radii, which bonkers_start replaces by the shifts. For
-   points it is NULL, so a run need not read it. */
+/* Mover i of s becomes body i + 1. b->shift first contains the radii, which
+   bonkers_start replaces by the shifts. If all radii are 0, b->shift is
+   NULL, so the run does not read an array of zeros. */
 bool bonkers_begin(struct bonkers *b, const struct start *s,
                    double restitution, enum bonkers_engine engine,
                    size_t *wrong)
@@ -150,8 +150,8 @@ void bonkers_settle(struct bonkers *b)
 }
 
 /* Returns whether no gap will ever close. Without gravity, a gap of finite
-   length closes if its left body is faster than its right body. Positions
-   at a common time are not needed for this test. */
+   length closes if its left body has the greater velocity. This can be
+   decided without the positions at a common time. */
 bool bonkers_is_still(const struct bonkers *b)
 {
     for (size_t i = 0; i < b->gaps; ++i)
@@ -170,8 +170,8 @@ bool bonkers_is_cold(const struct bonkers *b)
     return true;
 }
 
-/* Adds the bodies from left to right for every engine, since another order
-   would give other rounding errors. The walls are not included. */
+/* Sums over the bodies from left to right in every engine, since another
+   order would give other rounding errors. The walls are not included. */
 double bonkers_energy(const struct bonkers *b)
 {
     const double low = b->body[0].x, floor = low > -INFINITY ? low : 0;

@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 3334897227 of the lines below */
+/* checksum 1074793408 of the lines below */
 /* Finds the next collision on a line, by one of four engines. */
 #include "line/bonkers.h"
 
@@ -28,8 +28,9 @@ static enum bonkers_stop idle_all(struct bonkers *b, double until)
     return BONKERS_TIME;
 }
 
-/* Moves all bodies for `wait`, s, until gap i closes, and collides the
-   bodies of this gap. Returns whether the run ends as BONKERS_COLLAPSE. */
+/* Moves all bodies for `wait` seconds, until gap i closes, and collides the
+   two bodies of this gap. Returns whether the run ends as
+   BONKERS_COLLAPSE. */
 static bool move_and_collide(struct bonkers *b, size_t i, double wait)
 {
     struct bonkers_body *left = &b->body[i], *right = left + 1;

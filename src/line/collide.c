@@ -1,6 +1,6 @@
 /* From chapters/01-collide.nw: edit there, then run make tangle. */
-/* checksum 375985063 of the lines below */
-/* Collides bodies on a line or along a normal, in five forms. */
+/* checksum 3826417927 of the lines below */
+/* Collides bodies on a line or along a normal, by a choice of formulas. */
 #include "line/collide.h"
 
 #include <float.h>
@@ -37,9 +37,10 @@ bool collide(double *v1, double *v2, double im1, double im2,
     return true;
 }
 
-/* Copies the normal to n, and sets *nn to n.n. Scales n if its square would
-   overflow or lose digits. Returns false if the number of dimensions is not
-   1 to COLLIDE_DIMENSIONS, or the normal is zero or not finite. */
+/* Copies the normal to n, and sets *nn to n.n. If this square would
+   overflow or lose digits, n is scaled first. Returns false if the number
+   of dimensions is not 1 to COLLIDE_DIMENSIONS, or if the normal is zero or
+   not finite. */
 static bool safe_normal(size_t dimensions, const double normal[],
                         double n[], double *nn)
 {

@@ -7,14 +7,15 @@
 
 enum { COLLIDE_DIMENSIONS = 3 }; /* largest number of dimensions */
 
-/* Five forms of the formula, which differ only in rounding. Three split the
-   change of the relative velocity into a fraction for each body. */
+/* Five forms of the collision formula, which differ only in rounding. Three
+   of them give each body a fraction of the change of the relative
+   velocity. */
 enum collide_form {
     COLLIDE_CM,         /* about the centre of mass (1.4, eq:reverse) */
     COLLIDE_DIFFERENCE, /* fractions by division (1.8, eq:restitution) */
     COLLIDE_IMPULSE,    /* one common impulse (1.10, eq:impulse) */
     COLLIDE_COMPLEMENT, /* smaller fraction = 1 - larger fraction */
-    COLLIDE_SMALLER,    /* larger part is the rest (1.12, eq:smaller) */
+    COLLIDE_SMALLER,    /* larger part: the remainder (1.12, eq:smaller) */
     COLLIDE_FORMS       /* number of forms */
 };
 
@@ -41,7 +42,7 @@ bool collide_along(size_t dimensions, const double normal[], double v1[],
 /* The forms' names, in the order of enum collide_form, then NULL. */
 extern const char *const collide_form_names[COLLIDE_FORMS + 1];
 
-/* Collide bodies as collide and collide_along do, but by a chosen form. */
+/* Like collide and collide_along, but use the given form of the formula. */
 bool collide_by(enum collide_form form, double *v1, double *v2, double im1,
                 double im2, double restitution);
 bool collide_along_by(enum collide_form form, size_t dimensions,

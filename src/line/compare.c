@@ -109,10 +109,10 @@ static double covariance(size_t blocks, size_t cells, const double a[],
     return sum / (double)(blocks - 1);
 }
 
-/* The two sums over g in (3.15, eq:scatter) are the trace of the covariance
-   matrix of the counts of blocks and the trace of its square. The square of
-   a measured covariance matrix is on average too large. The excess is known
-   for normally distributed counts of m blocks, and is subtracted. */
+/* The two sums over g in (3.15, eq:scatter) are the traces of two matrices:
+   the covariance matrix of the counts, and its square. On average, the
+   square of a measured covariance matrix is too large. For normally
+   distributed counts the excess is known, and is subtracted here. */
 struct statistics_scatter statistics_scatter(size_t blocks, size_t cells,
                                              const double count[],
                                              double expected)
@@ -165,9 +165,9 @@ static size_t *cells_of(size_t n, const double x[], size_t cells)
     return sorted ? cell : NULL;
 }
 
-/* Computes chi-square and its degrees of freedom from a table of cells x
-   cells. If the two series are independent, all cells have the same
-   expected count. Returns false if memory runs out. */
+/* Computes chi-square and its degrees of freedom from a table with `cells`
+   rows and columns. If the two series are independent, all entries of the
+   table have the same expected count. Returns false if memory runs out. */
 static bool count_table(size_t n, const double x[], const double y[],
                         size_t cells, struct statistics_dependence *d)
 {
@@ -187,8 +187,8 @@ static bool count_table(size_t n, const double x[], const double y[],
     return done;
 }
 
-/* The correlation coefficient is the mean of a product, so its error is
-   that of a mean. */
+/* The correlation coefficient is the mean of a product of two deviations,
+   so its error is estimated like that of any mean. */
 bool statistics_dependence(size_t n, const double x[], const double y[],
                            size_t cells, bool serial,
                            struct statistics_dependence *d)

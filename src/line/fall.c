@@ -3,9 +3,8 @@
 
 #include <math.h>
 
-/* For v < 0 the usual form v + speed would be a difference of nearly equal
-   numbers. The other form of (5.13, eq:fall-floor) has no such
-   difference. */
+/* For v < 0, the usual form with v + speed would subtract nearly equal
+   numbers. The other form of (5.13, eq:fall-floor) avoids this. */
 double fall_to_floor(double x, double v, double g)
 {
     if (x == INFINITY)

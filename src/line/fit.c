@@ -53,10 +53,10 @@ static void add_bin(struct newton *s, double mean, double sd, double a,
     s->information[2] += total * slope[1] * slope[1] / p;
 }
 
-/* Returns the lower edge of bin i in this unit. The determinant of the
+/* Returns the lower edge of bin i divided by `unit`. The determinant of the
    information is proportional to the inverse fourth power of the standard
-   deviation. Without a unit it would underflow for standard deviations
-   above 1e77. */
+   deviation. Without this division it would underflow for standard
+   deviations above 1e77. */
 static double edge_in(double unit, const struct statistics_histogram *h,
                       size_t i)
 {
@@ -131,11 +131,11 @@ static void compare_with(const struct statistics_histogram *h, double unit,
     fit->degrees = groups > 3 ? groups - 3 : 0;
 }
 
-/* Each Newton step is the inverse of the information times the score,
-   computed by Cramer's rule. A step that is too large is shortened, since
-   the standard deviation must stay positive. A hundred steps are always
-   enough. The diagonal of the inverse gives the variances of the two
-   parameters. */
+/* Each Newton step is the inverse of the information matrix times the
+   score, computed by Cramer's rule. A step that is too large is shortened,
+   since the standard deviation must stay positive. A hundred steps are
+   always enough. The diagonal of the inverse contains the variances of the
+   two parameters. */
 bool statistics_fit_gaussian(const struct statistics_histogram *h, double g,
                              struct statistics_gaussian *fit)
 {

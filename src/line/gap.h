@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 3763110216 of the lines below */
+/* checksum 770742491 of the lines below */
 /* A gap between two bodies: the time when it closes, and the collision. */
 #ifndef GAP_H
 #define GAP_H
@@ -35,7 +35,7 @@ static inline double time_due(const struct bonkers *b, size_t i)
 }
 
 /* Returns the state of body i at the time t, if the body does not collide
-   before. */
+   before then. */
 static inline struct bonkers_body body_at(const struct bonkers *b, size_t i,
                                           double t)
 {
@@ -53,17 +53,17 @@ static inline bool same_time(double before, double t)
     return t - before <= 4 * DBL_EPSILON * t;
 }
 
-/* Returns the number of collisions of a gap at the same clock reading that
-   counts as a collapse. */
+/* Returns how many collisions of a gap at the same clock reading count as a
+   collapse. */
 static inline uint32_t most_repeats(const struct bonkers *b)
 {
     return BONKERS_REPEATS + (b->gaps < 200 ? (uint32_t)b->gaps : 200);
 }
 
-/* Counts the collisions of gap i while the clock does not advance
-   (`stands`). Resets the count when it advances. Returns true if there are
-   too many collisions, or if the clock advances but the bodies approach
-   more slowly than BONKERS_SLOWEST. */
+/* Counts a collision of gap i if the clock did not advance (`stands`), and
+   otherwise resets the count. Returns true if the count is too high, or if
+   the clock advanced but the bodies approach each other more slowly than
+   BONKERS_SLOWEST. */
 static inline bool count_repeat(struct bonkers *b, size_t i, bool stands,
                                 double approach)
 {
@@ -117,8 +117,8 @@ static inline bool collide_gap(struct bonkers *b, size_t i)
     return count_repeat(b, i, stands, approach);
 }
 
-/* Sets *low and *high to the first and last gap whose times change in a
-   collision of gap i. */
+/* Sets *low and *high to the first and last gap whose closing times change
+   when gap i closes. */
 static inline void find_changed(const struct bonkers *b, size_t i,
                                 size_t *low, size_t *high)
 {

@@ -11,8 +11,8 @@
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_randist.h>
 
-/* The name of each law, the form of its text for error messages, and the
-   smallest and largest number of parameters in the text. */
+/* For each law: its name, its syntax for error messages, and the smallest
+   and largest number of parameters. */
 static const struct {
     const char *name, *form;
     size_t fewest, most;
@@ -48,9 +48,9 @@ static bool makes_sense(const struct law *law)
 }
 
 /* Reads a colon and numbers separated by commas. Returns false if the text
-   is wrong. Optional numbers must be given all or not at all: a low end
+   is wrong. The optional numbers must be given all or not at all: a low end
    without a high end is an error. Maxwell's law is an exception, as each of
-   its numbers makes sense without the next. */
+   its numbers makes sense without those after it. */
 static bool read_numbers(const char *text, struct law *law)
 {
     for (law->given = 0; *text; ++law->given) {
@@ -130,8 +130,9 @@ static double stretched_below(struct stretched s, double x)
                         : gsl_cdf_beta_P(place, s.a, s.b);
 }
 
-/* Maxwell's density of a speed is proportional to that of a component times
-   x^(d-1), the surface of a sphere in velocity space. */
+/* Maxwell's density of a speed x is the density of a velocity component at
+   x times a number proportional to x^(d-1), the surface of a sphere in
+   velocity space. */
 double laws_density(const struct law *law, double x)
 {
     const double *p = law->parameter;
@@ -240,15 +241,15 @@ static double largest_distance(size_t n, const double below[])
     return distance;
 }
 
-/* Returns the bin of a cumulative probability. If samples obey the law,
-   these probabilities are uniformly distributed from 0 to 1, so all bins
-   are equally probable. */
+/* Returns the bin that contains a cumulative probability. For samples that
+   obey the law, these probabilities are uniformly distributed from 0 to 1,
+   so all bins are equally probable. */
 static size_t bin_of(double below)
 {
     return below < 1 ? (size_t)(below * LAW_CELLS) : LAW_CELLS - 1;
 }
 
-/* Measures from the counts of blocks how much correlations change the
+/* Estimates, from the counts in blocks, how much correlations change the
    distribution of chi-square. Returns false if memory runs out. */
 static bool find_scatter(size_t n, const double below[], size_t block,
                          struct statistics_scatter *s)
@@ -267,7 +268,7 @@ static bool find_scatter(size_t n, const double below[], size_t block,
 
 /* A law that was fitted to the samples is closer to them than (3.16,
    eq:kolmogorov) expects. The probability of its distance is then unknown,
-   and set to NaN. */
+   and is set to NaN. */
 bool laws_test(const struct law *law, size_t n, const double x[], double g,
                size_t block, size_t fitted, struct law_test *t)
 {

@@ -9,7 +9,7 @@ enum law_kind { LAW_NORMAL, LAW_MICROCANONICAL, LAW_BETA, LAW_MAXWELL };
 
 enum { LAW_PARAMETERS = 4 };
 
-/* A law with its parameters, in the order in which laws_read takes them. */
+/* A law and its parameters, in the order in which laws_read reads them. */
 struct law {
     enum law_kind kind;
     size_t given; /* number of parameters that are set */
@@ -18,8 +18,8 @@ struct law {
 
 enum { LAW_CELLS = 20 }; /* number of equally probable bins */
 
-/* The agreement of samples with a law. Each probability is that of a result
-   at least as bad if the samples obey the law. */
+/* How well samples agree with a law. Each probability is that of an
+   agreement at least this bad, if the samples obey the law. */
 struct law_test {
     double distance;               /* Kolmogorov's distance */
     double distance_probability;   /* NaN if the law was fitted */
@@ -39,8 +39,8 @@ struct law_test {
 const char *laws_read(const char *text, struct law *law);
 
 /* Sets the parameters that were not given. The defaults are low = 0, high =
-   1, m = 1, and d = 0 for a component. Other parameters are computed from
-   the mean and standard deviation of a column. Returns the number of
+   1, m = 1, and d = 0 for a component. The other parameters are computed
+   from `mean` and `sd`, those of a column of samples. Returns the number of
    computed parameters. */
 size_t laws_complete(struct law *law, double mean, double sd);
 
@@ -54,15 +54,15 @@ double laws_below(const struct law *law, double x);
 double laws_mean(const struct law *law);
 double laws_sd(const struct law *law);
 
-/* Tests n samples against a complete law. Every g-th sample is independent,
-   and `fitted` parameters of the law were computed from the samples. If
-   there are at least 3 blocks of `block` > 1 samples, the scatter of
-   chi-square is measured from the blocks, which are assumed to be
-   independent. For a fitted law this overestimates the scatter. With fewer
-   blocks the scatter is that of independent samples. Returns false if
-   memory runs out. Requires n >= 2, g > 0, fitted < LAW_CELLS - 1. Sources:
-   Kolmogorov's limit with Stephens' correction, J. R. Statist. Soc. B 32,
-   115 (1970); Pearson's chi-square. */
+/* Tests n samples against a complete law. g samples count as one
+   independent sample, and `fitted` parameters of the law were computed from
+   the samples. If there are at least 3 blocks of `block` > 1 samples, the
+   scatter of chi-square is measured from these blocks, which are assumed to
+   be independent. For a fitted law this overestimates the scatter. With
+   fewer blocks, the scatter is that of independent samples. Returns false
+   if memory runs out. Requires n >= 2, g > 0, fitted < LAW_CELLS - 1.
+   Sources: Kolmogorov's limit with Stephens' correction, J. R. Statist.
+   Soc. B 32, 115 (1970); Pearson's chi-square. */
 bool laws_test(const struct law *law, size_t n, const double x[], double g,
                size_t block, size_t fitted, struct law_test *t);
 

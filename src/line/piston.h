@@ -6,11 +6,12 @@
 #include <stddef.h>
 
 /* A gas on a line between a wall and the piston, compressed so slowly that
-   its kinetic energy depends on its length only. */
+   its kinetic energy depends only on its length. */
 struct piston_gas {
     double energy; /* kinetic energy at `length`, J, not negative */
     double length; /* m, positive */
-    double mass;   /* kg, may be 0; a third moves with the piston */
+    double mass;   /* kg, may be 0; a third of it adds to the piston's
+                      inertia */
 };
 
 /* A piston between two gases in a box with walls at 0 and length. */
@@ -38,13 +39,13 @@ double piston_force(const struct piston *p, double x);
    third of the mass of each gas. Source: (4.10, eq:added-mass). */
 double piston_inertia(const struct piston *p);
 
-/* Moves the piston by a leapfrog step dt (s), positive or negative. Returns
-   false and changes nothing if the step leads into a wall. Uses only + - *
-   /. Source: (4.5, eq:leapfrog). */
+/* Advances the piston by a leapfrog step of dt (s), which may be negative.
+   Returns false and changes nothing if the step leads into a wall. Uses
+   only + - * /. Source: (4.5, eq:leapfrog). */
 bool piston_step(const struct piston *p, struct piston_state *s, double dt);
 
-/* Moves the piston as piston_step does, but by a classical fourth-order
-   Runge-Kutta step, for comparison. */
+/* Like piston_step, but with a classical fourth-order Runge-Kutta step, for
+   comparison. */
 bool piston_step_rk4(const struct piston *p, struct piston_state *s,
                      double dt);
 
@@ -52,7 +53,7 @@ bool piston_step_rk4(const struct piston *p, struct piston_state *s,
 double piston_energy(const struct piston *p, const struct piston_state *s);
 
 /* Returns the position (m), inside the box, at which the forces of the two
-   gases balance. Requires both energies positive. Source: (4.6,
+   gases balance. Requires positive energies of both gases. Source: (4.6,
    eq:piston-rest). */
 double piston_rest(const struct piston *p);
 
@@ -63,21 +64,21 @@ double piston_frequency(const struct piston *p);
 
 /* Sets *low and *high to the positions (m) at which the piston turns round.
    Returns false, with nothing changed, if the energy (J) is below the
-   potential at rest. Requires both gases' energies positive. */
+   potential at rest. Requires positive energies of both gases. */
 bool piston_turning_points(const struct piston *p, double energy,
                            double *low, double *high);
 
-/* Returns the period (s) of an oscillation of this energy (J), integrated
-   with this number of points. 16 points give 12 digits if no gas is
-   compressed below a third of its length. Returns NAN if there are no
-   points or no turning points. Source: (4.8, eq:piston-large), by the
-   substitution (4.9, eq:piston-circle). */
+/* Returns the period (s) of an oscillation with the given energy (J),
+   integrated numerically with the given number of points. 16 points give 12
+   digits if no gas is compressed below a third of its length. Returns NAN
+   if there are no points or no turning points. Source: (4.8,
+   eq:piston-large), with the substitution (4.9, eq:piston-circle). */
 double piston_period(const struct piston *p, double energy, size_t points);
 
 /* Returns the lowest angular frequency (1/s) of small oscillations of the
-   piston coupled to sound waves in the gases, with their full masses. For
-   gases without mass it equals piston_frequency. Requires both energies
-   positive. Source: (4.11, eq:acoustic). */
+   piston coupled to sound waves in the gases. For massless gases it equals
+   piston_frequency. Requires positive energies of both gases. Source:
+   (4.11, eq:acoustic). */
 double piston_frequency_acoustic(const struct piston *p);
 
 #endif

@@ -15,7 +15,7 @@ struct schedule_entry {
     uint32_t event;
 };
 
-/* A heap with some of the events 0 to size - 1. heap[0] is the earliest
+/* A heap of events with numbers from 0 to size - 1. heap[0] is the earliest
    event, and may be read if count > 0. */
 struct schedule {
     struct schedule_entry *heap; /* ordered by (2.5, eq:heap) */
@@ -30,7 +30,7 @@ bool schedule_create(struct schedule *s, size_t size, size_t room);
 void schedule_free(struct schedule *s);
 
 /* Sets the time of an event. Adds the event if it is not in the schedule.
-   The cost is at most of the order log2(count). */
+   The cost is at most of the order of log2(count). */
 void schedule_put(struct schedule *s, size_t event, double time);
 
 /* Removes an event; does nothing if it is not in the schedule. */

@@ -1,12 +1,12 @@
 /* The slab engine: distant bodies run independently for a short time. */
 
 /* A slab is an interval of time. The collisions in a slab form islands,
-   which are groups of neighbouring gaps. A pass along the line runs a slab
-   island by island. Chapter 2 (section Small islands of time) proves that
-   the result equals that of the scan engine to the last bit if at least two
-   gaps without collisions are between islands (2.6, eq:islands). Islands
-   that come closer are undone from a log and run again as a single
-   island. */
+   which are groups of neighbouring gaps. The engine passes along the line
+   once per slab and runs one island after another. Chapter 2 (section Small
+   islands of time) proves that the result equals that of the scan engine to
+   the last bit if islands are separated by at least two gaps without
+   collisions (2.6, eq:islands). Islands that come closer to each other are
+   undone by means of a log, and run again as a single island. */
 #include "line/slab.h"
 
 #include "line/engine.h"
@@ -17,10 +17,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* An entry of the log: the numbers that a collision in `gap` overwrites.
+/* An entry of the log: the values that a collision of `gap` overwrites.
    These are the positions, velocities and times of two bodies, and the
    counter of the gap. The times when gaps close are not stored, since
-   computing them again from the bodies gives the same bits. */
+   recomputing them from the bodies gives the same bits. */
 struct log_entry {
     double x[2], v[2], since[2];
     uint32_t gap, repeats;
@@ -33,11 +33,11 @@ struct island {
     size_t start;
 };
 
-/* A slab, which advances from left to right. A line of a million bodies
-   does not fit into a cache, and loading it from memory for every slab
-   would take as long as the collisions. So up to SLABS slabs advance
-   together, each BLOCK gaps behind the slab before it. They share the
-   bodies that the first slab has loaded. */
+/* The progress of a slab along the line, from left to right. A line of a
+   million bodies does not fit into a cache, and loading it from memory for
+   every slab would take as long as the collisions. So up to SLABS slabs
+   advance together, each BLOCK gaps behind the one before it. They share
+   the bodies that the first slab has loaded. */
 struct slab {
     double end;  /* end of the interval of time, s */
     size_t next; /* first gap that is not finished */
@@ -45,7 +45,7 @@ struct slab {
     size_t logged, log_size;
     struct island *island;
     size_t islands, island_size;
-    uint64_t collisions; /* collisions dropped from the log */
+    uint64_t collisions; /* collisions whose log entries were dropped */
 };
 
 enum {
@@ -54,7 +54,7 @@ enum {
     MOST_ALONE = 63 /* largest number of slabs run alone after a failure */
 };
 
-/* The numbers of a body that collisions change, in m, m/s and s. */
+/* The data of a body that collisions change, in m, m/s and s. */
 struct motion {
     double x, v, since;
 };
@@ -127,10 +127,10 @@ static void undo(struct bonkers *b, const struct log_entry *r)
     renew(b, r->gap);
 }
 
-/* Undoes the collisions of the log from the last back to entry `start`. In
-   this order each entry finds its two bodies as its collision left them.
-   Adds the number of undone collisions to redone, since a slab that undoes
-   many collisions is too long. */
+/* Undoes the logged collisions in reverse order, back to entry `start`, so
+   that each entry finds its two bodies as its collision left them. Adds the
+   number of undone collisions to redone, since a slab that undoes many
+   collisions is too long. */
 static void undo_to(struct bonkers *b, struct slab *s, size_t start)
 {
     b->slab->redone += s->logged - start;
@@ -208,20 +208,20 @@ static bool leaves_its_slab(const struct slab *s, size_t first, size_t last)
 }
 
 /* Returns whether the slab has logged, or all slabs have undone, far more
-   collisions than there are gaps. An example is a light ball that bounces a
-   million times between two heavy balls. The log would become enormous, so
-   the slab is undone and tried again at a quarter of the width. */
+   collisions than there are gaps, as when a light ball bounces a million
+   times between two heavy balls. The log would become enormous, so the slab
+   is undone and tried again at a quarter of the width. */
 static bool too_long(const struct bonkers *b, const struct slab *s)
 {
     const size_t most = 8 * b->gaps + 65536;
     return s->logged > most || b->slab->redone > most;
 }
 
-/* Extends the island of gaps *first to *last by gap i if i is just outside.
-   Returns false if the island is then too close to a finished island on its
-   left or to a due gap on its right (2.6, eq:islands). Sets *last to this
-   due gap. Gap i + 1 needs no test: if it had been due, the island would
-   have included it from the start. */
+/* Extends the island of gaps *first to *last by gap i if i is next to it.
+   Returns false if the island is then too close (2.6, eq:islands) to a
+   finished island on its left or to a due gap on its right. In the latter
+   case sets *last to the due gap. Gap i + 1 needs no test: if it had been
+   due, the island would have included it from the start. */
 static bool keep_apart(const struct bonkers *b, const struct slab *s,
                        size_t i, size_t *first, size_t *last)
 {
@@ -242,8 +242,8 @@ static bool keep_apart(const struct bonkers *b, const struct slab *s,
 
 /* Runs the collisions of the island of gaps *first to *last up to the end
    of the slab. keep_apart may extend the island. Returns false if the slabs
-   have failed, or if the island is too close to another island and must
-   start again. Each collision needs room for an entry in the log and for
+   have failed, or if the island is too close to another island and must be
+   restarted. Each collision needs room for an entry in the log and for
    three gaps in the schedule. After a collapse the island stops, since the
    run ends before its next collision. */
 static bool run_island(struct bonkers *b, struct slab *s, size_t *first,
@@ -278,13 +278,12 @@ static bool run_island(struct bonkers *b, struct slab *s, size_t *first,
     }
 }
 
-/* Runs the island that begins at gap first. Returns the first gap after the
-   island that may begin another island, or 0 if the slabs have failed. If
-   the island comes too close to islands on its left, the collisions of all
-   these islands are undone, and a single larger island starts in their
-   place. The larger island may come too close to yet another island.
-   Islands are logged from left to right, so the island to undo is always
-   the last. */
+/* Runs the island that begins at gap first. Returns the first gap after it
+   that may begin another island, or 0 if the slabs have failed. If the
+   island comes too close to islands on its left, the collisions of all
+   these islands are undone and run again as a single larger island. That
+   island may in turn come too close to another one. Islands are logged from
+   left to right, so the island to undo is always the last. */
 static size_t add_island(struct bonkers *b, struct slab *s, size_t first)
 {
     size_t start = s->logged, last = end_of_chain(b, first, s->end);
@@ -313,8 +312,8 @@ static size_t add_island(struct bonkers *b, struct slab *s, size_t first)
 }
 
 /* Saves the bodies and the counters of the gaps from..to-1, which also
-   loads them from memory. Prefetches the next block. With a compiler
-   without __builtin_prefetch large lines are slower. */
+   loads them into the cache. Prefetches the next block. With a compiler
+   without __builtin_prefetch, large lines are slower. */
 static void save(struct bonkers *b, size_t from, size_t to)
 {
     const size_t count = to - from + (to == b->gaps);
@@ -351,9 +350,10 @@ static void undo_all(struct bonkers *b)
         b->due[i] = time_due(b, i);
 }
 
-/* Drops the log entries of islands that the next slab has passed, as such
-   islands are not undone one by one. Does this only if the log has at least
-   MANY entries, since moving the remaining entries costs time. */
+/* Drops the log entries of islands that the next slab has passed, since
+   these islands are never undone individually. Does this only if the log
+   has at least MANY entries, since moving the remaining entries costs
+   time. */
 static void drop_safe_entries(struct slab *s)
 {
     enum { MANY = 256 };
@@ -435,22 +435,24 @@ static bool run_islands(struct bonkers *b)
 }
 
 /* Returns the number of collisions that a slab should have. With fewer
-   collisions, most of the cost is that of passing along the line. With more
-   collisions, islands often come too close to each other, and many
-   collisions are repeated. Three for every twenty gaps proved fastest. */
+   collisions, most of the time is spent on passing along the line. With
+   more collisions, islands often come too close to each other, and many
+   collisions are repeated. Three collisions for every twenty gaps proved
+   fastest. */
 static double collisions_wanted(const struct bonkers *b)
 {
     return 0.15 * (double)b->gaps + 1;
 }
 
 /* Chooses the width and number of the next slabs from the width and the
-   collisions of the last slabs. Results do not depend on this choice. The
-   width changes by a factor of two at most. It becomes 0, unknown, if there
-   were no collisions. If the width is about right, the number of slabs
-   doubles. A fast ball among many at rest starts a wave that is too long
-   for one of several slabs, and will do so again. So after a failure one
-   slab runs alone, after the next failure three, then seven, up to
-   MOST_ALONE. This number is halved whenever all SLABS have succeeded. */
+   collisions of the last slabs. This choice does not affect the results.
+   The width changes at most by a factor of two, or becomes 0 (unknown) if
+   there were no collisions. If the width was about right, the number of
+   slabs doubles. When several slabs fail together, they will probably fail
+   again: for example, a fast ball among many at rest starts a wave that is
+   too long for one of several slabs. So after a failure one slab runs
+   alone, after the next failure three, then seven, up to MOST_ALONE. This
+   number is halved whenever SLABS slabs have succeeded together. */
 static void adapt_width(struct bonkers *b, double width,
                         uint64_t collisions)
 {
@@ -469,10 +471,10 @@ static void adapt_width(struct bonkers *b, double width,
     s->alone -= s->alone > 0;
 }
 
-/* Returns a first guess of the width, s, which adapt_width corrects. This
-   is twice the time to the next collision, or INFINITY if there is no
-   collision. Late in a run such a time may be too short for the clock, so
-   the width is at least 1e-12 of the clock reading. */
+/* Returns a first guess of the width, s, which adapt_width corrects: twice
+   the time to the next collision, or INFINITY if there is no collision.
+   Late in a run this may be shorter than the clock can resolve, so the
+   width is at least 1e-12 of the clock reading. */
 static double first_width(const struct bonkers *b)
 {
     const double wait = b->due[schedule_scan(b->due, b->gaps)] - b->now;
@@ -512,17 +514,18 @@ static uint64_t collisions_of(const struct bonkers *b)
 }
 
 /* Returns whether the run may have to stop within the slabs in progress.
-   Slabs do not run their collisions in the order of time. */
+   Slabs do not run their collisions in order of time, so they cannot stop
+   at a given collision. */
 static bool holds_the_end(const struct bonkers *b, uint64_t collisions,
                           uint64_t limit)
 {
     return b->slab->collapse || collisions >= limit - b->collisions;
 }
 
-/* Runs up to `end` by the heap engine. This engine counts collisions in the
+/* Runs up to `end` by the heap engine. This engine counts collisions in
    order of time and can handle any number of simultaneous collisions, as
    when a thousand touching balls are struck. The heap needs room for every
-   gap, so it uses the memory of the saved bodies, which have been
+   gap. It uses the memory of the saved bodies, which have already been
    restored. */
 static enum bonkers_stop run_slab_by_heap(struct bonkers *b, double end,
                                           uint64_t limit)
@@ -551,12 +554,12 @@ static size_t slabs_to_go(const struct bonkers *b, double width,
     return b->slab->width > 0 && most > 1 ? (size_t)most : 1;
 }
 
-/* If several slabs fail, a single slab is tried. If this fails, it is tried
-   again at a quarter of the width, up to four times in all, since each
-   attempt costs as much as a slab. If too many gaps are due at the same
-   time, a shorter slab would not help, and there is only one attempt. After
-   the last attempt the heap engine takes over. It also runs the slab with
-   the last requested collision, which costs as much as a slab, once in a
+/* If several slabs fail together, a single slab is tried. Each time a
+   single slab fails, its width is divided by four. After four failures the
+   heap engine takes over, since each attempt costs as much as a slab. If
+   too many gaps are due at the same time, a shorter slab would not help,
+   and the heap engine takes over at once. The heap engine also runs the
+   slab with the last requested collision, which happens only once in a
    run. */
 enum bonkers_stop slab_run(struct bonkers *b, double until, uint64_t limit)
 {

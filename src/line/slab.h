@@ -4,7 +4,7 @@
 
 #include "line/bonkers.h"
 
-/* Largest number of due gaps of an island that the schedule can contain.
+/* Largest number of due gaps of an island that fit into the schedule.
    Larger islands are left to the heap engine. */
 enum { SLAB_WAITING = 4096 };
 

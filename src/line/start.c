@@ -33,10 +33,10 @@ void start_free(struct start *s)
 }
 
 /* Fills x with n uniform random points between a and b, in order. No
-   sorting is needed, since the gaps between such points are n + 1
-   exponential variates divided by their sum. (Before the division the gaps
-   are independent, which is why the free space of a line behaves like an
-   ideal gas.) */
+   sorting is needed, since the n + 1 gaps between such points are
+   distributed like exponential variates divided by their sum. (Before the
+   division the gaps are independent, which is why the free space of a line
+   behaves like an ideal gas.) */
 static void throw_points(struct random *r, size_t n, double a, double b,
                          double x[])
 {
@@ -79,8 +79,8 @@ static void fill_four(struct start *s)
 }
 
 /* Fills in the first run of MacKay's Octave program. The masses are 9 kg
-   and 1 kg, some changed by a tenth, since equal bodies would only exchange
-   velocities. */
+   and 1 kg. Some of them are changed by a tenth, since equal bodies would
+   only exchange velocities. */
 static void fill_mixed(struct start *s)
 {
     static const double v[] = {2, 2.21, 2.621, 2, -0.2, -0.27, -0.37, -0.2};
@@ -162,8 +162,8 @@ static void fill_random(struct start *s, struct random *r)
 }
 
 /* Fills in a piston of 40 kg in the middle of 12 m, and other bodies with a
-   total mass of 40/3 kg. If not `warmed`, all bodies fly to the right at 1
-   m/s with 80/3 J, and three quarters of this are in the piston. If
+   total mass of 40/3 kg. If not `warmed`, all bodies move to the right at 1
+   m/s. Their energy is 80/3 J, of which the piston has three quarters. If
    `warmed`, each gas has 10/3 J and the piston moves at 0.1 m/s. On the
    left of the piston the masses increase from a tenth below to a tenth
    above their mean. On the right they decrease over a smaller range, so the
@@ -171,8 +171,7 @@ static void fill_random(struct start *s, struct random *r)
 static void fill_piston(struct start *s, struct random *r, double ratio,
                         bool warmed)
 {
-    const size_t n = s->movers / 2; /* bodies on either side of the
-                                       piston */
+    const size_t n = s->movers / 2; /* number of bodies on each side */
     const double middle = (s->wall[0] + s->wall[1]) / 2;
     s->until = 200;
     for (size_t i = 0; i < s->movers; ++i) {
@@ -193,8 +192,8 @@ static void fill_piston(struct start *s, struct random *r, double ratio,
     }
 }
 
-/* The default, smallest and largest number of movers of each kind. A piston
-   needs an odd number, to be in the middle. */
+/* The default, smallest and largest number of movers of each kind. Starts
+   with a piston need an odd number, so that the piston is in the middle. */
 static const struct {
     size_t usual, least, most;
     bool odd;
@@ -215,8 +214,9 @@ bool start_allows(enum start_kind kind, size_t movers)
             (!kinds[kind].odd || movers % 2 == 1));
 }
 
-/* Sets requested walls twice: before filling for kinds that place random
-   points between them, and afterwards for kinds that set other walls. */
+/* Sets requested walls twice: first for the kinds that place random points
+   between them, and again after filling in the start, for the kinds that
+   set walls of their own. */
 bool start_fill(struct start *s, const struct start_request *w)
 {
     struct random r;

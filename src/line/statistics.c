@@ -1,5 +1,5 @@
 /* From chapters/03-equilibrium.nw: edit there, then run make tangle. */
-/* checksum 3730701638 of the lines below */
+/* checksum 1845504987 of the lines below */
 /* Computes moments, errors, correlations and histograms of a series. */
 #include "line/statistics.h"
 
@@ -114,8 +114,8 @@ bool statistics_blocking(size_t n, const double x[],
     return true;
 }
 
-/* Returns the covariance as statistics_covariance does. The mean is in this
-   unit, and the covariance in the square of the unit. */
+/* Returns the covariance as statistics_covariance does, but in units of
+   unit^2. The mean is in units of `unit`. */
 static double covariance_in(double unit, size_t n, const double x[],
                             double mean, size_t lag)
 {

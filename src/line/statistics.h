@@ -19,7 +19,8 @@ struct statistics_moments {
 
 enum {
     STATISTICS_LEVELS = 48,       /* largest number of block lengths */
-    STATISTICS_FEWEST_BLOCKS = 16 /* with fewer, errors are unreliable */
+    STATISTICS_FEWEST_BLOCKS = 16 /* with fewer blocks, errors are
+                                     unreliable */
 };
 
 /* The error of the mean, estimated from blocks of one length. */
@@ -38,8 +39,8 @@ struct statistics_blocking {
     struct statistics_block level[STATISTICS_LEVELS];
 };
 
-/* The inefficiency from the sum of the correlations over a window of
-   lags. */
+/* The inefficiency, estimated from the sum of the correlations over a
+   window of lags. */
 struct statistics_correlation {
     size_t window;
     bool settled; /* false: even the longest window was too short */
@@ -60,7 +61,7 @@ struct statistics_histogram {
 /* The Gaussian fitted to a histogram. */
 struct statistics_gaussian {
     double mean, sd, mean_error, sd_error;
-    double chi2;    /* chi-square of the fit, divided by g */
+    double chi2;    /* chi-square of the fit, divided by the inefficiency */
     size_t degrees; /* degrees of freedom of chi2 */
 };
 
@@ -70,15 +71,17 @@ struct statistics_description {
     size_t n;
     double least, greatest;
     double mean, mean_error, sd, sd_error, kurtosis, kurtosis_error;
-    double naive_error;  /* error of the mean of independent samples */
-    double inefficiency; /* largest of 1 and the values for x and (x -
-                            mean)^2 */
+    double naive_error;  /* error of the mean if all samples were
+                            independent */
+    double inefficiency; /* statistical inefficiency: the larger of those of
+                            x and of (x - mean)^2, but at least 1 */
     size_t block;        /* longest block used, in samples */
     bool plateau;        /* false: the errors are only lower bounds */
 };
 
 /* The distribution of chi-square for correlated counts: approximately that
-   of `scale` times a chi-square variate with `degrees` of freedom. */
+   of `scale` times a chi-square variate with `degrees` degrees of
+   freedom. */
 struct statistics_scatter {
     double scale, degrees;
 };
@@ -104,11 +107,11 @@ bool statistics_blocking(size_t n, const double x[],
                          struct statistics_blocking *b);
 
 /* Estimates the inefficiency from the sum of the correlations of a series
-   (3.8, eq:inefficiency). The sum ends at the first lag that is at least 6
-   and at least six correlation times (tau = g / 2), or else at n / 8. The
-   computing time is proportional to n times the window. Requires n >= 2.
-   Sources: Sokal's lectures (1997); uncertainty and bias: Wolff, Comput.
-   Phys. Commun. 156, 143 (2004). */
+   (3.8, eq:inefficiency). The sum ends at a lag called the window: the
+   first lag that is at least 6 and at least six correlation times (tau = g
+   / 2), or else n / 8. The computing time is proportional to n times the
+   window. Requires n >= 2. Sources: Sokal's lectures (1997); uncertainty
+   and bias: Wolff, Comput. Phys. Commun. 156, 143 (2004). */
 struct statistics_correlation statistics_correlation(size_t n,
                                                      const double x[]);
 
@@ -122,7 +125,7 @@ struct statistics_histogram *statistics_histogram_create(double low,
                                                          double high,
                                                          size_t bins);
 
-/* Adds x to the count of its bin. The last bin includes high. */
+/* Counts x in its bin. The last bin includes high. */
 void statistics_histogram_add(struct statistics_histogram *h, double x);
 
 /* Returns the lower edge of bin i or, for i = bins, the upper edge of the
@@ -168,10 +171,10 @@ struct statistics_scatter statistics_scatter(size_t blocks, size_t cells,
 
 /* Compares x with y, which are measured at the same times. Computes their
    correlation, with an error from blocking if `serial`, and chi-square of a
-   table of cells x cells. If x and y are independent, these cells are
-   equally filled. Chi-square is not divided by an inefficiency. Returns
-   false if memory runs out, or if x or y is constant. Requires n >= 2,
-   cells >= 2. */
+   table with cells x cells entries, which have equal expected counts if x
+   and y are independent. Chi-square is not divided by an inefficiency.
+   Returns false if memory runs out, or if x or y is constant. Requires n >=
+   2, cells >= 2. */
 bool statistics_dependence(size_t n, const double x[], const double y[],
                            size_t cells, bool serial,
                            struct statistics_dependence *d);

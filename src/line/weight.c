@@ -1,9 +1,9 @@
 /* Adds gravity to the line, a vertical wire with the left wall as floor. */
 
-/* Two falling bodies collide when they would without gravity, and only a
-   floor or a roof needs a square root (chapter 5, section Weight). Nothing
-   else in the engines changes. A run without gravity does not call these
-   functions. */
+/* Two falling bodies collide at the same time as they would without
+   gravity. Only a collision with a body at rest, a floor or a roof, needs a
+   square root (chapter 5, section Weight). Nothing else in the engines
+   changes. A run without gravity does not call these functions. */
 #include "line/weight.h"
 
 #include "line/collide.h"
@@ -14,9 +14,9 @@
 #include <float.h>
 #include <math.h>
 
-/* Returns whether a body does not fall: it is a wall, or lies on the floor.
-   The radii have been subtracted, so all bodies of a pile are at the
-   position of the floor with velocity 0. */
+/* Returns whether a body does not fall because it is a wall or lies on the
+   floor. The radii have been subtracted, so all bodies of a pile at rest
+   are at the position of the floor with velocity 0. */
 static bool rests(const struct bonkers *b, const struct bonkers_body *a)
 {
     return a->im == 0 || (a->v == 0 && a->x <= b->body[0].x);
@@ -56,8 +56,8 @@ double weight_time_of_gap(const struct bonkers *b, size_t i)
 
 /* Moves the bodies of gap i, one of which rests, into contact at the time
    t, s. The clock is rounded, so a body reaches the floor a little early or
-   late. Its velocity at the floor is computed from its energy and not from
-   the time. A bounce then keeps the energy up to rounding. */
+   late. So its velocity there is computed from its energy and not from the
+   time. A bounce then conserves the energy up to rounding. */
 static void land(struct bonkers *b, size_t i, double t)
 {
     struct bonkers_body *left = &b->body[i], *right = left + 1;
@@ -72,11 +72,12 @@ static void land(struct bonkers *b, size_t i, double t)
     left->since = right->since = t;
 }
 
-/* In a pile the limit on collisions at the same clock reading is PILE times
-   higher. Each bounce of an upper body sets all bodies below in motion,
-   which must come to rest first. With restitution 1/2 one ball needs fifty
-   bounces, two balls need hundreds, and three thousands, many of them at
-   the same clock reading. With nine balls no factor would be enough. */
+/* For bodies in a pile, the limit on collisions at the same clock reading
+   is PILE times higher. Each bounce of an upper body sets all bodies below
+   it in motion, and these must come to rest first. With restitution 1/2 one
+   ball needs fifty bounces, two balls need hundreds, and three need
+   thousands, many of them at the same clock reading. With nine balls no
+   factor would be enough. */
 enum { PILE = 1000 };
 
 /* Returns whether a body is at the floor, up to rounding. */
@@ -85,8 +86,8 @@ static bool is_low(const struct bonkers *b, const struct bonkers_body *a)
     return fabs(a->x - b->body[0].x) <= 4 * DBL_EPSILON * b->extent;
 }
 
-/* Stops a body on the floor if its next bounce is too short for the
-   clock. */
+/* Stops a body on the floor if its next bounce would be shorter than the
+   clock can resolve. */
 static void stop_bouncing(const struct bonkers *b, struct bonkers_body *a)
 {
     const double flight = 2 * fabs(a->v) / b->gravity;
@@ -98,14 +99,14 @@ static void stop_bouncing(const struct bonkers *b, struct bonkers_body *a)
 }
 
 /* The clock is rounded, so two falling bodies collide a little late, when
-   they overlap, or a little early, when they do not touch. collide_gap
-   moves them to the same position. Under gravity this would change the
-   energy, since moving a body lifts it. The errors would add up to a random
-   walk: 2e-9 of the energy in ten million collisions, or 1e-11 if the
-   position is the centre of mass. But the overlap shows how late the
-   collision is. So each body moves to the position that it would have if it
-   had turned at the right moment. This does not move the centre of mass,
-   and makes the positions eighty times more accurate. */
+   they overlap, or a little early, when they do not yet touch. collide_gap
+   moves both to the same position. Under gravity this would change the
+   energy, since moving a body lifts or lowers it. The errors would add up
+   in a random walk: to 2e-9 of the energy in ten million collisions, or to
+   1e-11 if the position is the centre of mass. However, the overlap shows
+   how late the collision is. So each body is moved to the position that it
+   would have if it had turned at the right moment. This does not move the
+   centre of mass, and makes the positions eighty times more accurate. */
 bool weight_collide_gap(struct bonkers *b, size_t i)
 {
     struct bonkers_body *left = &b->body[i], *right = left + 1;

@@ -5,7 +5,7 @@
 #include "line/bonkers.h"
 
 /* Returns the state of body i at the time t under gravity, if the body does
-   not collide before (5.12, eq:fall). */
+   not collide before then (5.12, eq:fall). */
 struct bonkers_body weight_body_at(const struct bonkers *b, size_t i,
                                    double t);
 
@@ -13,7 +13,7 @@ struct bonkers_body weight_body_at(const struct bonkers *b, size_t i,
    does. */
 double weight_time_of_gap(const struct bonkers *b, size_t i);
 
-/* Collides the bodies of gap i when it is due, as collide_gap does. */
+/* Collides the bodies of gap i when it closes, as collide_gap does. */
 bool weight_collide_gap(struct bonkers *b, size_t i);
 
 /* Runs the naive engine under gravity, as bonkers_run does. */

@@ -99,6 +99,15 @@ static inline void unit_must(bool holds, const char *condition,
 /* One that ends instead: `ENDED(motion) m;` calls motion_end. */
 #define ENDED(type) __attribute__((cleanup(type##_end), unused)) struct type
 
+/* `CREATED(scene, s, 3);` is `FREED(scene) s;` that scene_create(&s, 3) has
+   made, and BEGUN the same with motion_begin and the like. */
+#define CREATED(type, name, ...)                                           \
+    FREED(type) name;                                                      \
+    UNIT_MUST(type##_create(&name, __VA_ARGS__))
+#define BEGUN(type, name, ...)                                             \
+    ENDED(type) name;                                                      \
+    UNIT_MUST(type##_begin(&name, __VA_ARGS__))
+
 /* Gives the first numbers of a list these values. */
 #define PUT(list, ...)                                                     \
     memcpy((double *){list}, (const double[]){__VA_ARGS__},                \

@@ -94,8 +94,7 @@ TEST(test_conserved, "what is conserved is its mean")
 /* In a box without walls a drift is no heat, but energy it is. */
 TEST(test_drift, "in a periodic box a drift is no heat")
 {
-    FREED(scene) s;
-    UNIT_MUST(scene_create(&s, 3));
+    CREATED(scene, s, 3);
     s.contact = true;
     for (size_t i = 0; i < 3; ++i) {
         s.radius[i] = 0.1;
@@ -556,8 +555,7 @@ TEST(test_scatter, "errors cover what two runs differ by")
    disk: 1.50533 here. */
 TEST(test_periodic_two, "two disks in a periodic box")
 {
-    FREED(scene) s;
-    UNIT_MUST(scene_create(&s, 2));
+    CREATED(scene, s, 2);
     s.contact = true;
     for (size_t i = 0; i < 2; ++i) {
         s.wall[i] = SCENE_PERIODIC;

@@ -9,8 +9,7 @@
 /* Samples 0, 1, 2, ... : every full block is known. */
 TEST(test_joined, "blocks that are joined keep their sums")
 {
-    FREED(blocks) b;
-    UNIT_TRUE(blocks_create(&b, 2));
+    CREATED(blocks, b, 2);
     for (size_t n = 0; n < 5000; ++n)
         blocks_add(&b, (double[]){(double)n, 1});
     UNIT_EQUAL(b.per, 16); /* 256 to 511 blocks */
@@ -31,9 +30,8 @@ TEST(test_error, "the error is that of the series")
 {
     enum { COUNT = 100000 };
     static double x[COUNT];
-    FREED(blocks) b;
     SEEDED(r, 3);
-    UNIT_TRUE(blocks_create(&b, 1));
+    CREATED(blocks, b, 1);
     for (size_t n = 0; n < COUNT; ++n) {
         x[n] = random_normal(&r) + (n > 0 ? 0.9 * x[n - 1] : 0);
         blocks_add(&b, &x[n]);
@@ -50,9 +48,8 @@ TEST(test_error, "the error is that of the series")
 /* Whole blocks from outside, which double with the others. */
 TEST(test_appended, "whole blocks can be appended")
 {
-    FREED(blocks) b;
     double total = 0;
-    UNIT_TRUE(blocks_create(&b, 1));
+    CREATED(blocks, b, 1);
     for (size_t n = 0; n < 3000; ++n) {
         const double sum = (double)b.per * 7;
         total += (double)b.per;
@@ -65,8 +62,7 @@ TEST(test_appended, "whole blocks can be appended")
 
 TEST(test_few, "one value has no error")
 {
-    FREED(blocks) b;
-    UNIT_TRUE(blocks_create(&b, 1));
+    CREATED(blocks, b, 1);
     UNIT_TRUE(isnan(blocks_average(&b, 0).error));
     blocks_add(&b, (double[]){3});
     UNIT_EQUAL(blocks_average(&b, 0).mean, 3);

@@ -1038,9 +1038,8 @@ TEST(test_settle, "a settled run goes on")
    the report has them in order, and counts only what is no rounding. */
 TEST(test_disorder, "what is out of order is put right and counted")
 {
-    FREED(bonkers) b;
     double x[5], v[5];
-    UNIT_TRUE(bonkers_create(&b, 3, 1, BONKERS_SCAN));
+    CREATED(bonkers, b, 3, 1, BONKERS_SCAN);
     b.body[4].x = 4;
     for (int i = 1; i <= 3; ++i)
         b.body[i] = (struct bonkers_body){i, 0, 0, 1};

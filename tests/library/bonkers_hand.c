@@ -92,8 +92,7 @@ TEST(test_cold, "a body too slow for numbers ends a run")
 
 TEST(test_energy, "energies above a floor and without")
 {
-    FREED(bonkers) b;
-    UNIT_MUST(bonkers_create(&b, 2, 1, BONKERS_SCAN));
+    CREATED(bonkers, b, 2, 1, BONKERS_SCAN);
     b.gravity = 10;
     b.body[0].x = 1;
     b.body[1] = (struct bonkers_body){3, 3, 0, 0.5};
@@ -110,11 +109,10 @@ TEST(test_energy, "energies above a floor and without")
 TEST(test_rods, "points and rods")
 {
     for (size_t with = 0; with <= 3; ++with) {
-        FREED(start) s;
         FREED(bonkers) b;
         size_t wrong = 99;
         double x[5], v[5];
-        UNIT_MUST(start_create(&s, 3));
+        CREATED(start, s, 3);
         for (size_t i = 0; i < 3; ++i) {
             s.x[i] = 2 + 2 * (double)i;
             s.v[i] = (double)i;

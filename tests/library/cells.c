@@ -478,8 +478,7 @@ TEST(test_three_cells, "three cells along an axis are enough")
 
 TEST(test_suit, "a box too narrow does not suit")
 {
-    FREED(disks) d;
-    UNIT_MUST(disks_create(&d, 2, 4));
+    CREATED(disks, d, 2, 4);
     for (size_t i = 0; i < 4; ++i)
         d.disk[i].radius = 0.5;
     d.boundary = DISKS_PERIODIC;
@@ -661,7 +660,6 @@ TEST(test_fit, "cells find an overlap where pairs find it")
                 1,          0,      0,
                 true};
             FREED(disks) d;
-            FREED(cells) c;
             SEEDED(r, seed);
             size_t a = 0, b = 0, p = 0, q = 0;
             make(&d, &s, seed);
@@ -675,7 +673,7 @@ TEST(test_fit, "cells find an overlap where pairs find it")
                 d.disk[seed].position[0] = d.box[0] - 0.01;
             if (seed % 7 == 0)
                 d.disk[seed].position[1] += 5 * d.box[1];
-            UNIT_MUST(cells_create(&c, &d));
+            CREATED(cells, c, &d);
             const bool pairs = disks_fit(&d, &a, &b);
             const bool cells = cells_fit(&c, &p, &q);
             UNIT_TRUE(pairs == cells);

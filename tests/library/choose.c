@@ -75,15 +75,14 @@ static double twins_apart(const struct choose_request *q,
                           const struct choose_choice *c, unsigned twins)
 {
     double most = 0;
-    FREED(record_view) v;
     struct record_setup o = {.scene = q->scene,
                              .plan = c->run.plan,
                              .every = q->every,
                              .rows = 16,
                              .limit = INFINITY,
                              .twin = 1}; /* which is that of references */
-    UNIT_TRUE(record_view_create(&v, "choose", q->scene, NULL,
-                                 q->until - q->scene->time));
+    CREATED(record_view, v, "choose", q->scene, NULL,
+            q->until - q->scene->time);
     while (o.twin <= twins) {
         FREED(record) twin;
         ++o.twin;
@@ -127,8 +126,7 @@ TEST(test_ellipse_rounding, "what is said of an ellipse is near its error")
     double said = 0, true_error = 0;
     SEEDED(random, 20);
     for (size_t j = 0; j < ELLIPSES; ++j) {
-        FREED(scene) s;
-        UNIT_TRUE(scene_create(&s, 2));
+        CREATED(scene, s, 2);
         s.k2 = 1;
         s.mass[1] = 0;
         s.position[1] = random_between(&random, .5, 2);
@@ -315,8 +313,7 @@ static void check_pick(const struct trial *t, const struct scene *s,
 {
     const struct choose_request q = asked(s, t->until, tolerance);
     CHOICE c = chosen(&q, true);
-    FREED(record_view) v;
-    UNIT_TRUE(record_view_create(&v, "choose", s, NULL, t->until));
+    CREATED(record_view, v, "choose", s, NULL, t->until);
     FREED(record) truth = recorded(&v, &q, plan(t->truth), INFINITY);
     const double error = record_difference(&v, &c.run, &truth, 1, 16);
     UNIT_TRUE(same_plan(&c.run.plan, &c.candidate[c.taken].plan));
@@ -429,8 +426,7 @@ TEST(test_circle, "three bodies on a circle are known to t = 56")
 TEST(test_fork, "two collisions at once that share a body are a fork")
 {
     for (int k = 0; k < 3; ++k) {
-        FREED(scene) s;
-        UNIT_TRUE(scene_create(&s, 3));
+        CREATED(scene, s, 3);
         const double apart = sqrt(3) / 2 + (k == 1   ? 1e-16
                                             : k == 2 ? 1e-3
                                                      : 0);
@@ -452,8 +448,7 @@ TEST(test_fork, "two collisions at once that share a body are a fork")
 /* Collisions at one moment that share nobody may come in any order. */
 TEST(test_no_fork, "two that share nobody are not")
 {
-    FREED(scene) s;
-    UNIT_TRUE(scene_create(&s, 4));
+    CREATED(scene, s, 4);
     for (size_t i = 0; i < 4; ++i) {
         s.radius[i] = 0.1;
         s.position[i] = i % 2 ? 1 : -1;
@@ -734,8 +729,7 @@ TEST(test_first_look, "a first look among many contacts is bounded")
 {
     FREED(scene) s = made("gas", NULL, 0);
     const struct choose_request q = asked(&s, 1e4, 1e-3);
-    FREED(record_view) v;
-    UNIT_TRUE(record_view_create(&v, "choose", &s, NULL, 1e4));
+    CREATED(record_view, v, "choose", &s, NULL, 1e4);
     FREED(record) r = recorded(&v, &q, plan("radau15:1e-3"), 0.2);
     UNIT_TRUE(r.end == MODELS_COSTLY);
     UNIT_TRUE(r.cost < 0.4);
@@ -910,8 +904,7 @@ TEST(test_chain, "the start of a run is not beyond reason")
     enum { BALLS = 300 };
     static const double stiff[] = {5, 1e308};
     for (size_t k = 0; k < sizeof stiff / sizeof *stiff; ++k) {
-        FREED(scene) s;
-        UNIT_TRUE(scene_create(&s, BALLS));
+        CREATED(scene, s, BALLS);
         UNIT_TRUE(scene_add_kind(&s, 1, 0));
         UNIT_TRUE(scene_add_kind(&s, stiff[k], 0));
         for (size_t i = 0; i < BALLS; ++i) {

@@ -26,8 +26,7 @@ TEST(test_overlap, "overlaps at the start")
 {
     static const double share[] = {0.999, 1.001, 0.6, 1.5};
     for (size_t k = 0; k < 4; ++k) {
-        FREED(scene) s;
-        UNIT_TRUE(scene_create(&s, 2));
+        CREATED(scene, s, 2);
         s.contact = true;
         s.wall[0] = SCENE_HARD;
         s.low[0] = -2;
@@ -58,8 +57,7 @@ TEST(test_hidden, "a pair that is hidden")
                  {0.01005, 0.5, true}};
     for (size_t k = 0; k < sizeof known / sizeof known[0]; ++k)
         for (size_t far = 0; far < 3; ++far) {
-            FREED(scene) s;
-            UNIT_TRUE(scene_create(&s, 3));
+            CREATED(scene, s, 3);
             const size_t a = far == 0, b = far == 2 ? 1 : 2;
             s.position[a] = 0;
             s.position[b] = 0.001;

@@ -1041,9 +1041,8 @@ TEST(test_even, "references of equal steps")
                  {{15.9, 0, 15.9, 15.8}, 4, 0.1}, {{16.1, 0}, 2, 0},
                  {{15.9, 0, 16.1}, 3, 0},         {{10, 0, 10, 0}, 4, 0}};
     for (size_t k = 0; k < sizeof known / sizeof *known; ++k) {
-        FREED(scene) s;
         begin(1e-3);
-        UNIT_TRUE(scene_create(&s, 1));
+        CREATED(scene, s, 1);
         request.scene = &s;
         for (size_t j = 0; j < known[k].runs; ++j)
             write_whole(known[k].value[j] * 0.2e-3);

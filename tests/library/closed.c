@@ -119,10 +119,9 @@ TEST(test_relabel,
         const size_t n = 1 + random_below(&r, MOST);
         const bool left = round & 1, right = round & 2;
         const double t = random_between(&r, 0, 20);
-        FREED(start) start;
         FREED(bonkers) b;
         size_t wrong;
-        UNIT_TRUE(start_create(&start, n));
+        CREATED(start, start, n);
         for (size_t i = 0; i < n; ++i) {
             start.x[i] = (double)i + random_between(&r, 0.1, 0.9);
             start.v[i] = random_between(&r, -1, 1);

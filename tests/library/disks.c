@@ -229,8 +229,7 @@ TEST(test_conserved, "energy and momentum are conserved")
    trips; 2 * 3 / 0.6 and 2 * 1 / 0.8 s for the axes of this one. */
 TEST(test_one, "one disk: exact impulses")
 {
-    FREED(disks) d;
-    UNIT_MUST(disks_create(&d, 2, 1));
+    CREATED(disks, d, 2, 1);
     PUT(d.box, 4, 2);
     d.disk[0] = (struct disk){{1, 1, 0}, 0, {0.6, 0.8, 0}, 0.5};
     UNIT_TRUE(disks_plan(&d));
@@ -279,8 +278,7 @@ TEST(test_settle, "settling folds, and begins to count")
 /* Head-on with e = 1/2: (v1 + v2)/2 -+ e (v1 - v2)/2; a wall gives half. */
 TEST(test_restitution, "restitution")
 {
-    FREED(disks) d;
-    UNIT_MUST(disks_create(&d, 2, 2));
+    CREATED(disks, d, 2, 2);
     d.box[0] = d.box[1] = 10;
     d.restitution = 0.5;
     d.disk[0] = (struct disk){{2, 5, 0}, 0, {1, 0, 0}, 0.5};
@@ -298,9 +296,8 @@ TEST(test_restitution, "restitution")
 
 TEST(test_open_axis, "an open axis has no wall")
 {
-    FREED(disks) d;
     size_t axis;
-    UNIT_MUST(disks_create(&d, 2, 1));
+    CREATED(disks, d, 2, 1);
     d.box[0] = 1;
     d.disk[0] = (struct disk){
         .position = {0.5, 0.5}, .velocity = {0.25, -1}, .radius = 0.25};
@@ -368,10 +365,9 @@ TEST(test_order, "equal times have an order")
 /* The lattice holds what the packing of a commensurate box allows. */
 TEST(test_lattice, "lattices hold the closest packing")
 {
-    FREED(disks) d;
     size_t a, b;
     /* 4 x 2 cells of width 1 and height sqrt(3): packing .9069 */
-    UNIT_MUST(disks_create(&d, 2, 16));
+    CREATED(disks, d, 2, 16);
     d.boundary = DISKS_PERIODIC;
     PUT(d.box, 4 * (1 + 1e-12), 2 * sqrt(3) * (1 + 1e-12));
     for (size_t i = 0; i < 16; ++i)
@@ -387,9 +383,8 @@ TEST(test_guest, "a guest stands in the middle")
 {
     for (int boundary = 0; boundary < DISKS_BOUNDARIES; ++boundary)
         for (int dense = 2; dense <= 7; ++dense) {
-            FREED(disks) d;
             size_t a = 0, b = 0;
-            UNIT_MUST(disks_create(&d, 2, 401));
+            CREATED(disks, d, 2, 401);
             d.boundary = boundary;
             d.box[0] = d.box[1] = sqrt((100 + 4) * acos(-1) * 10 / dense);
             for (size_t i = 0; i < 401; ++i)
@@ -452,10 +447,9 @@ TEST(test_images, "nearest images")
 TEST(test_temperature, "temperature and speed of a start")
 {
     enum { N = 20000 };
-    FREED(disks) d;
     SEEDED(r, 4);
     double square[2] = {0};
-    UNIT_MUST(disks_create(&d, 2, N));
+    CREATED(disks, d, 2, N);
     d.box[0] = d.box[1] = 1000;
     for (size_t i = 0; i < N; ++i)
         d.mass[i] = i % 2 ? 5 : 1;
@@ -485,10 +479,9 @@ static void boost(struct disks *d, double x, double y)
 TEST(test_drift, "a drift is no heat, but across a wall")
 {
     enum { N = 50 };
-    FREED(disks) d;
     SEEDED(r, 4);
     double drift[DISKS_AXES];
-    UNIT_MUST(disks_create(&d, 2, N));
+    CREATED(disks, d, 2, N);
     d.box[0] = d.box[1] = 1000;
     for (size_t i = 0; i < N; ++i)
         d.mass[i] = i % 2 ? 5 : 1;
@@ -722,10 +715,9 @@ TEST(test_speeds, "speeds and momentum of a start")
                 }
             }
     /* There is none to take out of one disk alone. */
-    FREED(disks) one;
     SEEDED(r, 2);
     double drift[DISKS_AXES];
-    UNIT_MUST(disks_create(&one, 2, 1));
+    CREATED(disks, one, 2, 1);
     one.boundary = DISKS_PERIODIC;
     one.box[0] = one.box[1] = 10;
     disks_set_speed(&one, 3, &r);
@@ -744,9 +736,8 @@ TEST(test_least_drift, "a drift below the last bit is none")
     for (size_t k = 0; k < 2; ++k)
         for (int more = 0; more < 2; ++more) {
             const double v = more ? 1.06e-8 : 1.04e-8;
-            FREED(disks) d;
             double drift[DISKS_AXES];
-            UNIT_MUST(disks_create(&d, 2, 2));
+            CREATED(disks, d, 2, 2);
             d.boundary = DISKS_PERIODIC;
             d.box[0] = d.box[1] = 10;
             d.disk[0].velocity[k] = 1 + v;
@@ -768,8 +759,7 @@ TEST(test_cold, "which speeds are too cold")
                   {0, 0.25, -449}, {16, 0.25, -449}, {0.5, 0.0625, -448}};
     for (size_t n = 0; n < sizeof limits / sizeof limits[0]; ++n)
         for (size_t who = 0; who < 2; ++who) {
-            FREED(disks) d;
-            UNIT_MUST(disks_create(&d, 2, 2));
+            CREATED(disks, d, 2, 2);
             UNIT_TRUE(!disks_cold(&d)); /* all are at rest */
             d.restitution = 0.5;
             d.disk[1 - n % 2].radius = limits[n].radius;
@@ -807,8 +797,7 @@ TEST(test_collapsed, "how long a clock may stand")
    together; 0 from where that is a millionth of the side. */
 TEST(test_disks_replan_distance, "how far a disk flies before it looks")
 {
-    FREED(disks) d;
-    UNIT_MUST(disks_create(&d, 3, 3));
+    CREATED(disks, d, 3, 3);
     for (int widest = 0; widest < 3; ++widest) {
         for (int i = 0; i < 3; ++i)
             d.disk[i].radius = i == widest ? 1 : 0.5 + 0.1 * i;
@@ -849,8 +838,7 @@ TEST(test_from_wall_to_wall, "a lattice goes from wall to wall")
    than 1e-9 of the box, does so by rounding. */
 TEST(test_rounding_fits, "what rounding may overlap")
 {
-    FREED(disks) d;
-    UNIT_MUST(disks_create(&d, 3, 2));
+    CREATED(disks, d, 3, 2);
     for (size_t k = 0; k < 3; ++k)
         d.box[k] = 10 * (double)(k + 1);
     d.disk[0].radius = 1;
@@ -948,9 +936,8 @@ TEST(test_widest_lattice, "of all lattices it is the widest")
             for (size_t count = 1; count < 60; count += 1 + count / 2)
                 for (int boundary = 0; boundary < DISKS_BOUNDARIES;
                      ++boundary) {
-                    FREED(disks) d;
                     double low = 0, high = 40;
-                    UNIT_MUST(disks_create(&d, dimensions, count));
+                    CREATED(disks, d, dimensions, count);
                     d.boundary = (enum disks_boundary)boundary;
                     memcpy(d.box, boxes[b], dimensions * sizeof d.box[0]);
                     for (size_t k = 0; k < dimensions; ++k)

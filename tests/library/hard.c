@@ -67,10 +67,10 @@ TEST(test_wrong, "what cannot be made is refused")
    it (chapter 7). */
 TEST(test_four_disks, "four disks are those of chapter 5")
 {
-    FREED(disks) d, e;
+    FREED(disks) e;
     SEEDED(r, 7);
     FREED(scene) s = made("four-disks", "seed", 7);
-    UNIT_TRUE(disks_create(&d, 2, 4));
+    CREATED(disks, d, 2, 4);
     d.box[0] = d.box[1] = 1;
     for (size_t i = 0; i < 4; ++i)
         d.disk[i].radius = 0.15;
@@ -121,7 +121,6 @@ TEST(test_lines, "the lines are those of chapters 2 to 4")
    2 s, up to one collision that is not yet found. */
 TEST(test_line_by_steps, "a line collides as often by steps")
 {
-    FREED(spheres) p;
     FREED(start) start;
     FREED(bonkers) b;
     size_t wrong;
@@ -129,7 +128,7 @@ TEST(test_line_by_steps, "a line collides as often by steps")
     UNIT_TRUE(hard_start(&start, &s) &&
               bonkers_begin(&b, &start, 1, BONKERS_SCAN, &wrong));
     bonkers_run(&b, 2, UINT64_MAX);
-    UNIT_TRUE(spheres_create(&p, &s, SPHERES_APPROACHING));
+    CREATED(spheres, p, &s, SPHERES_APPROACHING);
     p.shift = SPHERES_BACK;
     p.dt = 0.001;
     for (int k = 0; k < 2000; ++k) {

@@ -229,9 +229,8 @@ TEST(test_rounding, "what of a rate is rounding")
 TEST(test_slack, "what of a gap is")
 {
     for (int far = 0; far < 6; ++far) {
-        FREED(scene) s;
         ENDED(motion) m;
-        UNIT_MUST(scene_create(&s, 2));
+        CREATED(scene, s, 2);
         s.contact = true;
         s.dt = 1;
         PUT(s.radius, 0.5, 0.25);
@@ -261,9 +260,8 @@ TEST(test_slack, "what of a gap is")
 
 TEST(test_slack_at_0, "and of a point at a wall at 0")
 {
-    FREED(scene) s;
     ENDED(motion) m;
-    UNIT_MUST(scene_create(&s, 2));
+    CREATED(scene, s, 2);
     s.contact = true;
     s.wall[0] = SCENE_HARD;
     s.high[0] = 100;

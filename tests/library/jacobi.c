@@ -33,8 +33,7 @@ static void build(struct scene *s, double mass, double eccentricity)
 /* Runs a scene to t, steps of either sign. */
 static void go(struct scene *s, const char *method, double dt, double t)
 {
-    ENDED(motion) m;
-    UNIT_MUST(motion_begin(&m, "jacobi", s, method, fabs(dt)));
+    BEGUN(motion, m, "jacobi", s, method, fabs(dt));
     UNIT_MUST(motion_shorten(&m, dt));
     UNIT_TRUE(motion_run(&m, (uint64_t)round(t / fabs(dt))) ==
               STEPPING_DONE);
@@ -173,9 +172,8 @@ TEST(test_light, "a body without mass disturbs nobody")
 TEST(test_open, "an orbit that opens ends the run")
 {
     FREED(scene) s;
-    ENDED(motion) m;
     build(&s, 1e-3, 0.1);
-    UNIT_MUST(motion_begin(&m, "jacobi", &s, "wisdom-holman", 0.1));
+    BEGUN(motion, m, "jacobi", &s, "wisdom-holman", 0.1);
     s.velocity[5] += 3;
     UNIT_TRUE(motion_run(&m, 1000) == STEPPING_INFINITE);
 }

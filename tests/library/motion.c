@@ -205,8 +205,7 @@ TEST(test_not_two, "what is not two bodies alone")
 TEST(test_compensated, "which sums are compensated")
 {
     for (int what = 0; what < 8; ++what) {
-        FREED(scene) s;
-        UNIT_MUST(scene_create(&s, 2));
+        CREATED(scene, s, 2);
         s.position[1] = 1;
         s.velocity[0] = -1;
         s.dt = 0.1;
@@ -408,15 +407,14 @@ TEST(test_resume, "and a resumed one to the same times")
 static bool heeds(const char *method, int way, double dt)
 {
     FREED(scene) s, t;
-    ENDED(motion) m, n;
     build_way(&s, way);
     UNIT_MUST(scene_copy(&t, &s));
     t.kept = calloc(9, sizeof *t.kept);
     UNIT_MUST(t.kept != NULL);
     for (size_t c = 0; c < 9; ++c)
         t.kept[c] = 1e3;
-    UNIT_MUST(motion_begin(&m, "motion", &s, method, dt));
-    UNIT_MUST(motion_begin(&n, "motion", &t, method, dt));
+    BEGUN(motion, m, "motion", &s, method, dt);
+    BEGUN(motion, n, "motion", &t, method, dt);
     UNIT_TRUE(motion_run(&m, 3) == motion_run(&n, 3));
     const bool heeded = !is_same(&s, &t);
     UNIT_MUST(motion_note(&m) && motion_note(&n));
@@ -646,9 +644,8 @@ TEST(test_shorten, "steps may change their length")
    along the axes that are free. */
 TEST(test_energies, "energies by hand")
 {
-    FREED(scene) s;
     ENDED(motion) m;
-    UNIT_MUST(scene_create(&s, 2));
+    CREATED(scene, s, 2);
     s.mass[0] = 2;
     s.position[1] = 0.5;
     s.position[4] = s.position[5] = 3;
@@ -685,10 +682,9 @@ static bool from_outside(void *with, double dt, double x[], double v[])
 
 TEST(test_outside, "another stepper can take the method's place")
 {
-    FREED(scene) s;
     ENDED(motion) m;
     double clock = 0;
-    UNIT_MUST(scene_create(&s, 1));
+    CREATED(scene, s, 1);
     s.velocity[0] = 2;
     s.dt = 0.25;
     begin(&m, &s, "leapfrog");

@@ -60,8 +60,7 @@ static struct scene falling(void)
 TEST(test_parabola, "a parabola, row by row")
 {
     FREED(scene) s = falling();
-    FREED(record_view) v;
-    UNIT_TRUE(record_view_create(&v, "record", &s, NULL, 0.48));
+    CREATED(record_view, v, "record", &s, NULL, 0.48);
     const struct record_setup o = order(&s, "leapfrog:7", 0.48, 16);
     FREED(record) r = recorded(&v, &o);
     for (size_t k = 0; k <= 16; ++k) {
@@ -79,12 +78,11 @@ TEST(test_parabola, "a parabola, row by row")
 TEST(test_asked, "rows have their time and collisions")
 {
     FREED(scene) s = falling();
-    FREED(record_view) v;
     struct observables asked;
     char message[OBSERVABLES_MESSAGE];
     s.time = 3;
     UNIT_TRUE(observables_read(&asked, "t,collisions", 2, message));
-    UNIT_TRUE(record_view_create(&v, "record", &s, &asked, 0.52));
+    CREATED(record_view, v, "record", &s, &asked, 0.52);
     const struct record_setup o = order(&s, "leapfrog:1", 0.52, 26);
     FREED(record) r = recorded(&v, &o);
     for (size_t k = 0; k <= 26; ++k) {
@@ -144,11 +142,9 @@ TEST(test_twins, "from elsewhere a run differs by rounding")
         }
         struct observables asked;
         char message[OBSERVABLES_MESSAGE];
-        FREED(record_view) v;
         UNIT_TRUE(!names[k] ||
                   observables_read(&asked, names[k], 4, message));
-        UNIT_TRUE(record_view_create(&v, "record", &s,
-                                     names[k] ? &asked : NULL, 2));
+        CREATED(record_view, v, "record", &s, names[k] ? &asked : NULL, 2);
         struct record_setup o = order(&s, "leapfrog:64", 2, 16);
         FREED(record) a = recorded(&v, &o);
         for (o.twin = 1; o.twin <= RECORD_TWINS; ++o.twin) {
@@ -167,8 +163,7 @@ TEST(test_twins, "from elsewhere a run differs by rounding")
 TEST(test_apart, "records are compared")
 {
     FREED(scene) s = light_orbit(1, 1.1);
-    FREED(record_view) v;
-    UNIT_TRUE(record_view_create(&v, "record", &s, NULL, 8));
+    CREATED(record_view, v, "record", &s, NULL, 8);
     UNIT_EQUAL(v.scale, 1);
     struct record_setup o = order(&s, "kepler", 8, 16);
     FREED(record) truth = recorded(&v, &o);
@@ -188,8 +183,7 @@ TEST(test_apart, "records are compared")
 TEST(test_limit, "a run ends at its limit, and two at one")
 {
     FREED(scene) s = light_orbit(1, 1.1);
-    FREED(record_view) v;
-    UNIT_TRUE(record_view_create(&v, "record", &s, NULL, 8));
+    CREATED(record_view, v, "record", &s, NULL, 8);
     struct record_setup o = order(&s, "pefrl:16", 8, 16);
     FREED(record) a = recorded(&v, &o), b, c;
     o.limit = a.cost / 2;
@@ -239,8 +233,7 @@ static double scale(const struct scene *s, const char *name, double length,
    and one of 5 kg at (0, -4) with (0, -1), that feel nothing. */
 TEST(test_scales, "scales by hand")
 {
-    FREED(scene) s;
-    UNIT_TRUE(scene_create(&s, 2));
+    CREATED(scene, s, 2);
     PUT(s.mass, 2, 5);
     s.position[0] = 3;
     s.position[3] = -4;
@@ -280,8 +273,7 @@ TEST(test_scales, "scales by hand")
    again below zero: 1e-6 J, not the rounding that is left of their sum. */
 TEST(test_parabolic, "energies that cancel have a scale")
 {
-    FREED(scene) s;
-    UNIT_TRUE(scene_create(&s, 2));
+    CREATED(scene, s, 2);
     s.mass[1] = 1e-6;
     s.position[1] = 1;
     s.velocity[1] = 0.2;
@@ -297,8 +289,7 @@ TEST(test_without, "the body that is far away")
 {
     static const double places[3][3] = {{0, 1, 10}, {-10, 0, 1}, {4, 0, 1}};
     static const size_t far[3] = {2, 0, 0};
-    FREED(scene) s;
-    UNIT_TRUE(scene_create(&s, 3));
+    CREATED(scene, s, 3);
     for (size_t axis = 0; axis < 3; ++axis)
         for (size_t k = 0; k < 3; ++k) {
             size_t found = 9;
@@ -314,11 +305,10 @@ TEST(test_without, "the body that is far away")
    not where the scene is as wide as it is far. */
 TEST(test_grain, "far from the origin places are coarse")
 {
-    FREED(scene) s;
     FREED(record_view) v;
     struct observables asked;
     char message[OBSERVABLES_MESSAGE];
-    UNIT_TRUE(scene_create(&s, 2));
+    CREATED(scene, s, 2);
     UNIT_TRUE(observables_read(&asked, "x:0", 2, message));
     for (size_t axis = 0; axis < 3; ++axis)
         for (int side = -1; side <= 1; side += 2) {
@@ -361,8 +351,7 @@ TEST(test_grain, "far from the origin places are coarse")
 TEST(test_rows, "rows are compared round the box")
 {
     FREED(scene) s = all_at_once();
-    FREED(record_view) v;
-    UNIT_TRUE(record_view_create(&v, "record", &s, NULL, 2));
+    CREATED(record_view, v, "record", &s, NULL, 2);
     const double scale = sqrt(6 * 6 + 2 * 2);
     UNIT_NEAR(v.scale, scale, 1e-14);
     double one[3 * 24], other[3 * 24];
@@ -412,15 +401,13 @@ TEST(test_least, "by how little two missed, seen twice")
 {
     static const double gaps[] = {1e-3, -1e-3};
     for (size_t k = 0; k < 2; ++k) {
-        FREED(scene) s;
-        FREED(record_view) v;
-        UNIT_TRUE(scene_create(&s, 2));
+        CREATED(scene, s, 2);
         s.contact = true;
         s.radius[0] = s.radius[1] = 0.1;
         s.position[0] = -1;
         s.position[2] = 0.2 + gaps[k];
         s.velocity[0] = 1.5;
-        UNIT_TRUE(record_view_create(&v, "record", &s, NULL, 1.2));
+        CREATED(record_view, v, "record", &s, NULL, 1.2);
         struct record_setup o = order(&s, "leapfrog:16", 1.2, 3);
         o.plan.contact_margin = 0.01;
         for (int twin = 0; twin < 2; ++twin)

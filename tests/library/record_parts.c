@@ -147,8 +147,7 @@ TEST(test_last_bits, "last bits go up and down")
 TEST(test_moved, "they are moved where something moves")
 {
     struct scene old;
-    FREED(scene) s;
-    UNIT_TRUE(scene_create(&s, 3));
+    CREATED(scene, s, 3);
     s.position[1] = 3;
     s.position[5] = 4;
     s.position[2] = 3;
@@ -256,8 +255,7 @@ TEST(test_scales, "scales of units")
 
 TEST(test_speed, "how fast a body is")
 {
-    FREED(scene) s;
-    UNIT_TRUE(scene_create(&s, 2));
+    CREATED(scene, s, 2);
     for (size_t k = 0; k < 3; ++k) {
         s.velocity[2 * k + 1] = (const double[]){2, -3, 6}[k];
         s.velocity[2 * k] = 50;

@@ -68,12 +68,10 @@ TEST(test_depletion, "Asakura and Oosawa's law of distances")
                                   ? 25 - 2 * acos(-1) * 1.44
                                   : 125 - 8 * acos(-1) / 3 * 1.728;
         double law[PARTS] = {0}, total = 0, all = 0;
-        FREED(means) m;
-        FREED(sampling) s;
         SEEDED(r, 5);
-        UNIT_TRUE(means_create(&m, PARTS));
-        UNIT_TRUE(sampling_create(&s, dimensions, DISKS_PERIODIC, sides, 2,
-                                  1, small, 0.2));
+        CREATED(means, m, PARTS);
+        CREATED(sampling, s, dimensions, DISKS_PERIODIC, sides, 2, 1, small,
+                0.2);
         UNIT_TRUE(sampling_start(&s, &r));
         for (int n = 0; n < 20000; ++n) {
             double apart[DISKS_AXES];

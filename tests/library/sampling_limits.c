@@ -218,11 +218,10 @@ TEST(test_tries, "half of the tries are for large ones")
 {
     enum { TRIES = 4000 };
     const double sides[] = {10, 10};
-    FREED(sampling) s;
     SEEDED(r, 3);
     int large = 0, moved = 0;
     double farthest = 0, widest = 0;
-    UNIT_MUST(sampling_create(&s, 2, DISKS_WALLS, sides, 2, 0.5, 3, 0.01));
+    CREATED(sampling, s, 2, DISKS_WALLS, sides, 2, 0.5, 3, 0.01);
     UNIT_TRUE(sampling_start(&s, &r));
     for (int n = 0; n < TRIES; ++n) {
         struct disk before[5];
@@ -250,8 +249,7 @@ TEST(test_tries, "half of the tries are for large ones")
    there are 128, and the sums of an unfinished one count. */
 TEST(test_joined, "means and blocks of known numbers")
 {
-    FREED(means) m;
-    UNIT_MUST(means_create(&m, 2));
+    CREATED(means, m, 2);
     UNIT_TRUE(isnan(means_mean(&m, 1)));
     UNIT_TRUE(isnan(means_error(&m, 1)));
     for (int n = 1; n <= 600; ++n) {
@@ -306,10 +304,9 @@ TEST(test_images, "images end a slide in every direction")
 TEST(test_ideal, "small ones do not see each other")
 {
     const double sides[] = {10, 10};
-    FREED(sampling) s;
     SEEDED(r, 3);
     int moves[4] = {0};
-    UNIT_MUST(sampling_create(&s, 2, DISKS_WALLS, sides, 1, 0.1, 3, 3));
+    CREATED(sampling, s, 2, DISKS_WALLS, sides, 1, 0.1, 3, 3);
     UNIT_TRUE(sampling_start(&s, &r));
     for (int n = 0; n < 400; ++n) {
         struct disk before[4];

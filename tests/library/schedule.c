@@ -67,11 +67,10 @@ static void take(struct schedule *s, struct plain *p)
    INFINITY. Fewer levels mean more ties. */
 static void mix(size_t size, int levels, uint64_t seed)
 {
-    FREED(schedule) s;
     struct plain p = {.size = size};
     SEEDED(r, seed);
     int bad = 0;
-    UNIT_TRUE(schedule_create(&s, size, size));
+    CREATED(schedule, s, size, size);
     for (int k = 0; k < 3000; ++k) {
         const size_t event = (size_t)random_below(&r, size);
         const uint64_t level = random_below(&r, (uint64_t)levels);

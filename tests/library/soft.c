@@ -180,7 +180,6 @@ TEST(test_stored, "what is stored comes back")
     static const enum scene_law kinds[] = {SCENE_LINEAR, SCENE_HERTZ};
     for (size_t kind = 0; kind < 2; ++kind) {
         FREED(scene) s;
-        FREED(soft) t;
         double x[9], v[9] = {0}, a[9] = {0};
         make(&s, 3, kinds[kind], -0.03);
         for (size_t i = 0; i < 3; ++i) {
@@ -192,7 +191,7 @@ TEST(test_stored, "what is stored comes back")
         s.high[0] = 0.54;
         s.low[1] = -0.1;
         s.high[1] = 0.21;
-        UNIT_MUST(soft_create(&t, &s));
+        CREATED(soft, t, &s);
         memcpy(x, s.position, sizeof x);
         soft_add(&t, x, v, a);
         for (size_t c = 0; c < 9; ++c) {
@@ -223,7 +222,6 @@ TEST(test_by_hand, "two by hand")
 {
     static const double force[] = {0, 0, 0, 0, -0.3, 0.15, 0, -0.4, 0.2};
     FREED(scene) s;
-    FREED(soft) t;
     double a[9] = {0};
     make(&s, 3, SCENE_LINEAR, 9);
     s.stiffness = 8;
@@ -236,7 +234,7 @@ TEST(test_by_hand, "two by hand")
     s.velocity[1] = s.velocity[2] = 7;
     PUT(s.velocity + 4, 1, 1.3);
     PUT(s.velocity + 7, -2, -1.6);
-    UNIT_MUST(soft_create(&t, &s));
+    CREATED(soft, t, &s);
     soft_add(&t, s.position, s.velocity, a);
     for (size_t c = 0; c < 9; ++c)
         UNIT_NEAR(a[c], force[c], 2e-15);

@@ -24,8 +24,7 @@ static void make_pair(struct scene *s, double x, double y, bool axial)
 
 static void forces(const struct scene *s, double a[])
 {
-    FREED(springs) p;
-    UNIT_MUST(springs_create(&p, s));
+    CREATED(springs, p, s);
     springs_accelerate(&p, s->position, s->velocity, a);
 }
 
@@ -90,7 +89,6 @@ TEST(test_same_place, "two bodies in one place do no harm")
 TEST(test_held, "held axes, gravity and friction")
 {
     FREED(scene) s;
-    FREED(springs) p;
     double a[6], more[6] = {7, 7, 7, 7, 7, 7};
     make_pair(&s, 3, 4, false);
     s.freedom[0] = s.freedom[3] = 0;
@@ -102,7 +100,7 @@ TEST(test_held, "held axes, gravity and friction")
     UNIT_EQUAL(a[3], 0);
     UNIT_NEAR(a[2], 32 - 9, 1e-13);
     UNIT_NEAR(a[1], -12 - 1.5 - 0.25, 1e-14);
-    UNIT_MUST(springs_create(&p, &s));
+    CREATED(springs, p, &s);
     springs_add(&p, s.position, s.velocity, more);
     UNIT_EQUAL(more[0], 7);
     UNIT_NEAR(more[2], 7 + 32, 1e-13);
@@ -113,12 +111,11 @@ TEST(test_held, "held axes, gravity and friction")
 TEST(test_potential, "the slope of the energy is the force")
 {
     FREED(scene) s;
-    FREED(springs) p;
     double a[6];
     make_pair(&s, 0.3, 0.5, false);
     s.position[4] = 0.7;
     forces(&s, a);
-    UNIT_MUST(springs_create(&p, &s));
+    CREATED(springs, p, &s);
     for (int i = 0; i < 6; ++i) {
         const double h = 1e-5, here = s.position[i];
         s.position[i] = here + h;
@@ -135,7 +132,6 @@ TEST(test_potential, "the slope of the energy is the force")
 TEST(test_stored, "and what springs have stored")
 {
     FREED(scene) s;
-    FREED(springs) p;
     UNIT_MUST(scene_create(&s, 4) && scene_add_kind(&s, 10, 0) &&
               scene_add_spring(&s, 1, 2, 0, 1) &&
               scene_add_spring(&s, 3, 2, 0, 1));
@@ -143,7 +139,7 @@ TEST(test_stored, "and what springs have stored")
     s.position[2] = s.position[3] = 3;
     s.position[6] = s.position[7] = 4;
     s.position[11] = 0.5;
-    UNIT_MUST(springs_create(&p, &s));
+    CREATED(springs, p, &s);
     UNIT_EQUAL(springs_potential(&p, s.position), 80 + 1.25);
 }
 

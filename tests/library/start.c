@@ -352,8 +352,7 @@ TEST(test_all_numbers, "all that is fixed of each kind")
 
 TEST(test_create, "room for a start")
 {
-    FREED(start) s;
-    UNIT_TRUE(start_create(&s, 3));
+    CREATED(start, s, 3);
     UNIT_EQUAL(s.movers, 3);
     for (size_t i = 0; i < 3; ++i) {
         UNIT_EQUAL(s.mass[i], 1);

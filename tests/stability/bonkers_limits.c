@@ -181,8 +181,7 @@ TEST(test_comes_to_rest,
 {
     for (int k = 0; k < 10; ++k) {
         const double e = k / 10.0, g = 9.81, h = 1;
-        FREED(bonkers) b;
-        UNIT_TRUE(bonkers_create(&b, 1, e, BONKERS_SCAN));
+        CREATED(bonkers, b, 1, e, BONKERS_SCAN);
         b.gravity = g;
         b.body[1] = (struct bonkers_body){h, 0, 0, 1};
         b.body[2].x = INFINITY;
@@ -204,8 +203,7 @@ TEST(test_pile, "three that fall come to rest, nine do not")
     for (int k = 0; k < 27; ++k) {
         const double e = k % 9 / 10.0;
         const size_t n = k < 18 ? 3 : 9;
-        FREED(bonkers) b;
-        UNIT_TRUE(bonkers_create(&b, n, e, BONKERS_SCAN));
+        CREATED(bonkers, b, n, e, BONKERS_SCAN);
         b.gravity = 9.81;
         for (size_t i = 1; i <= n; ++i)
             b.body[i] = (struct bonkers_body){0.3 * (double)i, 0, 0,

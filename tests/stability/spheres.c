@@ -73,9 +73,8 @@ TEST(test_pressure, "perfect energy, wrong pressure")
 TEST(test_tunnelling, "long steps go through")
 {
     for (int slow = 0; slow < 2; ++slow) {
-        FREED(scene) s;
         FREED(spheres) p;
-        UNIT_MUST(scene_create(&s, 2));
+        CREATED(scene, s, 2);
         s.contact = true;
         s.radius[0] = s.radius[1] = 0.1;
         PUT(s.position, -0.15, 0.15);
@@ -236,17 +235,14 @@ TEST(test_turn, "a turn behind a wall is missed")
 TEST(test_stiff, "a stiff contact makes energy")
 {
     for (int fine = 0; fine < 2; ++fine) {
-        FREED(scene) s;
-        ENDED(motion) m;
-        UNIT_MUST(scene_create(&s, 2));
+        CREATED(scene, s, 2);
         s.contact = true;
         s.law = SCENE_LINEAR;
         s.stiffness = 5000;
         s.radius[0] = s.radius[1] = 0.1;
         s.position[1] = 0.2001;
         s.velocity[0] = 1;
-        UNIT_TRUE(motion_begin(&m, "spheres", &s, "leapfrog",
-                               fine ? 0.002 : 0.02));
+        BEGUN(motion, m, "spheres", &s, "leapfrog", fine ? 0.002 : 0.02);
         motion_run(&m, 200);
         const double energy = motion_kinetic(&m);
         UNIT_NEAR(energy, 0.5, fine ? 0.005 : 100);

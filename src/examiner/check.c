@@ -210,18 +210,26 @@ static void say_failure(double got, const struct check *c)
                                                           : c->question);
 }
 
-/* Reports only the first failure of a test: a loop over a thousand inputs
-   could otherwise report the same failure a thousand times. CUnit also
-   counts comparisons that pass, because a test without any comparison must
-   not pass. */
-bool check_near(const char *file, int line, double got, struct check c)
+/* Reports that the test has failed, and ends its process. */
+static _Noreturn void end_failed(void)
+{
+    fflush(NULL);
+    report(REPORT_VERDICT, "failed");
+    _exit(EXIT_SUCCESS);
+}
+
+/* Ends the test at its first failure. CUnit also counts passed comparisons,
+   because a test without comparisons must not pass. */
+void check_near(const char *file, int line, double got, struct check c)
 {
     const bool passed = near(got, c.expected, c.tolerance);
-    if (!passed && CU_get_number_of_failure_records() == 0)
-        say_failure(got, &c);
     CU_assertImplementation(passed, (unsigned)line, "CHECK_NEAR", file, "",
                             CU_FALSE);
-    return passed;
+    if (passed)
+        return;
+    if (CU_get_number_of_failure_records() == 1)
+        say_failure(got, &c);
+    end_failed();
 }
 
 /* Reports that a function wrote outside an output. The name of the output
@@ -265,9 +273,7 @@ void check_demand(const char *what, double asked, double most)
         say("question", "How many does it need, and how many has the "
                         "memory room for that it hands over?");
     }
-    fflush(NULL);
-    report(REPORT_VERDICT, "failed");
-    _exit(EXIT_SUCCESS);
+    end_failed();
 }
 
 static struct random inputs;

@@ -88,10 +88,11 @@ struct check_overrun {
     int bytes;      /* number of bytes changed */
 };
 
-/* Compares got with c.expected and tells CUnit the result. Returns whether
-   they agree, so that a test can stop at the first failure. A NaN never
-   agrees. An infinity agrees only with the same infinity. */
-bool check_near(const char *file, int line, double got, struct check c);
+/* Compares got with c.expected. If they disagree, reports the failure and
+   ends the test as failed, so what follows a check runs only if the check
+   has passed. A NaN never agrees. An infinity agrees only with the same
+   infinity. */
+void check_near(const char *file, int line, double got, struct check c);
 
 /* Calls check_near with the file and line of the call. The arguments after
    the first are fields of a struct check: CHECK_NEAR(v, .expected = 1). */

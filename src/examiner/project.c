@@ -20,24 +20,21 @@ double project_cut(const char *format, double x)
     return strtod(text, NULL);
 }
 
-bool project_form(const struct run *r, const char *input, size_t rows,
+void project_form(const struct run *r, const char *input, size_t rows,
                   size_t columns, const char *question)
 {
     const char *line =
         *r->broken && !r->glued
             ? check_text("%s; it printed the line: %s", input, r->broken)
             : input;
-    return CHECK_NEAR(r->flooded ? 1.0 : 0.0,
-                      .quantity = "output beyond 16 MB", .input = input,
-                      .expected = 0.0, .tolerance = 0.0,
-                      .question = "How many rows were asked for?") &&
-           CHECK_NEAR(r->status,
-                      .quantity = "the status with which it ended",
-                      .input = input, .expected = 0.0, .tolerance = 0.0,
-                      .question = "What did it complain about? There is "
-                                  "nothing wrong with this input.") &&
-           CHECK_NEAR(
-               (double)r->rows, .quantity = "rows in the table",
+    CHECK_NEAR(r->flooded ? 1.0 : 0.0, .quantity = "output beyond 16 MB",
+               .input = input, .expected = 0.0, .tolerance = 0.0,
+               .question = "How many rows were asked for?");
+    CHECK_NEAR(r->status, .quantity = "the status with which it ended",
+               .input = input, .expected = 0.0, .tolerance = 0.0,
+               .question = "What did it complain about? There is nothing "
+                           "wrong with this input.");
+    CHECK_NEAR((double)r->rows, .quantity = "rows in the table",
                .input = line, .expected = (double)rows, .tolerance = 0.0,
                .question =
                    r->glued ? check_text("Columns run together in row %zu: "
@@ -51,29 +48,26 @@ bool project_form(const struct run *r, const char *input, size_t rows,
                                              "%zu numbers, and no remark.",
                                              columns)
                                 : "How many rows does the contract ask "
-                                  "for, and when is one printed?") &&
-           CHECK_NEAR((double)r->columns, .quantity = "numbers in a row",
-                      .input = line, .expected = (double)columns,
-                      .tolerance = 0.0, .question = question);
+                                  "for, and when is one printed?");
+    CHECK_NEAR((double)r->columns, .quantity = "numbers in a row",
+               .input = line, .expected = (double)columns, .tolerance = 0.0,
+               .question = question);
 }
 
-bool project_refuses(const struct run_order *order, const char *what)
+void project_refuses(const struct run_order *order, const char *what)
 {
     const char *input = run_text(order);
     const struct run *r = run_program(order);
-    return CHECK_NEAR(r->status,
-                      .quantity = check_text("the status, for %s", what),
-                      .input = input, .expected = 2.0, .tolerance = 0.0,
-                      .question =
-                          "Status 2 is for input that makes no sense. "
-                          "Where do you read this, and what do you ask "
-                          "of it?") &&
-           CHECK_NEAR(*r->complaint != '\0',
-                      .quantity =
-                          check_text("lines of complaint about %s", what),
-                      .input = input, .expected = 1.0, .tolerance = 0.0,
-                      .question = "Who has made the mistake wants to know "
-                                  "which. Is it written to stderr?");
+    CHECK_NEAR(
+        r->status, .quantity = check_text("the status, for %s", what),
+        .input = input, .expected = 2.0, .tolerance = 0.0,
+        .question = "Status 2 is for input that makes no sense. Where do "
+                    "you read this, and what do you ask of it?");
+    CHECK_NEAR(*r->complaint != '\0',
+               .quantity = check_text("lines of complaint about %s", what),
+               .input = input, .expected = 1.0, .tolerance = 0.0,
+               .question = "Who has made the mistake wants to know which. "
+                           "Is it written to stderr?");
 }
 
 enum { DEPTH = 8 };
@@ -128,9 +122,9 @@ double project_remark(const struct run *run, const char *words,
     double got = NAN;
     if (run_remark(run, words, &got, 1) == 1)
         return got;
-    *question = check_text("There is no line that begins with `%s` and "
-                           "goes on with a number.",
-                           words);
+    *question = check_text(
+        "There is no line that begins with `%s` and goes on with a number.",
+        words);
     return NAN;
 }
 

@@ -10,14 +10,14 @@
 double project_draw(int year, double low, double high);
 
 /* Checks that the program ended with status 0 and printed `rows` rows of
-   `columns` numbers. If the number of columns is wrong, the report asks
-   `question`. */
-bool project_form(const struct run *run, const char *input, size_t rows,
+   `columns` numbers. If the number of columns is wrong, the report asks the
+   student the question. */
+void project_form(const struct run *run, const char *input, size_t rows,
                   size_t columns, const char *question);
 
 /* Checks that the program refuses this input with status 2 and a line on
    standard error. `what` describes the mistake in the input. */
-bool project_refuses(const struct run_order *order, const char *what);
+void project_refuses(const struct run_order *order, const char *what);
 
 /* Returns the number that follows `words` in a remark. If there is no such
    remark, returns NAN and sets *question to a question about it. */

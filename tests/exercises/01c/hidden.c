@@ -28,20 +28,19 @@ static void test_on_its_head(void)
             turned[n - 1 - k] = masses[k] = check_draw(0.01, 10.0);
         const double up = top_velocity(n, masses, speed, e) + speed;
         const double down = top_velocity(n, turned, speed, e) + speed;
-        if (!CHECK_NEAR(
-                masses[n - 1] * up,
-                .quantity =
-                    "momentum of the top ball, seen from the falling stack",
-                .unit = "kg m/s", .input = input(n, masses, speed, e),
-                .expected = turned[n - 1] * down,
-                .tolerance = 16.0 * (double)n * DBL_EPSILON *
-                             (masses[n - 1] * (fabs(up) + speed) +
-                              turned[n - 1] * (fabs(down) + speed)),
-                .because = "16 epsilons for each ball, of both momenta",
-                .question = "The stack was put on its head, and the "
-                            "momentum of the ball on top has changed. "
-                            "Which ball counts twice?"))
-            return;
+        CHECK_NEAR(
+            masses[n - 1] * up,
+            .quantity =
+                "momentum of the top ball, seen from the falling stack",
+            .unit = "kg m/s", .input = input(n, masses, speed, e),
+            .expected = turned[n - 1] * down,
+            .tolerance = 16.0 * (double)n * DBL_EPSILON *
+                         (masses[n - 1] * (fabs(up) + speed) +
+                          turned[n - 1] * (fabs(down) + speed)),
+            .because = "16 epsilons for each ball, of both momenta",
+            .question =
+                "The stack was put on its head, and the momentum of the "
+                "ball on top has changed. Which ball counts twice?");
     }
 }
 
@@ -64,17 +63,15 @@ static void test_towers(void)
             halved += power;
         }
         const double expected = (ldexp(1.0, -halved) - 1.0) * speed;
-        if (!CHECK_NEAR(
-                top_velocity(n, masses, speed, 1.0),
-                .quantity = "velocity of the top ball, upwards",
-                .unit = "m/s", .input = input(n, masses, speed, 1.0),
-                .expected = expected,
-                .tolerance = 4.0 * (double)n * DBL_EPSILON * speed,
-                .because = "4 epsilons for each ball, of the speed",
-                .question =
-                    "Most of these many balls are equal and only pass the "
-                    "bounce on. Which of them does not, in your function?"))
-            return;
+        CHECK_NEAR(
+            top_velocity(n, masses, speed, 1.0),
+            .quantity = "velocity of the top ball, upwards", .unit = "m/s",
+            .input = input(n, masses, speed, 1.0), .expected = expected,
+            .tolerance = 4.0 * (double)n * DBL_EPSILON * speed,
+            .because = "4 epsilons for each ball, of the speed",
+            .question =
+                "Most of these many balls are equal and only pass the "
+                "bounce on. Which of them does not, in your function?");
     }
 }
 

@@ -72,11 +72,11 @@ static const char degrees[] =
     "radians. How large is a right angle then? What becomes of it on its "
     "way through your function?";
 
-static bool check_aim(struct shot s, double expected, const char *question)
+static void check_aim(struct shot s, double expected, const char *question)
 {
     const double ratio = s.im2 / s.im1, both = s.r1 + s.r2;
     const double cosine = formula(s, ratio, false) / both;
-    return CHECK_NEAR(
+    CHECK_NEAR(
         aim(s), .quantity = "impact parameter b", .unit = "m",
         .input = input(s), .expected = expected, .tolerance = tolerance(s),
         .because = because, .question = question,
@@ -110,9 +110,9 @@ static bool check_aim(struct shot s, double expected, const char *question)
              known(in_unit(s, 180.0 / pi()), expected), degrees}});
 }
 
-static bool check_out_of_reach(struct shot s, const char *question)
+static void check_out_of_reach(struct shot s, const char *question)
 {
-    return CHECK_NEAR(
+    CHECK_NEAR(
         aim(s), .quantity = "impact parameter b, or -1", .unit = "m",
         .input = input(s), .expected = -1.0, .tolerance = 0.0,
         .because = "the answer for an angle out of reach",
@@ -140,10 +140,9 @@ static void test_fixed(void)
         "Nothing moves this target, so the first disk is reflected as by a "
         "mirror. Where does the line of centres point between the two "
         "ways?";
-    (void)(check_aim((struct shot){0.3, 0.2, 1.0, 0.0, pi()}, 0.0,
-                     question) &&
-           check_aim((struct shot){0.3, 0.2, 1.0, 0.0, 2.0 * pi() / 3.0},
-                     0.25, question));
+    check_aim((struct shot){0.3, 0.2, 1.0, 0.0, pi()}, 0.0, question);
+    check_aim((struct shot){0.3, 0.2, 1.0, 0.0, 2.0 * pi() / 3.0}, 0.25,
+              question);
 }
 
 static void test_equal_masses(void)
@@ -151,10 +150,10 @@ static void test_equal_masses(void)
     static const char question[] =
         "Equal disks leave at a right angle to each other, and the target "
         "leaves along the line of centres. What is left for the first?";
-    (void)(check_aim((struct shot){0.5, 0.5, 2.0, 2.0, atan2(3.0, 4.0)},
-                     0.8, question) &&
-           check_aim((struct shot){0.5, 0.5, 2.0, 2.0, atan2(4.0, 3.0)},
-                     0.6, question));
+    check_aim((struct shot){0.5, 0.5, 2.0, 2.0, atan2(3.0, 4.0)}, 0.8,
+              question);
+    check_aim((struct shot){0.5, 0.5, 2.0, 2.0, atan2(4.0, 3.0)}, 0.6,
+              question);
 }
 
 static void test_right_angle(void)
@@ -163,11 +162,10 @@ static void test_right_angle(void)
         "The moving disk is lighter than the target, which gives way all "
         "the same. What angle does it turn by for somebody who moves with "
         "the centre of mass?";
-    (void)(check_aim((struct shot){0.25, 0.5, 3.0, 1.0,
-                                   deflection_at(1.45, 3.0, 1.0)},
-                     0.75 * sin(1.45), question) &&
-           check_aim((struct shot){1.0, 3.0, 2.0, 1.0, 0.5 * pi()}, 2.0,
-                     question));
+    check_aim(
+        (struct shot){0.25, 0.5, 3.0, 1.0, deflection_at(1.45, 3.0, 1.0)},
+        0.75 * sin(1.45), question);
+    check_aim((struct shot){1.0, 3.0, 2.0, 1.0, 0.5 * pi()}, 2.0, question);
 }
 
 /* Carries out the blow with the student's impact parameter. */
@@ -183,17 +181,15 @@ static void test_blow(void)
 {
     for (int i = 1; i < 12; ++i) {
         const struct shot s = {0.4, 0.7, 1.0, 0.6, pi() * i / 12.0};
-        if (!CHECK_NEAR(
-                turned(s),
-                .quantity = "deflection by the blow that you aimed",
-                .unit = "rad", .input = input(s), .expected = s.deflection,
-                .tolerance = 128.0 * DBL_EPSILON,
-                .because = "128 epsilons: those of the aim, and an angle "
-                           "up to six times as sensitive",
-                .question = "The blow was carried out with your b, "
-                            "along the line of centres. For which "
-                            "angles does it come out as wanted?"))
-            return;
+        CHECK_NEAR(
+            turned(s), .quantity = "deflection by the blow that you aimed",
+            .unit = "rad", .input = input(s), .expected = s.deflection,
+            .tolerance = 128.0 * DBL_EPSILON,
+            .because = "128 epsilons: those of the aim, and an angle up to "
+                       "six times as sensitive",
+            .question =
+                "The blow was carried out with your b, along the line of "
+                "centres. For which angles does it come out as wanted?");
     }
 }
 
@@ -202,14 +198,13 @@ static void test_heavy(void)
     static const char question[] =
         "A heavy disk can be turned by this angle in two ways. Which one "
         "disturbs it less, and which has the larger b?";
-    (void)(check_aim((struct shot){0.5, 0.5, 1.0, 3.0,
-                                   deflection_at(1.2, 1.0, 3.0)},
-                     sin(1.2), question) &&
-           check_aim((struct shot){0.5, 0.5, 1.0, 3.0,
-                                   deflection_at(0.63, 1.0, 3.0)},
-                     sin(0.63), question) &&
-           check_aim((struct shot){0.5, 0.5, 1.0, 3.0, 0.0}, 1.0,
-                     question));
+    check_aim(
+        (struct shot){0.5, 0.5, 1.0, 3.0, deflection_at(1.2, 1.0, 3.0)},
+        sin(1.2), question);
+    check_aim(
+        (struct shot){0.5, 0.5, 1.0, 3.0, deflection_at(0.63, 1.0, 3.0)},
+        sin(0.63), question);
+    check_aim((struct shot){0.5, 0.5, 1.0, 3.0, 0.0}, 1.0, question);
 }
 
 static void test_out_of_reach(void)
@@ -217,15 +212,12 @@ static void test_out_of_reach(void)
     static const char question[] =
         "A heavy disk ploughs on. What is the largest angle that a light "
         "one can turn it by, and is this one larger?";
-    (void)(check_out_of_reach(
-               (struct shot){0.5, 0.5, 2.0, 2.0, 2.0 * pi() / 3.0},
-               question) &&
-           check_out_of_reach(
-               (struct shot){0.5, 0.5, 1.0, 2.0, 17.0 * pi() / 18.0},
-               question) &&
-           check_out_of_reach(
-               (struct shot){0.5, 0.5, 1.0, 2.0, 2.0 * pi() / 9.0},
-               question));
+    check_out_of_reach((struct shot){0.5, 0.5, 2.0, 2.0, 2.0 * pi() / 3.0},
+                       question);
+    check_out_of_reach(
+        (struct shot){0.5, 0.5, 1.0, 2.0, 17.0 * pi() / 18.0}, question);
+    check_out_of_reach((struct shot){0.5, 0.5, 1.0, 2.0, 2.0 * pi() / 9.0},
+                       question);
 }
 
 /* A target that nothing moves is a mirror, and equal disks leave at a right
@@ -237,16 +229,14 @@ static void test_drawn_special(void)
         const double im = check_draw(0.2, 5.0);
         const double wide = check_draw(0.6, 3.0);
         const double sharp = check_draw(0.1, 1.4);
-        if (!check_aim((struct shot){r1, r2, im, 0.0, wide},
-                       (r1 + r2) * sin(0.5 * (pi() - wide)),
-                       "Where does a mirror stand that turns a ray by this "
-                       "angle?") ||
-            !check_aim((struct shot){r1, r2, im, im, sharp},
-                       (r1 + r2) * cos(sharp),
-                       "Equal disks part at a right angle. In which "
-                       "direction does the target go, and where was it "
-                       "hit?"))
-            return;
+        check_aim(
+            (struct shot){r1, r2, im, 0.0, wide},
+            (r1 + r2) * sin(0.5 * (pi() - wide)),
+            "Where does a mirror stand that turns a ray by this angle?");
+        check_aim((struct shot){r1, r2, im, im, sharp},
+                  (r1 + r2) * cos(sharp),
+                  "Equal disks part at a right angle. In which direction "
+                  "does the target go, and where was it hit?");
     }
 }
 
@@ -267,11 +257,10 @@ static void test_drawn(void)
         const long double blow = 2.0L * cosl(phi) / (1.0L + s.im2 / s.im1);
         s.deflection =
             (double)atan2l(blow * sinl(phi), 1.0L - blow * cosl(phi));
-        if (!check_aim(s, (double)((s.r1 + s.r2) * sinl(phi)),
-                       "A disk was aimed, hit, and went off at this angle. "
-                       "From which angle, as seen from the centre of mass, "
-                       "does the other one come about?"))
-            return;
+        check_aim(s, (double)((s.r1 + s.r2) * sinl(phi)),
+                  "A disk was aimed, hit, and went off at this angle. From "
+                  "which angle, as seen from the centre of mass, does the "
+                  "other one come about?");
     }
 }
 
@@ -286,11 +275,10 @@ static void test_drawn_out_of_reach(void)
         s.im2 = i % 5 == 4 ? s.im1 : s.im1 * check_draw(1.01, 8.0);
         const double most = asin(s.im1 / s.im2);
         s.deflection = most + check_draw(0.02, 0.99) * (pi() - most);
-        if (!check_out_of_reach(s, check_text("This target can turn the "
-                                              "disk by %.4g rad at most. "
-                                              "Is it asked for more?",
-                                              most)))
-            return;
+        check_out_of_reach(
+            s, check_text("This target can turn the disk by %.4g rad at "
+                          "most. Is it asked for more?",
+                          most));
     }
 }
 

@@ -201,22 +201,22 @@ static void counted(double m1, double m2, double *v1, double *v2)
 }
 
 /* Who has judged without a look has found out nothing. */
-static bool check_called(int called, const char *how)
+static void check_called(int called, const char *how)
 {
     static const char question[] =
         "You have said something of this function, and have not let it "
         "compute one collision. What do you know of it?";
-    return CHECK_NEAR(
-        called > 0 ? 1.0 : 0.0,
-        .quantity = "1 if the function that you judge was called at all",
-        .input = how, .expected = 1.0, .tolerance = 0.0,
-        .because = "yes or no", .question = question,
-        .mistakes = {{"never-called", 0.0, question}});
+    CHECK_NEAR(called > 0 ? 1.0 : 0.0,
+               .quantity =
+                   "1 if the function that you judge was called at all",
+               .input = how, .expected = 1.0, .tolerance = 0.0,
+               .because = "yes or no", .question = question,
+               .mistakes = {{"never-called", 0.0, question}});
 }
 
-static bool check_said(double said, bool is_right, const struct judged *j)
+static void check_said(double said, bool is_right, const struct judged *j)
 {
-    return CHECK_NEAR(
+    CHECK_NEAR(
         said,
         .quantity =
             is_right ? "what you say of a right function (1 true, 0 false)"
@@ -249,10 +249,10 @@ static void judge(const struct judged wrong[])
         said[i] = passes(counted) ? 1.0 : 0.0;
         called[i] = calls;
     }
-    for (int i = 0; i < count; ++i)
-        if (!check_called(called[i], all[i]->how) ||
-            !check_said(said[i], i < RIGHT, all[i]))
-            return;
+    for (int i = 0; i < count; ++i) {
+        check_called(called[i], all[i]->how);
+        check_said(said[i], i < RIGHT, all[i]);
+    }
 }
 
 #define JUDGE(...) judge((const struct judged[]){__VA_ARGS__, {0}})

@@ -52,19 +52,17 @@ static void test_flown(void)
         const double gaps[] = {
             smallest, left < r.n ? gap_after(&r, left, time) : NAN};
         for (int k = 0; k < 2; ++k)
-            if (!CHECK_NEAR(
-                    gaps[k],
-                    .quantity = k ? "gap of the two that you named, after "
-                                    "the time that you returned"
-                                  : "smallest gap after the time that you "
-                                    "returned",
-                    .unit = "m", .input = input(&r, 1.0), .expected = 0.0,
-                    .tolerance =
-                        8.0 * DBL_EPSILON * (r.length + 3.5 * time),
-                    .because = "8 epsilons of the length and of the way",
-                    .question = "Let all beads fly until then. Who is "
-                                "through whom, or who has not yet met?"))
-                return;
+            CHECK_NEAR(
+                gaps[k],
+                .quantity =
+                    k ? "gap of the two that you named, after the time "
+                        "that you returned"
+                      : "smallest gap after the time that you returned",
+                .unit = "m", .input = input(&r, 1.0), .expected = 0.0,
+                .tolerance = 8.0 * DBL_EPSILON * (r.length + 3.5 * time),
+                .because = "8 epsilons of the length and of the way",
+                .question = "Let all beads fly until then. Who is through "
+                            "whom, or who has not yet met?");
     }
 }
 
@@ -100,19 +98,18 @@ static void test_mirror(void)
             next_meeting(m.n, m.length, m.x, m.v, &mirrored);
         if (is_tie(&r, time))
             continue;
-        if (!CHECK_NEAR(again, .quantity = "time in the mirror",
-                        .unit = "s", .input = input(&m, unit),
-                        .expected = time, .tolerance = 1e-9 * time,
-                        .because = "a billionth: the places in the mirror "
-                                   "are rounded",
-                        .question = question) ||
-            !CHECK_NEAR((double)mirrored, .quantity = "*left in the mirror",
-                        .input = input(&m, unit),
-                        .expected = (double)((2 * r.n - 2 - left) % r.n),
-                        .tolerance = 0.0,
-                        .because = "a number of a bead is exact",
-                        .question = question))
-            return;
+        CHECK_NEAR(again, .quantity = "time in the mirror", .unit = "s",
+                   .input = input(&m, unit), .expected = time,
+                   .tolerance = 1e-9 * time,
+                   .because =
+                       "a billionth: the places in the mirror are rounded",
+                   .question = question);
+        CHECK_NEAR((double)mirrored, .quantity = "*left in the mirror",
+                   .input = input(&m, unit),
+                   .expected = (double)((2 * r.n - 2 - left) % r.n),
+                   .tolerance = 0.0,
+                   .because = "a number of a bead is exact",
+                   .question = question);
     }
 }
 

@@ -41,21 +41,19 @@ static void test_backwards(void)
         sample(EVENTS, path, tick, SAMPLES, x + 1);
         sample(EVENTS, back, tick, SAMPLES, y + 1);
         for (size_t k = 1; k < SAMPLES; ++k)
-            if (!CHECK_NEAR(
-                    y[SAMPLES - k],
-                    .quantity = check_text("x[%zu] of the path backwards",
-                                           SAMPLES - k - 1),
-                    .unit = "m",
-                    .input = check_text(
-                        "tick %g s, %d events in %g s from %g m to %g m",
-                        tick, EVENTS, end, place, path[0].x),
-                    .expected = x[k], .tolerance = 1e-10,
-                    .because =
-                        "a tenth of a nanometre: both clocks are rounded",
-                    .question =
-                        "The same path, run backwards. Which of its events "
-                        "were seen on the one way only?"))
-                return;
+            CHECK_NEAR(
+                y[SAMPLES - k],
+                .quantity = check_text("x[%zu] of the path backwards",
+                                       SAMPLES - k - 1),
+                .unit = "m",
+                .input = check_text(
+                    "tick %g s, %d events in %g s from %g m to %g m", tick,
+                    EVENTS, end, place, path[0].x),
+                .expected = x[k], .tolerance = 1e-10,
+                .because =
+                    "a tenth of a nanometre: both clocks are rounded",
+                .question = "The same path, run backwards. Which of its "
+                            "events were seen on the one way only?");
     }
 }
 
@@ -81,19 +79,16 @@ static void test_crowd(void)
         for (size_t k = 1; k <= samples; ++k) {
             const int rest = (int)k * tick % (2 * flight);
             const int place = rest > flight ? 2 * flight - rest : rest;
-            if (!CHECK_NEAR(
-                    x[k], .quantity = check_text("x[%zu]", k - 1),
-                    .unit = "m",
-                    .input = check_text(
-                        "tick %g s, flights of %g s over %g m",
-                        tick * second, flight * second, flight * metre),
-                    .expected = place * metre,
-                    .tolerance = 8.0 * DBL_EPSILON * CROWD * flight * metre,
-                    .because = "8 epsilons of the whole way",
-                    .question =
-                        "Many collisions take place between two ticks. "
-                        "Which of them has your ball not come to?"))
-                return;
+            CHECK_NEAR(
+                x[k], .quantity = check_text("x[%zu]", k - 1), .unit = "m",
+                .input = check_text("tick %g s, flights of %g s over %g m",
+                                    tick * second, flight * second,
+                                    flight * metre),
+                .expected = place * metre,
+                .tolerance = 8.0 * DBL_EPSILON * CROWD * flight * metre,
+                .because = "8 epsilons of the whole way",
+                .question = "Many collisions take place between two ticks. "
+                            "Which of them has your ball not come to?");
         }
     }
 }

@@ -146,10 +146,10 @@ static const char because[] =
     "flight would have made since the start";
 
 /* Checks the sample number k, counted from 1: after k ticks. */
-static bool check_sample(const struct job *j, const double x[], size_t k,
+static void check_sample(const struct job *j, const double x[], size_t k,
                          double expected, const char *question)
 {
-    return CHECK_NEAR(
+    CHECK_NEAR(
         x[k - 1],
         .quantity = check_text("x[%zu], the place after %zu tick%s", k - 1,
                                k, k == 1 ? "" : "s"),
@@ -186,13 +186,11 @@ static bool check_sample(const struct job *j, const double x[], size_t k,
              "many of them does your program let go by?"}});
 }
 
-static bool check_all(struct job j, const char *question)
+static void check_all(struct job j, const char *question)
 {
     const double *x = answer(&j);
     for (size_t k = 1; k <= j.samples; ++k)
-        if (!check_sample(&j, x, k, place(&j, k), question))
-            return false;
-    return true;
+        check_sample(&j, x, k, place(&j, k), question);
 }
 
 static void test_several(void)
@@ -246,14 +244,14 @@ static void test_after_the_last(void)
         "or does your program read an event that is not there?");
 }
 
-static bool check_empty(const struct job *j, double place,
+static void check_empty(const struct job *j, double place,
                         const char *question)
 {
-    return CHECK_NEAR(isnan(place) ? 0.0 : 1.0,
-                      .quantity = "samples more than were wanted",
-                      .input = input(j), .expected = 0.0, .tolerance = 0.0,
-                      .because = "a number of samples is exact",
-                      .question = question);
+    CHECK_NEAR(isnan(place) ? 0.0 : 1.0,
+               .quantity = "samples more than were wanted",
+               .input = input(j), .expected = 0.0, .tolerance = 0.0,
+               .because = "a number of samples is exact",
+               .question = question);
 }
 
 static void test_how_many(void)
@@ -262,18 +260,16 @@ static void test_how_many(void)
     const struct job none = {5, walls, 1.5, 0};
     const double *x = answer(&three);
     for (size_t k = 1; k <= three.samples; ++k)
-        if (!check_sample(&three, x, k, place(&three, k),
-                          "Three samples were wanted. Which?"))
-            return;
-    (void)(check_empty(&three, x[three.samples],
-                       "Something was written behind the last sample. "
-                       "Where does your loop end?") &&
-           check_empty(&three, x[-1],
-                       "Something was written before the first sample. "
-                       "Where does your loop begin?") &&
-           check_empty(
-               &none, answer(&none)[0],
-               "No sample was wanted here. What did your program write?"));
+        check_sample(&three, x, k, place(&three, k),
+                     "Three samples were wanted. Which?");
+    check_empty(&three, x[three.samples],
+                "Something was written behind the last sample. Where does "
+                "your loop end?");
+    check_empty(&three, x[-1],
+                "Something was written before the first sample. Where does "
+                "your loop begin?");
+    check_empty(&none, answer(&none)[0],
+                "No sample was wanted here. What did your program write?");
 }
 
 /* A slow ball is caught between the wall at 10 m and a heavy neighbour at
@@ -342,21 +338,20 @@ static void test_long_run(void)
         const double true_place =
             (double)(phase < right ? there * phase
                                    : back * (right + left - phase));
-        if (!CHECK_NEAR(
-                x[k - 1] - true_place,
-                .quantity = check_text(
-                    "how far x[%zu] is from the true place", k - 1),
-                .unit = "m", .input = input(&j), .expected = 0.0,
-                .tolerance = tolerance(&j, k), .because = because,
-                .question = "All was well for a few ticks, and now it is "
-                            "not. Which of your numbers remembers the "
-                            "roundings of all ticks before?",
-                .mistakes = {
-                    {"clock-adds-up", adds_up(&j, k) - true_place,
-                     "The clock is wrong. tick + tick + tick and so on is "
-                     "rounded at each step, and there were many. Which "
-                     "single operation gives the time of a tick?"}}))
-            return;
+        CHECK_NEAR(
+            x[k - 1] - true_place,
+            .quantity =
+                check_text("how far x[%zu] is from the true place", k - 1),
+            .unit = "m", .input = input(&j), .expected = 0.0,
+            .tolerance = tolerance(&j, k), .because = because,
+            .question =
+                "All was well for a few ticks, and now it is not. Which of "
+                "your numbers remembers the roundings of all ticks before?",
+            .mistakes = {
+                {"clock-adds-up", adds_up(&j, k) - true_place,
+                 "The clock is wrong. tick + tick + tick and so on is "
+                 "rounded at each step, and there were many. Which single "
+                 "operation gives the time of a tick?"}});
     }
 }
 
@@ -398,11 +393,9 @@ static void test_drawn(void)
                               (w.steps - 1) / steps};
         const double *x = answer(&j);
         for (size_t k = 1; k <= j.samples; ++k)
-            if (!check_sample(
-                    &j, x, k, w.place[k * steps],
-                    "This path was walked in small steps. At which of its "
-                    "events does your ball lose the way?"))
-                return;
+            check_sample(&j, x, k, w.place[k * steps],
+                         "This path was walked in small steps. At which of "
+                         "its events does your ball lose the way?");
     }
 }
 

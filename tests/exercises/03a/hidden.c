@@ -31,10 +31,9 @@ static void draw_law(void)
 
 static const char *input(size_t bins)
 {
-    return check_text(
-        "the law %g y + %g (3 y^2 - 2 y^3), y from 0 to 1 between x = %g "
-        "and %g; %zu bins",
-        1.0 - hump, hump, low, high, bins);
+    return check_text("the law %g y + %g (3 y^2 - 2 y^3), y from 0 to 1 "
+                      "between x = %g and %g; %zu bins",
+                      1.0 - hump, hump, low, high, bins);
 }
 
 /* Both edges compared may err by as much. */
@@ -44,17 +43,16 @@ static double tolerance(void)
            (fmax(fabs(low), fabs(high)) + (high - low) / (1.0 - hump));
 }
 
-static bool check_edge(const char *quantity, size_t bins, double got,
+static void check_edge(const char *quantity, size_t bins, double got,
                        double expected)
 {
-    return CHECK_NEAR(got, .quantity = quantity, .input = input(bins),
-                      .expected = expected, .tolerance = tolerance(),
-                      .because = "16 epsilons of the larger end, and of "
-                                 "the probability divided by the density",
-                      .question = "Two calls with the same law, told in "
-                                  "two ways, disagree. Does your answer "
-                                  "depend on where the law lies, or on "
-                                  "an earlier call?");
+    CHECK_NEAR(got, .quantity = quantity, .input = input(bins),
+               .expected = expected, .tolerance = tolerance(),
+               .because = "16 epsilons of the larger end, and of the "
+                          "probability divided by the density",
+               .question = "Two calls with the same law, told in two ways, "
+                           "disagree. Does your answer depend on where the "
+                           "law lies, or on an earlier call?");
 }
 
 static void test_mirror(void)
@@ -67,19 +65,16 @@ static void test_mirror(void)
         equal_bins(mirrored, -high, -low, bins, other);
         const size_t one = (size_t)check_draw_whole(0, (int)bins - 1);
         const double more = below(edge[one + 1]) - below(edge[one]);
-        if (!CHECK_NEAR(
-                more, .quantity = check_text("probability of bin %zu", one),
-                .input = input(bins), .expected = 1.0 / (double)bins,
-                .tolerance =
-                    2.0 * tolerance() / (high - low) * (1.0 + 0.5 * hump),
-                .because = "that of two edges, times the density",
-                .question = "Has every bin the same probability?"))
-            return;
+        CHECK_NEAR(more,
+                   .quantity = check_text("probability of bin %zu", one),
+                   .input = input(bins), .expected = 1.0 / (double)bins,
+                   .tolerance = 2.0 * tolerance() / (high - low) *
+                                (1.0 + 0.5 * hump),
+                   .because = "that of two edges, times the density",
+                   .question = "Has every bin the same probability?");
         for (size_t k = 0; k <= bins; ++k)
-            if (!check_edge(
-                    check_text("edge[%zu] of the law in a mirror", k), bins,
-                    other[k], -edge[bins - k]))
-                return;
+            check_edge(check_text("edge[%zu] of the law in a mirror", k),
+                       bins, other[k], -edge[bins - k]);
     }
 }
 
@@ -95,11 +90,11 @@ static void test_units(void)
         unit = units[i];
         equal_bins(below, low / unit, high / unit, 2 * bins, other);
         for (size_t k = 0; k <= bins; ++k)
-            if (!check_edge(check_text("edge[%zu] of twice as many bins, "
-                                       "in units of %g",
-                                       2 * k, unit),
-                            bins, other[2 * k] * unit, edge[k]))
-                return;
+            check_edge(
+                check_text(
+                    "edge[%zu] of twice as many bins, in units of %g",
+                    2 * k, unit),
+                bins, other[2 * k] * unit, edge[k]);
         unit = 1.0;
     }
 }

@@ -232,7 +232,7 @@ static const char miscounted[] =
     "are there, and how many edges?";
 
 /* The first and the last edge must be what was given, to the last bit. */
-static bool check_end(const struct law *l, size_t bins, bool last,
+static void check_end(const struct law *l, size_t bins, bool last,
                       double got)
 {
     static const char searched[] = "So near, and not the end itself. Its "
@@ -242,14 +242,14 @@ static bool check_end(const struct law *l, size_t bins, bool last,
         last ? "the last edge, edge[bins]" : "the first edge, edge[0]";
     static const char because[] = "the ends are given, not computed";
     if (off != 0.0 && fabs(off) < 0.01 * (l->high - l->low))
-        return CHECK_NEAR(
-            off,
-            .quantity =
-                check_text("%s, minus %s", quantity, last ? "high" : "low"),
-            .input = input(l, bins), .expected = 0.0, .tolerance = 0.0,
-            .because = because, .question = searched,
-            .mistakes = {{"ends-searched-for", off, searched}});
-    return CHECK_NEAR(
+        CHECK_NEAR(off,
+                   .quantity = check_text("%s, minus %s", quantity,
+                                          last ? "high" : "low"),
+                   .input = input(l, bins), .expected = 0.0,
+                   .tolerance = 0.0, .because = because,
+                   .question = searched,
+                   .mistakes = {{"ends-searched-for", off, searched}});
+    CHECK_NEAR(
         got, .quantity = quantity, .input = input(l, bins), .expected = end,
         .tolerance = 0.0, .because = because,
         .question = "Where do the bins begin, and where do they end?",
@@ -265,7 +265,7 @@ static bool check_end(const struct law *l, size_t bins, bool last,
    roundings of the distribution function, divided by its slope, come on
    top. A function that is computed to a few epsilons of itself, not of 1,
    gives an edge near zero all its digits. */
-static bool check_edge(const struct law *l, size_t bins, size_t k,
+static void check_edge(const struct law *l, size_t bins, size_t k,
                        double got, const char *question)
 {
     const double b = (double)bins, p = (double)k / b;
@@ -284,7 +284,7 @@ static bool check_edge(const struct law *l, size_t bins, size_t k,
     const char *quantity = check_text("edge[%zu]", k);
     const double off = got - expected;
     if (fabs(off) > tolerance && fabs(off) < 1e-4 * (l->high - l->low))
-        return CHECK_NEAR(
+        CHECK_NEAR(
             off, .quantity = check_text("%s, minus its place", quantity),
             .input = input(l, bins), .expected = 0.0,
             .tolerance = tolerance, .because = because,
@@ -293,36 +293,34 @@ static bool check_edge(const struct law *l, size_t bins, size_t k,
                           "Your search is on the right way and stops too "
                           "early. What makes it stop? Can it go on until "
                           "no number is left between the two ends?"}});
-    return CHECK_NEAR(
-        got, .quantity = quantity, .input = input(l, bins),
-        .expected = expected, .tolerance = tolerance, .because = because,
-        .question = question,
-        .mistakes = {
-            {"equal-widths", l->low + (l->high - l->low) * p,
-             "These bins are equally wide. What is the probability of the "
-             "first of them, and what should it be?"},
-            {"from-the-top", l->place(1.0 - p), turned_round},
-            {"bins-miscounted", l->place((double)k / (b + 1.0)),
-             miscounted},
-            {"middles-of-bins", l->place(p - 0.5 / b),
-             "This is where half of a bin's probability lies to the left. "
-             "Is an edge in the middle of a bin?"},
-            {"between-0-and-1", fmin(fmax(expected, 0.0), 1.0),
-             "Your search looks between 0 and 1 only. That is where the "
-             "probabilities lie; where do the places lie?"},
-            {"left-empty", CHECK_EMPTY, check_text(empty, bins)}});
+    CHECK_NEAR(got, .quantity = quantity, .input = input(l, bins),
+               .expected = expected, .tolerance = tolerance,
+               .because = because, .question = question,
+               .mistakes = {
+                   {"equal-widths", l->low + (l->high - l->low) * p,
+                    "These bins are equally wide. What is the probability "
+                    "of the first of them, and what should it be?"},
+                   {"from-the-top", l->place(1.0 - p), turned_round},
+                   {"bins-miscounted", l->place((double)k / (b + 1.0)),
+                    miscounted},
+                   {"middles-of-bins", l->place(p - 0.5 / b),
+                    "This is where half of a bin's probability lies to the "
+                    "left. Is an edge in the middle of a bin?"},
+                   {"between-0-and-1", fmin(fmax(expected, 0.0), 1.0),
+                    "Your search looks between 0 and 1 only. That is where "
+                    "the probabilities lie; where do the places lie?"},
+                   {"left-empty", CHECK_EMPTY, check_text(empty, bins)}});
 }
 
-static bool check_law(const struct law *l, size_t bins,
+static void check_law(const struct law *l, size_t bins,
                       const char *question)
 {
     double edge[MOST + 1];
     answer(l, bins, edge);
-    bool passed = check_end(l, bins, false, edge[0]) &&
-                  check_end(l, bins, true, edge[bins]);
-    for (size_t k = 1; passed && k < bins; ++k)
-        passed = check_edge(l, bins, k, edge[k], question);
-    return passed;
+    check_end(l, bins, false, edge[0]);
+    check_end(l, bins, true, edge[bins]);
+    for (size_t k = 1; k < bins; ++k)
+        check_edge(l, bins, k, edge[k], question);
 }
 
 static void test_even(void)
@@ -336,7 +334,8 @@ static void test_by_hand(void)
 {
     static const char question[] =
         "Here distribution(x) is x squared. For which x is it k/bins?";
-    (void)(check_law(&ramp, 4, question) && check_law(&ramp, 9, question));
+    check_law(&ramp, 4, question);
+    check_law(&ramp, 9, question);
 }
 
 static void test_arcsine(void)
@@ -344,8 +343,8 @@ static void test_arcsine(void)
     static const char question[] =
         "Two movers are most often found near their greatest speed. Where "
         "must the narrow bins lie, then?";
-    (void)(check_law(&arcsine, 3, question) &&
-           check_law(&arcsine, 12, question));
+    check_law(&arcsine, 3, question);
+    check_law(&arcsine, 12, question);
 }
 
 static void test_anywhere(void)
@@ -355,24 +354,21 @@ static void test_anywhere(void)
               "know where the law begins and where it ends?");
 }
 
-static bool check_shares(const struct law *l, size_t bins)
+static void check_shares(const struct law *l, size_t bins)
 {
     const double larger = fmax(fabs(l->low), fabs(l->high));
     double edge[MOST + 1];
     answer(l, bins, edge);
     for (size_t k = 0; k < bins; ++k)
-        if (!CHECK_NEAR(
-                l->below(edge[k + 1]) - l->below(edge[k]),
-                .quantity = check_text("probability of bin %zu", k),
-                .input = input(l, bins), .expected = 1.0 / (double)bins,
-                .tolerance =
-                    8.0 * DBL_EPSILON * (1.0 + 5.0 * larger / mixed_width),
-                .because = "8 epsilons, and of the larger end times the "
-                           "density, which is at most 5 over the width",
-                .question = "Every bin should have the same. Which of its "
-                            "two edges is at fault?"))
-            return false;
-    return true;
+        CHECK_NEAR(l->below(edge[k + 1]) - l->below(edge[k]),
+                   .quantity = check_text("probability of bin %zu", k),
+                   .input = input(l, bins), .expected = 1.0 / (double)bins,
+                   .tolerance = 8.0 * DBL_EPSILON *
+                                (1.0 + 5.0 * larger / mixed_width),
+                   .because = "8 epsilons, and of the larger end times the "
+                              "density, which is at most 5 over the width",
+                   .question = "Every bin should have the same. Which of "
+                               "its two edges is at fault?");
 }
 
 static void test_shares(void)
@@ -392,8 +388,7 @@ static void test_shares(void)
             NULL,
             mixed_low,
             mixed_low + mixed_width};
-        if (!check_shares(&mixed, (size_t)check_draw_whole(2, 12)))
-            return;
+        check_shares(&mixed, (size_t)check_draw_whole(2, 12));
     }
 }
 
@@ -417,26 +412,23 @@ static void test_flat(void)
     double edge[MOST + 1];
     answer(&lumps, 4, edge);
     for (size_t k = 0; k <= 4; k += 4)
-        if (!CHECK_NEAR(
-                edge[k], .quantity = check_text("edge[%zu]", k),
-                .input = input(&lumps, 4), .expected = 0.25 * (double)k,
-                .tolerance = 0.0,
-                .because = "the ends are given, not computed",
-                .question = searched,
-                .mistakes = {{"ends-searched-for", 0.25, searched},
-                             {"ends-searched-for", 0.75, searched}}))
-            return;
+        CHECK_NEAR(edge[k], .quantity = check_text("edge[%zu]", k),
+                   .input = input(&lumps, 4), .expected = 0.25 * (double)k,
+                   .tolerance = 0.0,
+                   .because = "the ends are given, not computed",
+                   .question = searched,
+                   .mistakes = {{"ends-searched-for", 0.25, searched},
+                                {"ends-searched-for", 0.75, searched}});
     for (size_t k = 1; k < 4; ++k)
-        if (!CHECK_NEAR(
-                lumps_below(edge[k]),
-                .quantity = check_text("probability below edge[%zu]", k),
-                .input = input(&lumps, 4), .expected = 0.25 * (double)k,
-                .tolerance = 16.0 * DBL_EPSILON,
-                .because = "16 epsilons: the density is 4",
-                .question = "A flat piece has many places with the same "
-                            "probability below. Does your search come to "
-                            "one of them?"))
-            return;
+        CHECK_NEAR(
+            lumps_below(edge[k]),
+            .quantity = check_text("probability below edge[%zu]", k),
+            .input = input(&lumps, 4), .expected = 0.25 * (double)k,
+            .tolerance = 16.0 * DBL_EPSILON,
+            .because = "16 epsilons: the density is 4",
+            .question =
+                "A flat piece has many places with the same probability "
+                "below. Does your search come to one of them?");
 }
 
 /* limit: 1e-6 (a tolerance, and any other: 1e-15, or sixty halvings) */
@@ -446,23 +438,22 @@ static void test_steep(void)
         "Here an edge lies near 0, where a double has more digits behind "
         "the point than anywhere else. How does your search know when none "
         "is left?";
-    (void)(check_law(&steep, 8,
-                     "Here all edges lie within a few thousand-millionths. "
-                     "How does your search know when it is near enough?") &&
-           check_law(&crowded, 2, near_zero) &&
-           check_law(&crowded, 3, near_zero));
+    check_law(&steep, 8,
+              "Here all edges lie within a few thousand-millionths. How "
+              "does your search know when it is near enough?");
+    check_law(&crowded, 2, near_zero);
+    check_law(&crowded, 3, near_zero);
 }
 
-static bool check_inside(const struct law *l, size_t bins)
+static void check_inside(const struct law *l, size_t bins)
 {
-    return CHECK_NEAR(
-        (double)asked_outside,
-        .quantity =
-            "how often distribution() was asked outside low to high",
-        .input = input(l, bins), .expected = 0.0, .tolerance = 0.0,
-        .because = "it is given from low to high",
-        .question = "Between which two places must an edge lie, whatever "
-                    "the law is?");
+    CHECK_NEAR((double)asked_outside,
+               .quantity =
+                   "how often distribution() was asked outside low to high",
+               .input = input(l, bins), .expected = 0.0, .tolerance = 0.0,
+               .because = "it is given from low to high",
+               .question = "Between which two places must an edge lie, "
+                           "whatever the law is?");
 }
 
 static void test_drawn(void)
@@ -476,10 +467,9 @@ static void test_drawn(void)
         const struct law bent = {name,         bent_below, bent_place,
                                  bent_density, corner[0],  corner[pieces]};
         const size_t many = (size_t)check_draw_whole(1, MOST / 2);
-        if (!(check_law(&bent, pieces, question) &&
-              check_law(&bent, many, question) &&
-              check_inside(&bent, many)))
-            return;
+        check_law(&bent, pieces, question);
+        check_law(&bent, many, question);
+        check_inside(&bent, many);
     }
 }
 

@@ -31,16 +31,16 @@ static void test_signs(void)
         mean_and_error(N, x, &error);
         squares += error / sigma * (error / sigma) / FEW;
     }
-    CHECK_NEAR(sqrt(squares),
-               .quantity = "your error, in true standard errors (root of "
-                           "the mean square)",
-               .input = check_text("%d series of -1 and 1", FEW),
-               .expected = 1.0, .tolerance = 0.2,
-               .because = "with twenty blocks and more this scatters by "
-                          "0.04",
-               .equation = "eq:inefficiency",
-               .question = "These values are no bell curve. Which step of "
-                           "yours needs one?");
+    CHECK_NEAR(
+        sqrt(squares),
+        .quantity =
+            "your error, in true standard errors (root of the mean square)",
+        .input = check_text("%d series of -1 and 1", FEW), .expected = 1.0,
+        .tolerance = 0.2,
+        .because = "with twenty blocks and more this scatters by 0.04",
+        .equation = "eq:inefficiency",
+        .question = "These values are no bell curve. Which step of yours "
+                    "needs one?");
 }
 
 static void test_units(void)
@@ -53,16 +53,15 @@ static void test_units(void)
             other[k] = unit * (x[k] + 7.0);
         mean_and_error(N, x, &error);
         mean_and_error(N, other, &scaled);
-        if (!CHECK_NEAR(
-                scaled / fabs(unit) / error,
-                .quantity = "error in other units, by the error",
-                .input = check_text("a series of -1 and 1, and the same "
-                                    "plus 7 and times %g",
-                                    unit),
-                .expected = 1.0, .tolerance = 1e-6, .because = "roundings",
-                .question = "The same measurement in other units, from "
-                            "another zero. Which of your steps minds?"))
-            return;
+        CHECK_NEAR(
+            scaled / fabs(unit) / error,
+            .quantity = "error in other units, by the error",
+            .input = check_text(
+                "a series of -1 and 1, and the same plus 7 and times %g",
+                unit),
+            .expected = 1.0, .tolerance = 1e-6, .because = "roundings",
+            .question = "The same measurement in other units, from another "
+                        "zero. Which of your steps minds?");
     }
 }
 

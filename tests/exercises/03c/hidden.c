@@ -36,15 +36,13 @@ static void test_energy(void)
 {
     for (int i = 0; i < 3; ++i) {
         const int n = check_draw_whole(2, 40);
-        if (!CHECK_NEAR(1.0 - 2.0 * integral(n),
-                        .quantity = "mean square velocity under your law",
-                        .input = check_text("n = %d movers", n),
-                        .expected = 1.0 / n, .tolerance = 1e-9,
-                        .because = "an integral in 30 strips",
-                        .question =
-                            "All movers are alike and share the energy. "
-                            "Which part of it has each, on average?"))
-            return;
+        CHECK_NEAR(1.0 - 2.0 * integral(n),
+                   .quantity = "mean square velocity under your law",
+                   .input = check_text("n = %d movers", n),
+                   .expected = 1.0 / n, .tolerance = 1e-9,
+                   .because = "an integral in 30 strips",
+                   .question = "All movers are alike and share the energy. "
+                               "Which part of it has each, on average?");
     }
 }
 
@@ -74,16 +72,13 @@ static void test_tails(void)
         const double u = 1.0 - check_draw(1e-5, i % 2 ? 1e-3 : 0.2);
         const double side = i % 4 < 2 ? 1.0 : -1.0;
         const double past = tail(n, 1.0 - u);
-        if (!CHECK_NEAR(velocity_below(n, side * u),
-                        .quantity = "probability below u",
-                        .input = check_text("n = %d movers, u = %.10g", n,
-                                            side * u),
-                        .expected = side > 0.0 ? 1.0 - past : past,
-                        .tolerance = 1e-13, .because = "what was asked for",
-                        .question =
-                            "Little is left beyond this velocity. Which "
-                            "of your terms should nearly cancel there?"))
-            return;
+        CHECK_NEAR(
+            velocity_below(n, side * u), .quantity = "probability below u",
+            .input = check_text("n = %d movers, u = %.10g", n, side * u),
+            .expected = side > 0.0 ? 1.0 - past : past, .tolerance = 1e-13,
+            .because = "what was asked for",
+            .question = "Little is left beyond this velocity. Which of "
+                        "your terms should nearly cancel there?");
     }
 }
 

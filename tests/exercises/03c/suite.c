@@ -48,28 +48,30 @@ static bool nearly(int n, double off)
     return fabs(off) > tolerance && fabs(off) < (n == 2 ? 0.02 : 0.001);
 }
 
-static bool check_digits(int n, double u, double off, const char *question)
+static void check_digits(int n, double u, double off, const char *question)
 {
     static const char lost[] =
         "The first digits are right, the last are not. Is a constant, such "
         "as pi, given to a few digits only? Or does the answer come from "
         "many small steps, or from large terms of alternating signs? Is "
         "there a way with a few terms of the same sign?";
-    return CHECK_NEAR(
-        off, .quantity = "probability below u, minus the exact one",
-        .input = input(n, u), .expected = 0.0, .tolerance = tolerance,
-        .because = because, .equation = "eq:velocity-cdf",
-        .question = question, .mistakes = {{"digits-lost", off, lost}});
+    CHECK_NEAR(off, .quantity = "probability below u, minus the exact one",
+               .input = input(n, u), .expected = 0.0,
+               .tolerance = tolerance, .because = because,
+               .equation = "eq:velocity-cdf", .question = question,
+               .mistakes = {{"digits-lost", off, lost}});
 }
 
 /* One of the laws known at sight, with n = 2 or 3. */
-static bool check_first(int n, double u, double expected,
+static void check_first(int n, double u, double expected,
                         const char *question)
 {
     const double got = velocity_below(n, u);
-    if (nearly(n, got - expected))
-        return check_digits(n, u, got - expected, question);
-    return CHECK_NEAR(
+    if (nearly(n, got - expected)) {
+        check_digits(n, u, got - expected, question);
+        return;
+    }
+    CHECK_NEAR(
         got, .quantity = "probability below u", .input = input(n, u),
         .expected = expected, .tolerance = tolerance, .because = because,
         .question = question,
@@ -99,15 +101,17 @@ static bool check_first(int n, double u, double expected,
 }
 
 /* A law that needs steps of two. */
-static bool check_later(int n, double u, double expected,
+static void check_later(int n, double u, double expected,
                         const char *question)
 {
     const double got = velocity_below(n, u);
-    if (nearly(n, got - expected))
-        return check_digits(n, u, got - expected, question);
+    if (nearly(n, got - expected)) {
+        check_digits(n, u, got - expected, question);
+        return;
+    }
     const double start = roughly(n % 2 ? 3 : 2, u);
     const double other = roughly(n % 2 ? 2 : 3, u);
-    return CHECK_NEAR(
+    CHECK_NEAR(
         got, .quantity = "probability below u", .input = input(n, u),
         .expected = expected, .tolerance = tolerance, .because = because,
         .equation = "eq:velocity-cdf", .question = question,
@@ -135,8 +139,8 @@ static void test_three(void)
     static const char question[] =
         "For three movers every u is equally likely. What share of the way "
         "from -1 to 1 lies below this one?";
-    (void)(check_first(3, 0.2, 0.6, question) &&
-           check_first(3, -0.6, 0.2, question));
+    check_first(3, 0.2, 0.6, question);
+    check_first(3, -0.6, 0.2, question);
 }
 
 /* limit: 2 movers */
@@ -145,8 +149,8 @@ static void test_two(void)
     static const char question[] =
         "Two movers: the density is 1/(pi sqrt(1 - u^2)). Of which "
         "function is it the derivative?";
-    (void)(check_first(2, 0.5, 2.0 / 3.0, question) &&
-           check_first(2, -sqrt(0.5), 0.25, question));
+    check_first(2, 0.5, 2.0 / 3.0, question);
+    check_first(2, -sqrt(0.5), 0.25, question);
 }
 
 static void test_by_hand(void)
@@ -158,10 +162,10 @@ static void test_by_hand(void)
         "Five movers: the density is a parabola. What is its integral, and "
         "what is added to the straight line?";
     const double sector = 2.0 / 3.0 + 0.25 * sqrt(3.0) / pi();
-    (void)(check_later(5, 0.5, 0.84375, five) &&
-           check_later(5, -0.5, 0.15625, five) &&
-           check_later(4, 0.5, sector, four) &&
-           check_later(4, -0.5, 1.0 - sector, four));
+    check_later(5, 0.5, 0.84375, five);
+    check_later(5, -0.5, 0.15625, five);
+    check_later(4, 0.5, sector, four);
+    check_later(4, -0.5, 1.0 - sector, four);
 }
 
 /* A value from a hypergeometric function, in 40 digits. */
@@ -178,10 +182,9 @@ static void test_table(void)
                                          {9, 0.75, 0.9937610626220703125},
                                          {10, -0.25, 0.22922182694989377}};
     for (size_t i = 0; i < sizeof table / sizeof table[0]; ++i)
-        if (!check_later(table[i].n, table[i].u, table[i].below,
-                         "How does the term for n follow from that for n - "
-                         "2? Try n = 6 from n = 4 on paper."))
-            return;
+        check_later(table[i].n, table[i].u, table[i].below,
+                    "How does the term for n follow from that for n - 2? "
+                    "Try n = 6 from n = 4 on paper.");
 }
 
 /* The third derivative of the distribution function of seven movers is at
@@ -192,31 +195,28 @@ static void test_slope(void)
     const double h = 1e-4;
     const int n = 7;
     for (double u = -0.8; u < 0.9; u += 0.4)
-        if (!CHECK_NEAR(
-                (velocity_below(n, u + h) - velocity_below(n, u - h)) /
-                    (2.0 * h),
-                .quantity =
-                    "slope of your function, from u - 0.0001 to u + 0.0001",
-                .input = input(n, u), .expected = density(n, u),
-                .tolerance = 1.25 * h * h + 1e-13 / h,
-                .because = "that of a difference quotient",
-                .question = "The slope of a distribution function is the "
-                            "density. Is yours too steep or too flat?"))
-            return;
+        CHECK_NEAR(
+            (velocity_below(n, u + h) - velocity_below(n, u - h)) /
+                (2.0 * h),
+            .quantity =
+                "slope of your function, from u - 0.0001 to u + 0.0001",
+            .input = input(n, u), .expected = density(n, u),
+            .tolerance = 1.25 * h * h + 1e-13 / h,
+            .because = "that of a difference quotient",
+            .question = "The slope of a distribution function is the "
+                        "density. Is yours too steep or too flat?");
 }
 
 static void test_mirror(void)
 {
     for (int n = 2; n <= 20; n += 3)
-        if (!CHECK_NEAR(
-                velocity_below(n, -0.3) + velocity_below(n, 0.3),
-                .quantity = "probability below -u, plus that below u",
-                .input = input(n, 0.3), .expected = 1.0,
-                .tolerance = 2.0 * tolerance, .because = because,
-                .question = "Left and right are alike, so what lies below "
-                            "-u lies above u too. Which of your terms does "
-                            "not change its sign with u?"))
-            return;
+        CHECK_NEAR(velocity_below(n, -0.3) + velocity_below(n, 0.3),
+                   .quantity = "probability below -u, plus that below u",
+                   .input = input(n, 0.3), .expected = 1.0,
+                   .tolerance = 2.0 * tolerance, .because = because,
+                   .question = "Left and right are alike, so what lies "
+                               "below -u lies above u too. Which of your "
+                               "terms does not change its sign with u?");
 }
 
 /* limit: 100 movers */
@@ -231,10 +231,9 @@ static void test_many(void)
         {99, 0.9375, 1.0},
         {100, -0.9375, 0.0}};
     for (size_t i = 0; i < sizeof table / sizeof table[0]; ++i)
-        if (!check_later(table[i].n, table[i].u, table[i].below,
-                         "It is right for a few movers. What grows, or "
-                         "nearly cancels, when there are many?"))
-            return;
+        check_later(table[i].n, table[i].u, table[i].below,
+                    "It is right for a few movers. What grows, or nearly "
+                    "cancels, when there are many?");
 }
 
 /* A power by squares: powl is as good to an epsilon or two of the long
@@ -278,22 +277,23 @@ static void test_drawn(void)
         const int n = i < 16 ? i / 2 + 2 : check_draw_whole(10, 100);
         const double u = check_draw(-0.99, 0.99);
         const double expected = by_area(n, u);
-        if (!(n < 4 ? check_first(n, u, expected,
-                                  "Which law is known at sight here?")
-                    : check_later(n, u, expected,
-                                  "From which law do your steps of two "
-                                  "start here, and how many are there?")))
-            return;
+        if (n < 4)
+            check_first(n, u, expected,
+                        "Which law is known at sight here?");
+        else
+            check_later(n, u, expected,
+                        "From which law do your steps of two start here, "
+                        "and how many are there?");
     }
 }
 
-static bool check_outside(int n, double u, double expected)
+static void check_outside(int n, double u, double expected)
 {
     static const char why[] = "No velocity is larger than the largest. How "
                               "much of them lies below this u?";
     const double straight = 0.5 + 0.5 * u;
     const double parabola = straight + 0.25 * u * (1.0 - u * u);
-    return CHECK_NEAR(
+    CHECK_NEAR(
         velocity_below(n, u), .quantity = "probability below u",
         .input = input(n, u), .expected = expected,
         .tolerance = fabs(u) > 1.0 ? 0.0 : tolerance,
@@ -307,17 +307,19 @@ static bool check_outside(int n, double u, double expected)
 /* limit: 1 (and -1, and beyond) */
 static void test_outside(void)
 {
-    for (int n = 2; n <= 5; ++n)
-        if (!(check_outside(n, 1.0, 1.0) && check_outside(n, -1.0, 0.0) &&
-              check_outside(n, 1.5, 1.0) && check_outside(n, -1.5, 0.0) &&
-              check_outside(n, INFINITY, 1.0) &&
-              check_outside(n, -INFINITY, 0.0)))
-            return;
+    for (int n = 2; n <= 5; ++n) {
+        check_outside(n, 1.0, 1.0);
+        check_outside(n, -1.0, 0.0);
+        check_outside(n, 1.5, 1.0);
+        check_outside(n, -1.5, 0.0);
+        check_outside(n, INFINITY, 1.0);
+        check_outside(n, -INFINITY, 0.0);
+    }
     for (int i = 0; i < 20; ++i) {
         const int n = check_draw_whole(2, 100);
         const double u = check_draw(1.001, 4.0);
-        if (!(check_outside(n, u, 1.0) && check_outside(n, -u, 0.0)))
-            return;
+        check_outside(n, u, 1.0);
+        check_outside(n, -u, 0.0);
     }
 }
 

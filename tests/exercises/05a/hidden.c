@@ -42,21 +42,21 @@ static double answer(const struct flight *f, double unit, double pace,
                            v[turned]);
 }
 
-static bool check_same(const char *quantity, const struct flight *f,
+static void check_same(const char *quantity, const struct flight *f,
                        double got, double expected)
 {
-    return CHECK_NEAR(
-        got, .quantity = quantity, .unit = "s",
-        .input = check_text("box = %g m, radius = %g m, r = {%.17g, "
-                            "%.17g} m, v = {%.17g, %.17g} m/s",
-                            f->box, f->radius, f->r[0], f->r[1], f->v[0],
-                            f->v[1]),
-        .expected = expected,
-        .tolerance = 64.0 * DBL_EPSILON * f->box / speed(f),
-        .because = "64 epsilons of the time to fly the radius of the box",
-        .question = "A round box looks alike from all sides, and a "
-                    "straight path forwards and backwards. What of this "
-                    "does your function not know?");
+    CHECK_NEAR(got, .quantity = quantity, .unit = "s",
+               .input = check_text("box = %g m, radius = %g m, r = {%.17g, "
+                                   "%.17g} m, v = {%.17g, %.17g} m/s",
+                                   f->box, f->radius, f->r[0], f->r[1],
+                                   f->v[0], f->v[1]),
+               .expected = expected,
+               .tolerance = 64.0 * DBL_EPSILON * f->box / speed(f),
+               .because =
+                   "64 epsilons of the time to fly the radius of the box",
+               .question = "A round box looks alike from all sides, and a "
+                           "straight path forwards and backwards. What of "
+                           "this does your function not know?");
 }
 
 /* Forwards and backwards together make the whole chord: by Pythagoras, half
@@ -70,10 +70,8 @@ static void test_there_and_back(void)
             answer(&f, 1.0, 1.0, 0) + answer(&f, 1.0, -1.0, 0);
         const double far = f.box - f.radius, v = speed(&f);
         const double beside = (f.r[0] * f.v[1] - f.r[1] * f.v[0]) / v;
-        if (!check_same("time from wall to wall: forwards and backwards",
-                        &f, both,
-                        2.0 * sqrt(far * far - beside * beside) / v))
-            return;
+        check_same("time from wall to wall: forwards and backwards", &f,
+                   both, 2.0 * sqrt(far * far - beside * beside) / v);
     }
 }
 
@@ -83,30 +81,23 @@ static void test_turned(void)
         struct flight f = draw_flight();
         const double time = answer(&f, 1.0, 1.0, 0);
         const double x = f.r[0] + f.v[0] * time, y = f.r[1] + f.v[1] * time;
-        if (!check_same("from the centre to where the disk is then, at its "
-                        "speed",
-                        &f, hypot(x, y) / speed(&f),
-                        (f.box - f.radius) / speed(&f)) ||
-            !check_same("0 if a disk at rest never comes to the wall", &f,
-                        answer(&f, 1.0, 0.0, 0) == INFINITY ? 0.0 : 1.0,
-                        0.0))
-            return;
+        check_same(
+            "from the centre to where the disk is then, at its speed", &f,
+            hypot(x, y) / speed(&f), (f.box - f.radius) / speed(&f));
+        check_same("0 if a disk at rest never comes to the wall", &f,
+                   answer(&f, 1.0, 0.0, 0) == INFINITY ? 0.0 : 1.0, 0.0);
         for (int turned = 1; turned < 4; ++turned)
-            if (!check_same("time in a box that is turned or mirrored", &f,
-                            answer(&f, 1.0, 1.0, turned), time))
-                return;
-        if (!check_same("time of all in millimetres and mm/s", &f,
-                        answer(&f, 1e3, 1e3, 1), time) ||
-            !check_same("time of all in kilometres and m/s, divided by "
-                        "1000",
-                        &f, answer(&f, 1e-3, 1.0, 2) * 1e3, time))
-            return;
+            check_same("time in a box that is turned or mirrored", &f,
+                       answer(&f, 1.0, 1.0, turned), time);
+        check_same("time of all in millimetres and mm/s", &f,
+                   answer(&f, 1e3, 1e3, 1), time);
+        check_same("time of all in kilometres and m/s, divided by 1000", &f,
+                   answer(&f, 1e-3, 1.0, 2) * 1e3, time);
         const double gone = time * check_draw(0.05, 0.9);
         f.r[0] += f.v[0] * gone;
         f.r[1] += f.v[1] * gone;
-        if (!check_same("time that is left when a part of it has gone by",
-                        &f, answer(&f, 1.0, 1.0, 0), time - gone))
-            return;
+        check_same("time that is left when a part of it has gone by", &f,
+                   answer(&f, 1.0, 1.0, 0), time - gone);
     }
 }
 

@@ -94,11 +94,11 @@ static const char because[] =
     "radius; and not before now";
 
 /* From inside the circle. */
-static bool check_inside(struct flight f, double expected,
+static void check_inside(struct flight f, double expected,
                          const char *question)
 {
     const double got = answer(&f);
-    return CHECK_NEAR(
+    CHECK_NEAR(
         got, .quantity = "time until the disk touches the wall",
         .unit = "s", .input = input(&f), .expected = expected,
         .tolerance = tolerance(&f, got), .because = because,
@@ -133,9 +133,9 @@ static bool check_inside(struct flight f, double expected,
 }
 
 /* A disk that moves comes to the wall, sooner or later. */
-static bool check_comes(const struct flight *f, double got)
+static void check_comes(const struct flight *f, double got)
 {
-    return CHECK_NEAR(
+    CHECK_NEAR(
         got == INFINITY ? 0.0 : 1.0,
         .quantity = "does the disk come to the wall? (1 yes, 0 never)",
         .input = input(f), .expected = 1.0, .tolerance = 0.0,
@@ -149,12 +149,11 @@ static bool check_comes(const struct flight *f, double got)
 }
 
 /* On the wall or a hair beyond it, and moving outwards. */
-static bool check_now(struct flight f, const char *question)
+static void check_now(struct flight f, const char *question)
 {
     const double got = answer(&f);
-    return check_comes(&f, got) &&
-           CHECK_NEAR(
-               got, .quantity = "time until the disk touches the wall",
+    check_comes(&f, got);
+    CHECK_NEAR(got, .quantity = "time until the disk touches the wall",
                .unit = "s", .input = input(&f), .expected = 0.0,
                .tolerance = tolerance(&f, got), .because = because,
                .equation = "eq:wall-time", .question = question,
@@ -169,13 +168,12 @@ static bool check_now(struct flight f, const char *question)
 }
 
 /* On the wall or a hair beyond it, and moving inwards. */
-static bool check_across(struct flight f, double expected,
+static void check_across(struct flight f, double expected,
                          const char *question)
 {
     const double got = answer(&f);
-    return check_comes(&f, got) &&
-           CHECK_NEAR(
-               got, .quantity = "time until the disk touches the wall",
+    check_comes(&f, got);
+    CHECK_NEAR(got, .quantity = "time until the disk touches the wall",
                .unit = "s", .input = input(&f), .expected = expected,
                .tolerance = tolerance(&f, got), .because = because,
                .question = question,
@@ -187,14 +185,12 @@ static bool check_across(struct flight f, double expected,
 
 static void test_centre(void)
 {
-    (void)(check_inside((struct flight){4.0, 1.0, {0.0, 0.0}, {0.4, 0.0}},
-                        7.5,
-                        "The disk starts at the centre of the box. How far "
-                        "can its centre go, and how fast does it?") &&
-           check_inside((struct flight){3.0, 1.0, {0.0, 0.0}, {-3.0, -4.0}},
-                        0.4,
-                        "From the centre every direction is alike. What is "
-                        "the speed?"));
+    check_inside((struct flight){4.0, 1.0, {0.0, 0.0}, {0.4, 0.0}}, 7.5,
+                 "The disk starts at the centre of the box. How far can "
+                 "its centre go, and how fast does it?");
+    check_inside(
+        (struct flight){3.0, 1.0, {0.0, 0.0}, {-3.0, -4.0}}, 0.4,
+        "From the centre every direction is alike. What is the speed?");
 }
 
 /* Chords of circles of 5 m and 13 m. */
@@ -207,10 +203,10 @@ static void test_by_hand(void)
                                       {6.0, 1.0, {3.0, 0.0}, {0.0, 2.0}},
                                       {14.0, 1.0, {-5.0, 0.0}, {0.0, -0.5}},
                                       {14.0, 1.0, {-5.0, 6.0}, {0.0, 3.0}}};
-    (void)(check_inside(f[0], 1.5, question) &&
-           check_inside(f[1], 2.0, question) &&
-           check_inside(f[2], 24.0, question) &&
-           check_inside(f[3], 2.0, question));
+    check_inside(f[0], 1.5, question);
+    check_inside(f[1], 2.0, question);
+    check_inside(f[2], 24.0, question);
+    check_inside(f[3], 2.0, question);
 }
 
 static void test_inwards(void)
@@ -221,9 +217,9 @@ static void test_inwards(void)
     static const struct flight f[] = {{6.0, 1.0, {2.0, 3.0}, {-0.25, 0.0}},
                                       {6.0, 1.0, {2.0, -4.0}, {-2.0, 0.0}},
                                       {6.0, 1.0, {-4.0, 0.0}, {0.5, 0.0}}};
-    (void)(check_inside(f[0], 24.0, question) &&
-           check_inside(f[1], 2.5, question) &&
-           check_inside(f[2], 18.0, question));
+    check_inside(f[0], 24.0, question);
+    check_inside(f[1], 2.5, question);
+    check_inside(f[2], 18.0, question);
 }
 
 /* No round numbers, all around; and at the time found the centre must be
@@ -234,10 +230,9 @@ static void test_all_directions(void)
         const double angle = 0.1 + 0.26 * k;
         const struct flight f = {
             2.3, 0.41, {0.71, -1.13}, {1.7 * cos(angle), 1.7 * sin(angle)}};
-        if (!check_inside(f, root(&f, reach(&f), 1.0),
-                          "Does your formula know the direction? What does "
-                          "r + v t say at the time you found?"))
-            return;
+        check_inside(f, root(&f, reach(&f), 1.0),
+                     "Does your formula know the direction? What does r + "
+                     "v t say at the time you found?");
     }
 }
 
@@ -271,11 +266,10 @@ static void test_drawn(void)
 {
     for (int i = 0; i < 40; ++i) {
         const struct drawn d = draw_flight(0.02, 0.98);
-        if (!check_inside(
-                d.f, d.time,
-                "This flight was drawn backwards from the wall. Where does "
-                "yours end, and how far is that from the centre?"))
-            return;
+        check_inside(
+            d.f, d.time,
+            "This flight was drawn backwards from the wall. Where does "
+            "yours end, and how far is that from the centre?");
     }
 }
 
@@ -285,24 +279,22 @@ static void test_on_the_wall_inwards(void)
     static const char question[] =
         "The disk touches the wall and moves inwards. How long is the "
         "chord before it?";
-    (void)(check_across((struct flight){6.0, 1.0, {5.0, 0.0}, {-2.0, 0.0}},
-                        5.0, question) &&
-           check_across((struct flight){6.0, 1.0, {3.0, 4.0}, {0.0, -0.5}},
-                        16.0, question) &&
-           check_across((struct flight){6.0, 1.0, {-4.0, 3.0}, {4.0, 0.0}},
-                        2.0, question));
+    check_across((struct flight){6.0, 1.0, {5.0, 0.0}, {-2.0, 0.0}}, 5.0,
+                 question);
+    check_across((struct flight){6.0, 1.0, {3.0, 4.0}, {0.0, -0.5}}, 16.0,
+                 question);
+    check_across((struct flight){6.0, 1.0, {-4.0, 3.0}, {4.0, 0.0}}, 2.0,
+                 question);
 }
 
 static void test_on_the_wall_outwards(void)
 {
     static const char question[] = "The disk touches the wall and moves "
                                    "outwards. When is it at the wall?";
-    (void)(check_now((struct flight){6.0, 1.0, {5.0, 0.0}, {2.0, 0.0}},
-                     question) &&
-           check_now((struct flight){6.0, 1.0, {3.0, 4.0}, {0.0, 0.5}},
-                     question) &&
-           check_now((struct flight){6.0, 1.0, {-4.0, 3.0}, {-4.0, 1.0}},
-                     question));
+    check_now((struct flight){6.0, 1.0, {5.0, 0.0}, {2.0, 0.0}}, question);
+    check_now((struct flight){6.0, 1.0, {3.0, 4.0}, {0.0, 0.5}}, question);
+    check_now((struct flight){6.0, 1.0, {-4.0, 3.0}, {-4.0, 1.0}},
+              question);
 }
 
 /* At the wall, and nobody knows on which side of it by a rounding. */
@@ -313,12 +305,11 @@ static void test_drawn_at_the_wall(void)
         struct flight back = d.f;
         back.v[0] = -d.f.v[0];
         back.v[1] = -d.f.v[1];
-        if (!(check_now(d.f, "The disk has come to the wall and moves on. "
-                             "When does it bounce?") &&
-              check_across(back, d.chord,
-                           "The disk leaves the wall and crosses the box. "
-                           "How long is the chord before it?")))
-            return;
+        check_now(d.f, "The disk has come to the wall and moves on. When "
+                       "does it bounce?");
+        check_across(back, d.chord,
+                     "The disk leaves the wall and crosses the box. How "
+                     "long is the chord before it?");
     }
 }
 
@@ -328,28 +319,23 @@ static void test_a_hair_beyond(void)
         "A rounding has put the disk a hair too far out. Which way does it "
         "move, and which of the two crossings is meant?";
     const double hair = 8.0 * DBL_EPSILON;
-    (void)(check_now(
-               (struct flight){6.0, 1.0, {5.0 + hair, 0.0}, {2.0, 0.0}},
-               question) &&
-           check_now(
-               (struct flight){6.0, 1.0, {3.0, 4.0 + hair}, {-0.5, 1.0}},
-               question) &&
-           check_across(
-               (struct flight){6.0, 1.0, {5.0 + hair, 0.0}, {-2.0, 0.0}},
-               5.0, question) &&
-           check_across(
-               (struct flight){6.0, 1.0, {3.0, 4.0 + hair}, {0.0, -0.5}},
-               16.0, question));
+    check_now((struct flight){6.0, 1.0, {5.0 + hair, 0.0}, {2.0, 0.0}},
+              question);
+    check_now((struct flight){6.0, 1.0, {3.0, 4.0 + hair}, {-0.5, 1.0}},
+              question);
+    check_across((struct flight){6.0, 1.0, {5.0 + hair, 0.0}, {-2.0, 0.0}},
+                 5.0, question);
+    check_across((struct flight){6.0, 1.0, {3.0, 4.0 + hair}, {0.0, -0.5}},
+                 16.0, question);
 }
 
 /* Just along the wall the path has only this point in common with the
    circle. A rounding of the place is a square root of it in time. */
-static bool check_along(struct flight f)
+static void check_along(struct flight f)
 {
     const double got = answer(&f);
-    return check_comes(&f, got) &&
-           CHECK_NEAR(
-               got, .quantity = "time until the disk touches the wall",
+    check_comes(&f, got);
+    CHECK_NEAR(got, .quantity = "time until the disk touches the wall",
                .unit = "s", .input = input(&f), .expected = 0.0,
                .tolerance = 4.0 * sqrt(DBL_EPSILON) * reach(&f) /
                             sqrt(dot(f.v, f.v)),
@@ -369,12 +355,10 @@ static void test_along_the_wall(void)
     const double hair = 4.0 * DBL_EPSILON, slope = 1e-9;
     const struct flight f = {2.0, 1.0, {1.0 + hair, 0.0}, {-slope, 1.0}};
     const double got = answer(&f);
-    (void)(check_along((struct flight){6.0, 1.0, {5.0, 0.0}, {0.0, 2.0}}) &&
-           check_along(
-               (struct flight){6.0, 1.0, {3.0, 4.0}, {4.0, -3.0}}) &&
-           check_comes(&f, got) &&
-           CHECK_NEAR(
-               got, .quantity = "time until the disk touches the wall",
+    check_along((struct flight){6.0, 1.0, {5.0, 0.0}, {0.0, 2.0}});
+    check_along((struct flight){6.0, 1.0, {3.0, 4.0}, {4.0, -3.0}});
+    check_comes(&f, got);
+    CHECK_NEAR(got, .quantity = "time until the disk touches the wall",
                .unit = "s", .input = input(&f), .expected = slope,
                .tolerance = slope,
                .because = "from now to twice the time of the nearest "
@@ -384,29 +368,29 @@ static void test_along_the_wall(void)
                .mistakes = {{"root-of-a-negative", CHECK_NAN,
                              "Not a number: what stands under the square "
                              "root, by a hair less than zero, when the "
-                             "path only just misses the circle?"}}));
+                             "path only just misses the circle?"}});
 }
 
-static bool check_at_rest(double x, double y, const char *question)
+static void check_at_rest(double x, double y, const char *question)
 {
     const struct flight f = {6.0, 1.0, {x, y}, {0.0, 0.0}};
-    return CHECK_NEAR(
-        answer(&f), .quantity = "time until the disk touches the wall",
-        .unit = "s", .input = input(&f), .expected = INFINITY,
-        .tolerance = 0.0, .because = "never is never",
-        .equation = "eq:wall-time", .question = question,
-        .mistakes = {
-            {"at-rest-divided", CHECK_NAN,
-             "Not a number: at rest the quadratic is none. What is zero "
-             "divided by zero, and what was to be returned?"},
-            {"at-rest-now", 0.0,
-             "The disk is at rest and will not come to any wall. If it "
-             "bounced now, where would it go, and when would it bounce "
-             "again?"}});
+    CHECK_NEAR(answer(&f),
+               .quantity = "time until the disk touches the wall",
+               .unit = "s", .input = input(&f), .expected = INFINITY,
+               .tolerance = 0.0, .because = "never is never",
+               .equation = "eq:wall-time", .question = question,
+               .mistakes = {
+                   {"at-rest-divided", CHECK_NAN,
+                    "Not a number: at rest the quadratic is none. What is "
+                    "zero divided by zero, and what was to be returned?"},
+                   {"at-rest-now", 0.0,
+                    "The disk is at rest and will not come to any wall. If "
+                    "it bounced now, where would it go, and when would it "
+                    "bounce again?"}});
 }
 
 /* limit: 1e-9 m/s (the smallest speed of a disk that is not at rest) */
-static bool check_slow(double u, double w, double expected)
+static void check_slow(double u, double w, double expected)
 {
     const struct flight f = {6.0, 1.0, {3.0, 0.0}, {u, w}};
     const double got = answer(&f);
@@ -414,7 +398,7 @@ static bool check_slow(double u, double w, double expected)
         "This disk moves, at 1e-9 m/s. Is that the same as at rest? From "
         "which number on does your function take it for that, and is that "
         "number a speed or the square of one?";
-    return CHECK_NEAR(
+    CHECK_NEAR(
         got, .quantity = "time until the disk touches the wall",
         .unit = "s", .input = input(&f), .expected = expected,
         .tolerance = tolerance(&f, got), .because = because,
@@ -427,12 +411,13 @@ static void test_at_rest(void)
     static const char question[] =
         "Nothing moves. What was to be returned, and what did your "
         "division make of it?";
-    (void)(check_at_rest(0.0, 0.0, question) &&
-           check_at_rest(2.0, -1.5, question) &&
-           check_at_rest(3.0, 4.0, question) &&
-           check_at_rest(5.0 + 8.0 * DBL_EPSILON, 0.0, question) &&
-           check_slow(0.0, 1e-9, 4e9) && check_slow(1e-9, 0.0, 2e9) &&
-           check_slow(-1e-9, 0.0, 8e9));
+    check_at_rest(0.0, 0.0, question);
+    check_at_rest(2.0, -1.5, question);
+    check_at_rest(3.0, 4.0, question);
+    check_at_rest(5.0 + 8.0 * DBL_EPSILON, 0.0, question);
+    check_slow(0.0, 1e-9, 4e9);
+    check_slow(1e-9, 0.0, 2e9);
+    check_slow(-1e-9, 0.0, 8e9);
 }
 
 /* Millimetres and kilometres per second, and the other way round. */
@@ -441,11 +426,10 @@ static void test_units(void)
     static const char question[] =
         "The same picture, but small and fast or large and slow. Is there "
         "a number in your function that belongs to one size only?";
-    (void)(check_inside(
-               (struct flight){6e-3, 1e-3, {3e-3, 0.0}, {0.0, 2e3}}, 2e-6,
-               question) &&
-           check_inside((struct flight){6e6, 1e6, {1e6, 4e6}, {2e-3, 0.0}},
-                        1e9, question));
+    check_inside((struct flight){6e-3, 1e-3, {3e-3, 0.0}, {0.0, 2e3}}, 2e-6,
+                 question);
+    check_inside((struct flight){6e6, 1e6, {1e6, 4e6}, {2e-3, 0.0}}, 1e9,
+                 question);
 }
 
 const struct check_suite check_suite = {

@@ -50,24 +50,22 @@ static struct answer answer(double g, const struct thrown *a,
 /* Lengths and times of the order of ten metres and ten seconds, and a path
    that meets the other at an angle: some hundred epsilons; more where they
    fall far meanwhile. */
-static bool check_same(const char *how, const struct pair *p,
+static void check_same(const char *how, const struct pair *p,
                        struct answer got, struct answer expected)
 {
     static const char question[] =
-        "The same two disks, described in two ways, meet in two ways. "
-        "Does your answer depend on which is called a, on the unit, or on "
-        "when the clock was started?";
+        "The same two disks, described in two ways, meet in two ways. Does "
+        "your answer depend on which is called a, on the unit, or on when "
+        "the clock was started?";
     const char *input = check_text("g = %g m/s^2; a: %s; b: %s", p->g,
                                    disk(&p->a), disk(&p->b));
     const double tolerance = 1e-12 * (1.0 + expected.time);
-    return CHECK_NEAR(got.time, .quantity = check_text("time, %s", how),
-                      .unit = "s", .input = input,
-                      .expected = expected.time, .tolerance = tolerance,
-                      .because = "some thousand roundings of metres",
-                      .equation = "eq:pair-quadratic",
-                      .question = question) &&
-           CHECK_NEAR(
-               got.height, .quantity = check_text("height, %s", how),
+    CHECK_NEAR(got.time, .quantity = check_text("time, %s", how),
+               .unit = "s", .input = input, .expected = expected.time,
+               .tolerance = tolerance,
+               .because = "some thousand roundings of metres",
+               .equation = "eq:pair-quadratic", .question = question);
+    CHECK_NEAR(got.height, .quantity = check_text("height, %s", how),
                .unit = "m", .input = input, .expected = expected.height,
                .tolerance =
                    tolerance * (20.0 + p->g * (1.0 + expected.time)),
@@ -94,25 +92,23 @@ static void test_told_otherwise(void)
         const struct thrown b = scaled(p.b, unit, -1.0);
         struct answer other = answer(p.g * unit, &a, &b);
         other.height /= unit;
-        if (!(CHECK_NEAR(hypot(x, y),
-                         .quantity = "distance of the centres at the time "
-                                     "found",
-                         .unit = "m",
-                         .input = check_text("a: %s; b: %s", disk(&p.a),
-                                             disk(&p.b)),
-                         .expected = p.a.radius + p.b.radius,
-                         .tolerance = 1e-11 * (1.0 + first.time),
-                         .because = "that of the time, times the speed",
-                         .equation = "eq:pair-quadratic",
-                         .question = "How far apart are two centres when "
-                                     "edge meets edge?") &&
-              check_same("with a and b exchanged", &p,
-                         answer(p.g, &p.b, &p.a), first) &&
-              check_same(check_text("in a mirror, and with lengths in "
-                                    "units of %g m",
-                                    1.0 / unit),
-                         &p, other, first)))
-            return;
+        CHECK_NEAR(
+            hypot(x, y),
+            .quantity = "distance of the centres at the time found",
+            .unit = "m",
+            .input = check_text("a: %s; b: %s", disk(&p.a), disk(&p.b)),
+            .expected = p.a.radius + p.b.radius,
+            .tolerance = 1e-11 * (1.0 + first.time),
+            .because = "that of the time, times the speed",
+            .equation = "eq:pair-quadratic",
+            .question =
+                "How far apart are two centres when edge meets edge?");
+        check_same("with a and b exchanged", &p, answer(p.g, &p.b, &p.a),
+                   first);
+        check_same(
+            check_text("in a mirror, and with lengths in units of %g m",
+                       1.0 / unit),
+            &p, other, first);
     }
 }
 
@@ -134,15 +130,13 @@ static void test_under_way(void)
         }
         struct answer rest = answer(p.g, &later.a, &later.b);
         rest.time += gone;
-        if (!(check_same("begun anew when a part of the way is done", &p,
-                         rest, first) &&
-              CHECK_NEAR(first.time < INFINITY ? 1.0 : 0.0,
-                         .quantity = "do they meet? (1 yes, 0 never)",
-                         .expected = 1.0, .tolerance = 0.0,
-                         .because = "yes or no",
-                         .question = "Disk b is on its way to a. What "
-                                     "turns it away?")))
-            return;
+        check_same("begun anew when a part of the way is done", &p, rest,
+                   first);
+        CHECK_NEAR(
+            first.time < INFINITY ? 1.0 : 0.0,
+            .quantity = "do they meet? (1 yes, 0 never)", .expected = 1.0,
+            .tolerance = 0.0, .because = "yes or no",
+            .question = "Disk b is on its way to a. What turns it away?");
     }
 }
 

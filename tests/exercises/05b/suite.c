@@ -126,60 +126,56 @@ static const char quantity[] = "time until the disks touch";
 
 /* Whether they meet at all is a check of its own, since never is not a
    number that has neighbours. */
-static bool check_meets(const struct pair *p, double got,
+static void check_meets(const struct pair *p, double got,
                         const char *question, const char *mistake,
                         const char *hint)
 {
-    return CHECK_NEAR(got == INFINITY ? 0.0 : 1.0,
-                      .quantity =
-                          "do the disks ever touch? (1 yes, 0 never)",
-                      .input = input(p), .expected = 1.0, .tolerance = 0.0,
-                      .because = "yes or no", .question = question,
-                      .mistakes = {{mistake, 0.0, hint}});
+    CHECK_NEAR(got == INFINITY ? 0.0 : 1.0,
+               .quantity = "do the disks ever touch? (1 yes, 0 never)",
+               .input = input(p), .expected = 1.0, .tolerance = 0.0,
+               .because = "yes or no", .question = question,
+               .mistakes = {{mistake, 0.0, hint}});
 }
 
-static bool check_time(struct pair p, double expected, const char *question)
+static void check_time(struct pair p, double expected, const char *question)
 {
     const double got = answer(&p).time, allowed = tolerance(&p);
     /* The slips that take many steps, only for who needs them. */
     const bool wrong = !(fabs(got - expected) <= allowed);
-    return check_meets(&p, got, question, NULL, NULL) &&
-           CHECK_NEAR(
-               got, .quantity = quantity, .unit = "s", .input = input(&p),
-               .expected = expected, .tolerance = allowed,
-               .because = because, .equation = "eq:pair-quadratic",
-               .question = question,
-               .mistakes = {
-                   {"second-root", root(&p, touching(&p), 1.0),
-                    "At this time the disks have passed through each other "
-                    "and touch for the second time. Which root comes "
-                    "first?"},
-                   {"closest-approach", nearest(&p),
-                    "At this time the centres are nearest to each other. "
-                    "Have the disks not met before?"},
-                   {"one-radius", root(&p, p.a.radius, -1.0),
-                    "Here the centre of b comes to the edge of a. How far "
-                    "apart are the centres when edge meets edge?"},
-                   {"first-radius-twice", root(&p, 2.0 * p.a.radius, -1.0),
-                    "That would be right for two disks like a. How large "
-                    "is b?"},
-                   {"one-falls", wrong ? one_falls(&p, p.g) : expected,
-                    "Here b falls and a does not. What does gravity do to "
-                    "the distance of two bodies that both fall?"},
-                   {"one-falls", wrong ? one_falls(&p, -p.g) : expected,
-                    "Here a falls and b does not. What does gravity do to "
-                    "the distance of two bodies that both fall?"}});
+    check_meets(&p, got, question, NULL, NULL);
+    CHECK_NEAR(
+        got, .quantity = quantity, .unit = "s", .input = input(&p),
+        .expected = expected, .tolerance = allowed, .because = because,
+        .equation = "eq:pair-quadratic", .question = question,
+        .mistakes = {
+            {"second-root", root(&p, touching(&p), 1.0),
+             "At this time the disks have passed through each other and "
+             "touch for the second time. Which root comes first?"},
+            {"closest-approach", nearest(&p),
+             "At this time the centres are nearest to each other. Have the "
+             "disks not met before?"},
+            {"one-radius", root(&p, p.a.radius, -1.0),
+             "Here the centre of b comes to the edge of a. How far apart "
+             "are the centres when edge meets edge?"},
+            {"first-radius-twice", root(&p, 2.0 * p.a.radius, -1.0),
+             "That would be right for two disks like a. How large is b?"},
+            {"one-falls", wrong ? one_falls(&p, p.g) : expected,
+             "Here b falls and a does not. What does gravity do to the "
+             "distance of two bodies that both fall?"},
+            {"one-falls", wrong ? one_falls(&p, -p.g) : expected,
+             "Here a falls and b does not. What does gravity do to the "
+             "distance of two bodies that both fall?"}});
 }
 
 /* Any number at all is a meeting, and 0 is one too. */
-static bool check_never(struct pair p, const char *question)
+static void check_never(struct pair p, const char *question)
 {
     static const char passing[] =
         "The disks pass each other at a distance. What does a negative "
         "number under the square root mean?";
     const double got = answer(&p).time;
     const double told = got == 0.0 ? -1.0 : got;
-    return CHECK_NEAR(
+    CHECK_NEAR(
         got == INFINITY ? 0.0 : told,
         .quantity = "0 if they never touch, -1 if they meet now, or else "
                     "the time until they touch",
@@ -202,30 +198,30 @@ static bool check_never(struct pair p, const char *question)
             {"missed-but-met", missing(&p, true), passing}});
 }
 
-static bool check_now(struct pair p, const char *question)
+static void check_now(struct pair p, const char *question)
 {
     static const char lost[] =
         "They touch, or overlap by a rounding, and approach; your function "
         "lets them pass through each other. What decides whether they "
         "collide: the gap or the approach?";
     const double got = answer(&p).time;
-    return check_meets(&p, got, question, "contact-lost", lost) &&
-           CHECK_NEAR(got, .quantity = quantity, .unit = "s",
-                      .input = input(&p), .expected = 0.0, .tolerance = 0.0,
-                      .because = "two that touch and approach meet now",
-                      .question = question,
-                      .mistakes = {
-                          {"time-in-the-past", root(&p, touching(&p), -1.0),
-                           "A rounding has let them overlap, and the time "
-                           "would be in the past. Can your program go "
-                           "back? When can they still collide?"},
-                          {"second-root", root(&p, touching(&p), 1.0),
-                           "At this time they would have passed through "
-                           "each other. What should become of two that "
-                           "touch and approach?"}});
+    check_meets(&p, got, question, "contact-lost", lost);
+    CHECK_NEAR(
+        got, .quantity = quantity, .unit = "s", .input = input(&p),
+        .expected = 0.0, .tolerance = 0.0,
+        .because = "two that touch and approach meet now",
+        .question = question,
+        .mistakes = {
+            {"time-in-the-past", root(&p, touching(&p), -1.0),
+             "A rounding has let them overlap, and the time would be in "
+             "the past. Can your program go back? When can they still "
+             "collide?"},
+            {"second-root", root(&p, touching(&p), 1.0),
+             "At this time they would have passed through each other. What "
+             "should become of two that touch and approach?"}});
 }
 
-static bool check_height(struct pair p, double expected,
+static void check_height(struct pair p, double expected,
                          const char *question)
 {
     const double t = root(&p, touching(&p), -1.0);
@@ -236,7 +232,7 @@ static bool check_height(struct pair p, double expected,
     const double middle =
         0.5 * (p.a.y + p.b.y + (p.a.vy + p.b.vy) * t) - fallen;
     const double fast = fabs(p.a.vy) + fabs(p.b.vy) + p.g * t;
-    return CHECK_NEAR(
+    CHECK_NEAR(
         answer(&p).height, .quantity = "*height, where the two touch",
         .unit = "m", .input = input(&p), .expected = expected,
         .tolerance =
@@ -275,14 +271,14 @@ static void test_along_a_line(void)
     static const char question[] =
         "The disks are on one line. How large is the gap between their "
         "edges, and how fast does it shrink?";
-    (void)(check_time((struct pair){0.0,
-                                    {0.0, 0.0, 0.5, 0.0, 0.5},
-                                    {6.0, 0.0, -1.5, 0.0, 1.5}},
-                      2.0, question) &&
-           check_time((struct pair){0.0,
-                                    {1.0, 7.0, 0.0, -3.0, 2.0},
-                                    {1.0, 1.0, 0.0, -1.0, 1.0}},
-                      1.5, question));
+    check_time((struct pair){0.0,
+                             {0.0, 0.0, 0.5, 0.0, 0.5},
+                             {6.0, 0.0, -1.5, 0.0, 1.5}},
+               2.0, question);
+    check_time((struct pair){0.0,
+                             {1.0, 7.0, 0.0, -3.0, 2.0},
+                             {1.0, 1.0, 0.0, -1.0, 1.0}},
+               1.5, question);
 }
 
 /* Triangles with the sides 3, 4, 5 and 5, 12, 13. */
@@ -291,14 +287,14 @@ static void test_in_the_plane(void)
     static const char question[] =
         "Draw disk a at rest and the path of disk b past it. Where is its "
         "centre when the edges touch?";
-    (void)(check_time((struct pair){0.0,
-                                    {0.0, 0.0, 0.0, 0.0, 2.0},
-                                    {7.0, 4.0, -1.0, 0.0, 3.0}},
-                      4.0, question) &&
-           check_time((struct pair){0.0,
-                                    {2.0, -1.0, 3.0, 0.5, 10.0},
-                                    {-3.0, -21.0, 3.0, 2.5, 3.0}},
-                      4.0, question));
+    check_time((struct pair){0.0,
+                             {0.0, 0.0, 0.0, 0.0, 2.0},
+                             {7.0, 4.0, -1.0, 0.0, 3.0}},
+               4.0, question);
+    check_time((struct pair){0.0,
+                             {2.0, -1.0, 3.0, 0.5, 10.0},
+                             {-3.0, -21.0, 3.0, 2.5, 3.0}},
+               4.0, question);
 }
 
 /* One disk is let fall at the moment when another is thrown at it, from
@@ -311,9 +307,9 @@ static void test_with_gravity(void)
         {10.0, {2.0, 0.0, 0.0, 20.0, 0.25}, {2.0, 11.0, 0.0, 0.0, 0.75}},
         {10.0, {0.0, 0.0, 3.0, 4.0, 0.25}, {6.0, 8.0, 0.0, 0.0, 0.75}},
         {9.81, {0.0, 0.0, 0.0, 0.0, 2.0}, {7.0, 4.0, -1.0, 0.0, 3.0}}};
-    (void)(check_time(p[0], 0.5, question) &&
-           check_time(p[1], 1.8, question) &&
-           check_time(p[2], 4.0, question));
+    check_time(p[0], 0.5, question);
+    check_time(p[1], 1.8, question);
+    check_time(p[2], 4.0, question);
 }
 
 static void test_never(void)
@@ -321,22 +317,22 @@ static void test_never(void)
     static const char question[] =
         "These two never touch. What is the sign of d.u, and what stands "
         "under the square root?";
-    (void)(check_never((struct pair){9.81,
-                                     {0.0, 0.0, 0.0, 0.0, 1.0},
-                                     {9.0, 4.0, -2.0, 0.0, 2.0}},
-                       question) &&
-           check_never((struct pair){9.81,
-                                     {0.0, 0.0, -1.0, 0.0, 1.0},
-                                     {5.0, 0.0, 1.0, 0.0, 2.0}},
-                       question) &&
-           check_never((struct pair){9.81,
-                                     {0.0, 0.0, 2.0, 1.0, 1.0},
-                                     {5.0, 0.0, 2.0, 1.0, 2.0}},
-                       question) &&
-           check_never((struct pair){9.81,
-                                     {0.0, 0.0, 0.0, 0.0, 1.0},
-                                     {0.0, 5.0, 3.0, 0.0, 2.0}},
-                       question));
+    check_never((struct pair){9.81,
+                              {0.0, 0.0, 0.0, 0.0, 1.0},
+                              {9.0, 4.0, -2.0, 0.0, 2.0}},
+                question);
+    check_never((struct pair){9.81,
+                              {0.0, 0.0, -1.0, 0.0, 1.0},
+                              {5.0, 0.0, 1.0, 0.0, 2.0}},
+                question);
+    check_never((struct pair){9.81,
+                              {0.0, 0.0, 2.0, 1.0, 1.0},
+                              {5.0, 0.0, 2.0, 1.0, 2.0}},
+                question);
+    check_never((struct pair){9.81,
+                              {0.0, 0.0, 0.0, 0.0, 1.0},
+                              {0.0, 5.0, 3.0, 0.0, 2.0}},
+                question);
 }
 
 static struct pair in_contact(double overlap, double u, double w)
@@ -353,10 +349,10 @@ static void test_touching(void)
     static const char question[] =
         "The disks touch, or overlap by a rounding. What do their "
         "velocities say?";
-    (void)(check_now(in_contact(0.0, -1.0, 0.0), question) &&
-           check_now(in_contact(0.0, 2.0, -2.0), question) &&
-           check_now(in_contact(hair, -1.0, 0.0), question) &&
-           check_now(in_contact(hair, 2.0, -2.0), question));
+    check_now(in_contact(0.0, -1.0, 0.0), question);
+    check_now(in_contact(0.0, 2.0, -2.0), question);
+    check_now(in_contact(hair, -1.0, 0.0), question);
+    check_now(in_contact(hair, 2.0, -2.0), question);
 }
 
 static void test_touching_and_parting(void)
@@ -364,11 +360,11 @@ static void test_touching_and_parting(void)
     static const char question[] =
         "The disks touch, or overlap by a rounding, and do not approach. "
         "What was to be returned?";
-    (void)(check_never(in_contact(0.0, 1.0, 0.0), question) &&
-           check_never(in_contact(hair, 0.5, 0.5), question) &&
-           check_never(in_contact(0.0, 4.0, -3.0), question) &&
-           check_never(in_contact(0.0, 0.0, 0.0), question) &&
-           check_never(in_contact(hair, 0.0, 0.0), question));
+    check_never(in_contact(0.0, 1.0, 0.0), question);
+    check_never(in_contact(hair, 0.5, 0.5), question);
+    check_never(in_contact(0.0, 4.0, -3.0), question);
+    check_never(in_contact(0.0, 0.0, 0.0), question);
+    check_never(in_contact(hair, 0.0, 0.0), question);
 }
 
 static void test_height(void)
@@ -376,18 +372,18 @@ static void test_height(void)
     static const char question[] =
         "Where are the two centres at that time, and where between them is "
         "the point of contact?";
-    (void)(check_height((struct pair){0.0,
-                                      {1.0, 1.0, 0.0, 1.0, 1.0},
-                                      {1.0, 8.0, 0.0, -1.0, 3.0}},
-                        3.5, question) &&
-           check_height((struct pair){10.0,
-                                      {0.0, 2.0, 3.0, 4.0, 0.25},
-                                      {6.0, 10.0, 0.0, 0.0, 0.75}},
-                        2.0 + 7.2 + 0.2 - 16.2, question) &&
-           check_height((struct pair){2.0,
-                                      {0.0, 0.0, 0.0, 2.0, 2.0},
-                                      {7.0, 4.0, -1.0, 2.0, 3.0}},
-                        8.0 - 16.0 + 1.6, question));
+    check_height((struct pair){0.0,
+                               {1.0, 1.0, 0.0, 1.0, 1.0},
+                               {1.0, 8.0, 0.0, -1.0, 3.0}},
+                 3.5, question);
+    check_height((struct pair){10.0,
+                               {0.0, 2.0, 3.0, 4.0, 0.25},
+                               {6.0, 10.0, 0.0, 0.0, 0.75}},
+                 2.0 + 7.2 + 0.2 - 16.2, question);
+    check_height((struct pair){2.0,
+                               {0.0, 0.0, 0.0, 2.0, 2.0},
+                               {7.0, 4.0, -1.0, 2.0, 3.0}},
+                 8.0 - 16.0 + 1.6, question);
 }
 
 /* Two that touch already: the contact is where it is. */
@@ -420,16 +416,14 @@ static void test_falling_along(void)
         p.g = 3.7 * i;
         p.a.vx += vx, p.a.vy += vy;
         p.b.vx += vx, p.b.vy += vy;
-        if (!CHECK_NEAR(answer(&p).time, .quantity = quantity, .unit = "s",
-                        .input = input(&p), .expected = expected,
-                        .tolerance = 16.0 * tolerance(&p),
-                        .because = "the roundings of velocities 16 times "
-                                   "as large as their difference",
-                        .equation = "eq:pair-quadratic",
-                        .question =
-                            "Somebody who falls along sees the same "
-                            "meeting. Which of your numbers minds?"))
-            return;
+        CHECK_NEAR(answer(&p).time, .quantity = quantity, .unit = "s",
+                   .input = input(&p), .expected = expected,
+                   .tolerance = 16.0 * tolerance(&p),
+                   .because = "the roundings of velocities 16 times as "
+                              "large as their difference",
+                   .equation = "eq:pair-quadratic",
+                   .question = "Somebody who falls along sees the same "
+                               "meeting. Which of your numbers minds?");
     }
 }
 
@@ -456,18 +450,17 @@ static void test_small_gaps(void)
             "Digits are gone: the time is short, and it was made as the "
             "difference of two long ones. Which form of the root takes a "
             "sum instead?";
-        if (!CHECK_NEAR(
-                answer(&p).time, .quantity = quantity, .unit = "s",
-                .input = input(&p), .expected = expected,
-                .tolerance = 1e-13 * expected,
-                .because = "13 digits: the gap, the radii and their "
-                           "squares are exact here",
-                .question = "The gap is small. How many digits does your "
-                            "formula keep?",
-                .mistakes = {{"digits-cancelled", naive, hint},
-                             {"digits-cancelled", in_parts, hint},
-                             {"digits-cancelled", in_lengths, hint}}))
-            return;
+        CHECK_NEAR(
+            answer(&p).time, .quantity = quantity, .unit = "s",
+            .input = input(&p), .expected = expected,
+            .tolerance = 1e-13 * expected,
+            .because = "13 digits: the gap, the radii and their squares "
+                       "are exact here",
+            .question =
+                "The gap is small. How many digits does your formula keep?",
+            .mistakes = {{"digits-cancelled", naive, hint},
+                         {"digits-cancelled", in_parts, hint},
+                         {"digits-cancelled", in_lengths, hint}});
     }
 }
 
@@ -519,9 +512,8 @@ static void test_drawn(void)
         "two at the time that you found?";
     for (int i = 0; i < 40; ++i) {
         const struct meeting m = draw_meeting();
-        if (!(check_time(m.p, m.time, question) &&
-              check_height(m.p, m.height, question)))
-            return;
+        check_time(m.p, m.time, question);
+        check_height(m.p, m.height, question);
     }
 }
 
@@ -554,8 +546,7 @@ static void test_drawn_never(void)
         }
         if (i % 4 < 2)
             m.p = (struct pair){m.p.g, small(m.p.a), small(m.p.b)};
-        if (!check_never(m.p, question))
-            return;
+        check_never(m.p, question);
     }
 }
 
@@ -579,9 +570,10 @@ static void test_drawn_contact(void)
         static const char question[] =
             "The distance is just the sum of the radii. What do the "
             "velocities say: do they approach?";
-        if (!(x * u + y * w < 0 ? check_now(p, question)
-                                : check_never(p, question)))
-            return;
+        if (x * u + y * w < 0)
+            check_now(p, question);
+        else
+            check_never(p, question);
     }
 }
 

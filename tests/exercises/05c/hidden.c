@@ -8,7 +8,7 @@ struct alone {
     size_t samples;
 };
 
-bool clock_check_alone(const struct alone *a, const char *question);
+void clock_check_alone(const struct alone *a, const char *question);
 
 /* Lengths and times in other units. */
 static struct alone in_units(double m, double s)
@@ -30,10 +30,8 @@ static void test_units(void)
         {1e3, 1.0}, {1e-6, 1.0}, {1.0, 1e-6}, {1e-9, 1e-12}, {1e6, 1e3}};
     for (size_t i = 0; i < sizeof unit / sizeof unit[0]; ++i) {
         const struct alone a = in_units(unit[i][0], unit[i][1]);
-        if (!clock_check_alone(&a, "Nothing but the units has changed. Is "
-                                   "there a number with a unit in your "
-                                   "program?"))
-            return;
+        clock_check_alone(&a, "Nothing but the units has changed. Is there "
+                              "a number with a unit in your program?");
     }
 }
 
@@ -49,8 +47,7 @@ static void test_rest(void)
         for (int k = 0; k < 2; ++k)
             if (still & 1 << k)
                 a.v[k] = 0.0;
-        if (!clock_check_alone(&a, question))
-            return;
+        clock_check_alone(&a, question);
     }
 }
 
@@ -71,11 +68,10 @@ static void test_ties(void)
             a.v[k] = side ? speed : -speed;
         }
         a.tick = check_draw_whole(1, 3) * free / speed;
-        if (!clock_check_alone(&a, "The disk starts at two walls, moving "
-                                   "into both, and collides on the ticks. "
-                                   "Does every collision take place at its "
-                                   "time?"))
-            return;
+        clock_check_alone(
+            &a,
+            "The disk starts at two walls, moving into both, and collides "
+            "on the ticks. Does every collision take place at its time?");
     }
 }
 

@@ -401,7 +401,7 @@ static struct check_mistake mistake(const struct job *j, look *see,
 
 /* Fills in what all checks have in common; and the slips, from number
    `first` on, if they are asked for. */
-static bool check(const struct job *j, look *see, size_t which,
+static void check(const struct job *j, look *see, size_t which,
                   size_t first, struct check c)
 {
     const size_t room = sizeof c.mistakes / sizeof c.mistakes[0];
@@ -413,7 +413,7 @@ static bool check(const struct job *j, look *see, size_t which,
     if (!(fabs(got - c.expected) <= c.tolerance))
         for (size_t i = 0; i < room && first + i < SLIPS; ++i)
             c.mistakes[i] = mistake(j, see, which, first + i, &b);
-    return check_near(__FILE__, __LINE__, got, c);
+    check_near(__FILE__, __LINE__, got, c);
 }
 
 /* Ten flights, and each place or time is the sum of what was flown before:
@@ -439,37 +439,35 @@ static double lonely_place(double t)
     return 0.5 + (way > 3.0 ? 6.0 - way : way);
 }
 
-static bool check_hit(double tick, size_t samples, size_t which,
+static void check_hit(double tick, size_t samples, size_t which,
                       double expected, const char *question)
 {
     const struct job j = {&lonely, lonely_disk, tick, samples};
-    return check(&j, hit, which, FIRST,
-                 (struct check){.quantity = check_text(
-                                    "time that the disk has flown when "
-                                    "collision %zu takes place",
-                                    which + 1),
-                                .unit = "s",
-                                .expected = expected,
-                                .tolerance = few,
-                                .because = of_few,
-                                .question = question});
+    check(&j, hit, which, FIRST,
+          (struct check){.quantity =
+                             check_text("time that the disk has flown when "
+                                        "collision %zu takes place",
+                                        which + 1),
+                         .unit = "s",
+                         .expected = expected,
+                         .tolerance = few,
+                         .because = of_few,
+                         .question = question});
 }
 
-static bool check_places(double tick, size_t samples, const char *question)
+static void check_places(double tick, size_t samples, const char *question)
 {
     const struct job j = {&lonely, lonely_disk, tick, samples};
     for (size_t k = 0; k < samples; ++k)
-        if (!check(&j, across, k, LAST,
-                   (struct check){
-                       .quantity =
-                           check_text("x of the disk in sample %zu", k + 1),
-                       .unit = "m",
-                       .expected = lonely_place((double)(k + 1) * tick),
-                       .tolerance = few,
-                       .because = of_few,
-                       .question = question}))
-            return false;
-    return true;
+        check(&j, across, k, LAST,
+              (struct check){
+                  .quantity =
+                      check_text("x of the disk in sample %zu", k + 1),
+                  .unit = "m",
+                  .expected = lonely_place((double)(k + 1) * tick),
+                  .tolerance = few,
+                  .because = of_few,
+                  .question = question});
 }
 
 static void test_first(void)
@@ -484,18 +482,18 @@ static void test_second(void)
     static const char question[] =
         "From wall to wall it is 3 m. Since when has the disk been flying, "
         "and who tells your program when it arrives?";
-    (void)(check_hit(0.5, 12, 1, 3.8, question) &&
-           check_hit(0.5, 20, 2, 6.8, question));
+    check_hit(0.5, 12, 1, 3.8, question);
+    check_hit(0.5, 20, 2, 6.8, question);
 }
 
 static void test_places(void)
 {
-    (void)(check_places(0.5, 20,
-                        "Where is the disk at that tick? Draw its path "
-                        "over time.") &&
-           check_places(0.3, 30,
-                        "Some ticks fall into a flight, some just behind a "
-                        "collision. Where is the disk?"));
+    check_places(
+        0.5, 20,
+        "Where is the disk at that tick? Draw its path over time.");
+    check_places(0.3, 30,
+                 "Some ticks fall into a flight, some just behind a "
+                 "collision. Where is the disk?");
 }
 
 static void test_several(void)
@@ -503,8 +501,8 @@ static void test_several(void)
     static const char question[] =
         "Two or three collisions fall into one tick. How many does your "
         "loop let go by?";
-    (void)(check_places(3.5, 20, question) &&
-           check_places(7.0, 10, question));
+    check_places(3.5, 20, question);
+    check_places(7.0, 10, question);
 }
 
 /* Both walls of a corner at one time; after 0.8 s, and again after 3 s. */
@@ -522,52 +520,49 @@ static void test_corner(void)
                           0.5, 20};
     for (size_t k = 0; k < j.samples; ++k)
         for (int axis = 0; axis < 2; ++axis)
-            if (!check(&j, axis ? up : across, k, LAST,
-                       (struct check){.quantity = check_text(
-                                          "%s of the disk in sample %zu",
-                                          axis ? "y" : "x", k + 1),
-                                      .unit = "m",
-                                      .expected = lonely_place(
-                                          (double)(k + 1) * j.tick),
-                                      .tolerance = few,
-                                      .because = of_few,
-                                      .question = question}))
-                return;
+            check(&j, axis ? up : across, k, LAST,
+                  (struct check){
+                      .quantity = check_text("%s of the disk in sample %zu",
+                                             axis ? "y" : "x", k + 1),
+                      .unit = "m",
+                      .expected = lonely_place((double)(k + 1) * j.tick),
+                      .tolerance = few,
+                      .because = of_few,
+                      .question = question});
 }
 
 static void test_times(void)
 {
     const struct job j = {&lonely, lonely_disk, 0.5, 20};
     for (size_t k = 0; k < j.samples; ++k)
-        if (!check(&j, claimed, k, LAST,
-                   (struct check){
-                       .quantity = check_text("time of sample %zu", k + 1),
-                       .unit = "s",
-                       .expected = (double)(k + 1) * j.tick,
-                       .tolerance = few,
-                       .because = of_few,
-                       .question = "A clock ticks, whatever the disks do. "
-                                   "When is this tick?"}))
-            return;
+        check(&j, claimed, k, LAST,
+              (struct check){.quantity =
+                                 check_text("time of sample %zu", k + 1),
+                             .unit = "s",
+                             .expected = (double)(k + 1) * j.tick,
+                             .tolerance = few,
+                             .because = of_few,
+                             .question = "A clock ticks, whatever the "
+                                         "disks do. When is this tick?"});
 }
 
 static void test_how_many(void)
 {
     const struct job j = {&lonely, lonely_disk, 0.5, 20};
-    (void)(check(&j, count, 0, LAST,
-                 (struct check){.quantity = "samples recorded",
-                                .expected = (double)j.samples,
-                                .because = "a number of samples is exact",
-                                .question =
-                                    "How often is box_record called?"}) &&
-           check(&j, flown, 0, LAST,
-                 (struct check){.quantity = "time flown in the whole run",
-                                .unit = "s",
-                                .expected = (double)j.samples * j.tick,
-                                .tolerance = few,
-                                .because = of_few,
-                                .question = "The run ends with the last "
-                                            "sample. When is that?"}));
+    check(&j, count, 0, LAST,
+          (struct check){.quantity = "samples recorded",
+                         .expected = (double)j.samples,
+                         .because = "a number of samples is exact",
+                         .question = "How often is box_record called?"});
+    check(&j, flown, 0, LAST,
+          (struct check){
+              .quantity = "time flown in the whole run",
+              .unit = "s",
+              .expected = (double)j.samples * j.tick,
+              .tolerance = few,
+              .because = of_few,
+              .question =
+                  "The run ends with the last sample. When is that?"});
 }
 
 /* ---- one disk, with drawn numbers ---- */
@@ -578,7 +573,7 @@ struct alone {
     size_t samples;
 };
 
-bool clock_check_alone(const struct alone *a, const char *question);
+void clock_check_alone(const struct alone *a, const char *question);
 
 /* Unfolded, a disk that runs between two walls flies straight on: it is
    back after twice the free way. */
@@ -622,49 +617,46 @@ static const char *alone_text(const struct alone *a)
 }
 
 /* Where it is in sample `which`, along axis k. */
-static bool alone_place(const struct alone *a, const struct box *b,
+static void alone_place(const struct alone *a, const struct box *b,
                         size_t which, int k, const char *question)
 {
     const double expected = unfolded(a, k, (double)(which + 1) * a->tick);
     const double tolerance = alone_tolerance(a, k);
     const struct box start = alone_box(a);
     if (fabs(b->at[which][k] - expected) <= tolerance)
-        return true;
-    return check(
-        &(struct job){&start, alone_text(a), a->tick, a->samples},
-        k ? up : across, which, LAST,
-        (struct check){
-            .quantity = check_text("%s of the disk in sample %zu",
-                                   k ? "y" : "x", which + 1),
-            .unit = "m",
-            .expected = expected,
-            .tolerance = tolerance,
-            .because =
-                "2 epsilons of the size and of the way, for each flight",
-            .question = question});
+        return;
+    check(&(struct job){&start, alone_text(a), a->tick, a->samples},
+          k ? up : across, which, LAST,
+          (struct check){
+              .quantity = check_text("%s of the disk in sample %zu",
+                                     k ? "y" : "x", which + 1),
+              .unit = "m",
+              .expected = expected,
+              .tolerance = tolerance,
+              .because =
+                  "2 epsilons of the size and of the way, for each flight",
+              .question = question});
 }
 
 /* All samples of one disk, KEPT at most, and how long it has flown. */
-bool clock_check_alone(const struct alone *a, const char *question)
+void clock_check_alone(const struct alone *a, const char *question)
 {
     const struct box start = alone_box(a);
     const struct box b = after(start, STUDENT, a->tick, a->samples, NO_END);
     const double last = (double)a->samples * a->tick;
     for (size_t i = 0; i < a->samples; ++i)
         for (int k = 0; k < 2; ++k)
-            if (!alone_place(a, &b, i, k, question))
-                return false;
-    return check(
-        &(struct job){&start, alone_text(a), a->tick, a->samples}, flown, 0,
-        LAST,
-        (struct check){.quantity = "time flown in the whole run",
-                       .unit = "s",
-                       .expected = last,
-                       .tolerance =
-                           alone_tolerance(a, 0) / a->length[0] * last +
-                           few * last,
-                       .because = "2 epsilons of it for each flight",
-                       .question = question});
+            alone_place(a, &b, i, k, question);
+    check(&(struct job){&start, alone_text(a), a->tick, a->samples}, flown,
+          0, LAST,
+          (struct check){.quantity = "time flown in the whole run",
+                         .unit = "s",
+                         .expected = last,
+                         .tolerance =
+                             alone_tolerance(a, 0) / a->length[0] * last +
+                             few * last,
+                         .because = "2 epsilons of it for each flight",
+                         .question = question});
 }
 
 /* Long and short flights, and ticks with many collisions or none. */
@@ -685,10 +677,9 @@ static void test_alone(void)
 {
     for (int i = 0; i < 20; ++i) {
         const struct alone a = draw_alone();
-        if (!clock_check_alone(
-                &a, "Fold the plane at the walls, and the disk flies "
-                    "straight on. Where is it at this tick?"))
-            return;
+        clock_check_alone(&a,
+                          "Fold the plane at the walls, and the disk flies "
+                          "straight on. Where is it at this tick?");
     }
 }
 
@@ -735,19 +726,18 @@ static void test_energy(void)
             "yours. What have you done to the velocities?");
 }
 
-static bool check_contact(const struct box *start, const char *disks,
+static void check_contact(const struct box *start, const char *disks,
                           size_t samples, const char *because)
 {
     const struct job j = {start, disks, 0.01, samples};
-    return check(
-        &j, gap, 0, FIRST,
-        (struct check){
-            .quantity = "largest distance between two edges that collide",
-            .unit = "m",
-            .tolerance = 64.0 * DBL_EPSILON * 20.0,
-            .because = because,
-            .question = "Do things touch when they collide? If not, where "
-                        "have the disks been moved to?"});
+    check(&j, gap, 0, FIRST,
+          (struct check){
+              .quantity = "largest distance between two edges that collide",
+              .unit = "m",
+              .tolerance = 64.0 * DBL_EPSILON * 20.0,
+              .because = because,
+              .question = "Do things touch when they collide? If not, "
+                          "where have the disks been moved to?"});
 }
 
 /* The clock counts to 20 s and is rounded at each flight; the disks are no
@@ -775,21 +765,18 @@ static void test_any_four(void)
                               start.d.v[d][1]);
         }
         const struct job j = {&start, text, 0.01, 200};
-        if (!check_contact(&start, text, 200,
-                           "a hundred flights, each with a rounding of the "
-                           "2 s, and room to spare") ||
-            !check(
-                &j, clock_error, 0, LAST,
-                (struct check){
-                    .quantity =
-                        "how far a sample is from its tick, at most",
-                    .unit = "s",
-                    .tolerance = 1000.0 * DBL_EPSILON * 2.0,
-                    .because = "1000 flights, each with a rounding of 2 s",
-                    .question = "Whatever happens in the box, sample "
-                                "number k is that of k ticks. What has "
-                                "your clock to do with the collisions?"}))
-            return;
+        check_contact(&start, text, 200,
+                      "a hundred flights, each with a rounding of the 2 s, "
+                      "and room to spare");
+        check(&j, clock_error, 0, LAST,
+              (struct check){
+                  .quantity = "how far a sample is from its tick, at most",
+                  .unit = "s",
+                  .tolerance = 1000.0 * DBL_EPSILON * 2.0,
+                  .because = "1000 flights, each with a rounding of 2 s",
+                  .question = "Whatever happens in the box, sample number "
+                              "k is that of k ticks. What has your clock "
+                              "to do with the collisions?"});
     }
 }
 

@@ -55,19 +55,19 @@ static double exact(const struct list *l, double from, double until, int k)
 }
 
 /* There is a rounding for each hit and a dozen for the rest. */
-static bool check(double got, double expected, const char *quantity,
+static void check(double got, double expected, const char *quantity,
                   const struct list *l, const char *question)
 {
-    return CHECK_NEAR(
-        got, .quantity = quantity,
-        .input = check_text("%d drawn hits, from %g s until %g s, box %g m "
-                            "by %g m, N = %zu, %g J",
-                            HITS, l->from, l->until, l->size[0], l->size[1],
-                            l->disks, l->energy),
-        .expected = expected,
-        .tolerance = 4.0 * (HITS + 16) * DBL_EPSILON * fabs(expected),
-        .because = "4 epsilons for each hit, and 64 for the rest",
-        .question = question);
+    CHECK_NEAR(got, .quantity = quantity,
+               .input = check_text("%d drawn hits, from %g s until %g s, "
+                                   "box %g m by %g m, N = %zu, %g J",
+                                   HITS, l->from, l->until, l->size[0],
+                                   l->size[1], l->disks, l->energy),
+               .expected = expected,
+               .tolerance =
+                   4.0 * (HITS + 16) * DBL_EPSILON * fabs(expected),
+               .because = "4 epsilons for each hit, and 64 for the rest",
+               .question = question);
 }
 
 /* Lengths, times and masses in other units: Z has none. */
@@ -88,13 +88,11 @@ static void test_units(void)
         other.size[1] *= m;
         other.energy *= kg * m * m / (s * s);
         for (int k = 0; k < 2; ++k)
-            if (!check(answer(&other, l.from * s, l.until * s, k),
-                       exact(&l, l.from, l.until, k),
-                       k ? "z[1] in other units" : "z[0] in other units",
-                       &l,
-                       "Z is a pure number. Is there a number with a unit "
-                       "in your program?"))
-                return;
+            check(answer(&other, l.from * s, l.until * s, k),
+                  exact(&l, l.from, l.until, k),
+                  k ? "z[1] in other units" : "z[0] in other units", &l,
+                  "Z is a pure number. Is there a number with a unit in "
+                  "your program?");
     }
 }
 
@@ -109,14 +107,13 @@ static void test_on_its_side(void)
         side.size[0] = l.size[1];
         side.size[1] = l.size[0];
         for (int k = 0; k < 2; ++k)
-            if (!check(answer(&side, l.from, l.until, k),
-                       exact(&l, l.from, l.until, 1 - k),
-                       k ? "z[1] with the box on its side"
-                         : "z[0] with the box on its side",
-                       &l,
-                       "The box lies on its side. What has changed but the "
-                       "names of the walls?"))
-                return;
+            check(answer(&side, l.from, l.until, k),
+                  exact(&l, l.from, l.until, 1 - k),
+                  k ? "z[1] with the box on its side"
+                    : "z[0] with the box on its side",
+                  &l,
+                  "The box lies on its side. What has changed but the "
+                  "names of the walls?");
     }
 }
 
@@ -130,15 +127,13 @@ static void test_cut(void)
         const int k = check_draw_whole(0, 1);
         const double until = l.hit[check_draw_whole(20, HITS - 1)].t;
         const double from = l.hit[check_draw_whole(0, 3)].t;
-        if (!check((answer(&l, from, cut, k) * (cut - from) +
-                    answer(&l, cut, until, k) * (until - cut)) /
-                       (until - from),
-                   exact(&l, from, until, k),
-                   "Z of two times that follow each other, cut at a hit",
-                   &l,
-                   "A time is cut in two at the moment of a hit. Is the "
-                   "hit in just one of the two?"))
-            return;
+        check((answer(&l, from, cut, k) * (cut - from) +
+               answer(&l, cut, until, k) * (until - cut)) /
+                  (until - from),
+              exact(&l, from, until, k),
+              "Z of two times that follow each other, cut at a hit", &l,
+              "A time is cut in two at the moment of a hit. Is the hit in "
+              "just one of the two?");
     }
 }
 
@@ -152,15 +147,14 @@ static void test_quiet(void)
         const double until = 0.5 * (from + l.hit[last + 1].t);
         double z[2] = {NAN, NAN};
         wall_z(0, l.hit, l.size, l.disks, l.energy, from, l.until, z);
-        for (int k = 0; k < 2; ++k)
-            if (!check(z[k], 0.0, "Z from a list without hits", &l,
-                       "There is nothing in the list. What is the "
-                       "pressure, and was it filled in?") ||
-                !check(
-                    answer(&l, from, until, k), 0.0,
-                    "Z of a time between two hits", &l,
-                    "Nothing was hit in this time. What is the pressure?"))
-                return;
+        for (int k = 0; k < 2; ++k) {
+            check(z[k], 0.0, "Z from a list without hits", &l,
+                  "There is nothing in the list. What is the pressure, and "
+                  "was it filled in?");
+            check(answer(&l, from, until, k), 0.0,
+                  "Z of a time between two hits", &l,
+                  "Nothing was hit in this time. What is the pressure?");
+        }
     }
 }
 

@@ -206,24 +206,22 @@ static void ask(struct judged all[], int count)
 }
 
 /* Who has judged without a look has found out nothing. */
-static bool check_called(const struct judged *j)
+static void check_called(const struct judged *j)
 {
     static const char question[] =
         "You have said something of this program, and have not run it "
         "once. What do you know of it?";
-    return CHECK_NEAR(j->calls > 0 ? 1.0 : 0.0,
-                      .quantity =
-                          "1 if the program that you judge was run at all",
-                      .input = j->how, .expected = 1.0, .tolerance = 0.0,
-                      .because = "yes or no", .question = question,
-                      .mistakes = {{"never-called", 0.0, question}});
+    CHECK_NEAR(j->calls > 0 ? 1.0 : 0.0,
+               .quantity = "1 if the program that you judge was run at all",
+               .input = j->how, .expected = 1.0, .tolerance = 0.0,
+               .because = "yes or no", .question = question,
+               .mistakes = {{"never-called", 0.0, question}});
 }
 
-static bool check_right(const struct judged *j)
+static void check_right(const struct judged *j)
 {
-    return check_called(j) &&
-           CHECK_NEAR(
-               j->said,
+    check_called(j);
+    CHECK_NEAR(j->said,
                .quantity =
                    "what you say of a right program (1 true, 0 false)",
                .input = j->how, .expected = 1.0, .tolerance = 0.0,
@@ -231,22 +229,20 @@ static bool check_right(const struct judged *j)
                .mistakes = {{j->mistake, 0.0, j->question}});
 }
 
-static bool check_wrong(const struct judged *j)
+static void check_wrong(const struct judged *j)
 {
     static const char none[] =
         "Not one of your runs has seen a bounce. What can a clock do wrong "
         "when nothing happens?";
     const bool seen = j->bounces > 0;
-    return check_called(j) &&
-           CHECK_NEAR(
-               j->said,
-               .quantity =
-                   "what you say of a wrong program (1 true, 0 false)",
-               .input = j->how, .expected = 0.0, .tolerance = 0.0,
-               .because = "yes or no", .question = j->question,
-               .mistakes = {
-                   {"no-bounce", seen ? 0.0 : j->said, none},
-                   {j->mistake, seen ? j->said : 0.0, j->question}});
+    check_called(j);
+    CHECK_NEAR(
+        j->said,
+        .quantity = "what you say of a wrong program (1 true, 0 false)",
+        .input = j->how, .expected = 0.0, .tolerance = 0.0,
+        .because = "yes or no", .question = j->question,
+        .mistakes = {{"no-bounce", seen ? 0.0 : j->said, none},
+                     {j->mistake, seen ? j->said : 0.0, j->question}});
 }
 
 /* Versions 14 and 19 of clang-format disagree about these braces. */
@@ -279,14 +275,16 @@ static void judge(const struct judged wrong[])
 {
     struct judged all[MOST];
     int count = 0;
-    bool fine = true;
     while (count < RIGHT || wrong[count - RIGHT].run) {
         all[count] = count < RIGHT ? right[count] : wrong[count - RIGHT];
         ++count;
     }
     ask(all, count);
-    for (int i = 0; i < count && fine; ++i)
-        fine = i < RIGHT ? check_right(&all[i]) : check_wrong(&all[i]);
+    for (int i = 0; i < count; ++i)
+        if (i < RIGHT)
+            check_right(&all[i]);
+        else
+            check_wrong(&all[i]);
 }
 
 #define JUDGE(...) judge((const struct judged[]){__VA_ARGS__, {0}})
@@ -395,17 +393,14 @@ static void test_drawn(void)
         struct judged *j = &all[i];
         const bool good = i % 4 < 2;
         j->how = check_text("a box of %g m by %g m", j->width, j->height);
-        if (!check_called(j) ||
-            !CHECK_NEAR(j->said,
-                        .quantity = good
-                                        ? "what you say of a right program"
-                                        : "what you say of a wrong program",
-                        .input = j->how, .expected = good ? 1.0 : 0.0,
-                        .tolerance = 0.0, .because = "yes or no",
-                        .question = question,
-                        .mistakes = {
-                            {"only-this-box", good ? 0.0 : 1.0, question}}))
-            return;
+        check_called(j);
+        CHECK_NEAR(
+            j->said,
+            .quantity = good ? "what you say of a right program"
+                             : "what you say of a wrong program",
+            .input = j->how, .expected = good ? 1.0 : 0.0, .tolerance = 0.0,
+            .because = "yes or no", .question = question,
+            .mistakes = {{"only-this-box", good ? 0.0 : 1.0, question}});
     }
 }
 

@@ -35,34 +35,32 @@ static struct placing apart(const double radius[], const double size[2])
     return p;
 }
 
-static bool check(double got, double expected, double tolerance,
+static void check(double got, double expected, double tolerance,
                   const char *quantity, const char *input)
 {
-    return CHECK_NEAR(got, .quantity = quantity, .input = input,
-                      .expected = expected, .tolerance = tolerance,
-                      .because = "8 epsilons of the size of the box; a "
-                                 "number of throws is exact",
-                      .question = "Any two of the disks may overlap. Are "
-                                  "all of them looked at, and all thrown "
-                                  "again?");
+    CHECK_NEAR(got, .quantity = quantity, .input = input,
+               .expected = expected, .tolerance = tolerance,
+               .because = "8 epsilons of the size of the box; a number of "
+                          "throws is exact",
+               .question = "Any two of the disks may overlap. Are all of "
+                           "them looked at, and all thrown again?");
 }
 
-static bool check_places(const struct placing *p, const double size[2],
+static void check_places(const struct placing *p, const double size[2],
                          const double x[], const double y[],
                          const char *input)
 {
-    for (int i = 0; i < DISKS; ++i)
-        if (!check(x[i], p->at[i][0], 8.0 * DBL_EPSILON * size[0],
-                   check_text("x of disk %d", i), input) ||
-            !check(y[i], p->at[i][1], 8.0 * DBL_EPSILON * size[1],
-                   check_text("y of disk %d", i), input))
-            return false;
-    return true;
+    for (int i = 0; i < DISKS; ++i) {
+        check(x[i], p->at[i][0], 8.0 * DBL_EPSILON * size[0],
+              check_text("x of disk %d", i), input);
+        check(y[i], p->at[i][1], 8.0 * DBL_EPSILON * size[1],
+              check_text("y of disk %d", i), input);
+    }
 }
 
 /* Two throws in which the last disk falls where some other is, and one in
    which all fit. */
-static bool check_nine(double unit)
+static void check_nine(double unit)
 {
     const double size[2] = {unit * check_draw(3.0, 6.0),
                             unit * check_draw(3.0, 6.0)};
@@ -85,21 +83,19 @@ static bool check_nine(double unit)
         "nine disks of %g m in a box of %g m by %g m; in two throws the "
         "last one falls on another, in the third all fit",
         unit * 0.4, size[0], size[1]);
-    return check(throw_scripted(DISKS, radius, size, script[0][0],
-                                sizeof script / sizeof(double), x, y,
-                                &throws),
-                 1.0, 0.0, "does it end? (1 yes, 0 no)", input) &&
-           check_places(&p, size, x, y, input) &&
-           check((double)throws, THROWS, 0.0,
-                 "how often all disks were thrown", input);
+    check(throw_scripted(DISKS, radius, size, script[0][0],
+                         sizeof script / sizeof(double), x, y, &throws),
+          1.0, 0.0, "does it end? (1 yes, 0 no)", input);
+    check_places(&p, size, x, y, input);
+    check((double)throws, THROWS, 0.0, "how often all disks were thrown",
+          input);
 }
 
 static void test_nine(void)
 {
     static const double unit[] = {1.0, 1e3, 1e-3, 1e-9, 1e12};
     for (int i = 0; i < 20; ++i)
-        if (!check_nine(unit[i % 5]))
-            return;
+        check_nine(unit[i % 5]);
 }
 
 /* A disk as wide as its box: along x there is only one place. */
@@ -117,16 +113,14 @@ static void test_full(void)
                        radius, size[0], size[1], script[0], script[1]);
         double x = NAN, y = NAN;
         size_t throws = 0;
-        if (!check(throw_scripted(1, &radius, size, script, 2, &x, &y,
-                                  &throws),
-                   1.0, 0.0, "does it end? (1 yes, 0 no)", input) ||
-            !check(x, radius, 8.0 * DBL_EPSILON * size[0], "x of the disk",
-                   input) ||
-            !check(y, radius + script[1] * free,
-                   8.0 * DBL_EPSILON * size[1], "y of the disk", input) ||
-            !check((double)throws, 1.0, 0.0,
-                   "how often all disks were thrown", input))
-            return;
+        check(throw_scripted(1, &radius, size, script, 2, &x, &y, &throws),
+              1.0, 0.0, "does it end? (1 yes, 0 no)", input);
+        check(x, radius, 8.0 * DBL_EPSILON * size[0], "x of the disk",
+              input);
+        check(y, radius + script[1] * free, 8.0 * DBL_EPSILON * size[1],
+              "y of the disk", input);
+        check((double)throws, 1.0, 0.0, "how often all disks were thrown",
+              input);
     }
 }
 

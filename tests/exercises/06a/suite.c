@@ -374,19 +374,19 @@ static const char *input(const struct job *j)
     return check_text("%s%s", text, j->scripted > 0 ? " ..." : "");
 }
 
-static bool check_ended(const struct job *j, const struct answer *a,
+static void check_ended(const struct job *j, const struct answer *a,
                         const char *question)
 {
-    return CHECK_NEAR(a->ended ? 1.0 : 0.0,
-                      .quantity = "does it end before it has asked for "
-                                  "100000 random numbers? (1 yes, 0 no)",
-                      .input = input(j), .expected = 1.0, .tolerance = 0.0,
-                      .because = "yes or no", .question = question);
+    CHECK_NEAR(a->ended ? 1.0 : 0.0,
+               .quantity = "does it end before it has asked for 100000 "
+                           "random numbers? (1 yes, 0 no)",
+               .input = input(j), .expected = 1.0, .tolerance = 0.0,
+               .because = "yes or no", .question = question);
 }
 
 /* A coordinate is a product and two sums of numbers up to the box's size,
    each rounded; twice that, for whoever writes it in another way. */
-static bool check_place(const struct job *j, const struct answer *a,
+static void check_place(const struct job *j, const struct answer *a,
                         const struct answer *expected, struct random before,
                         const char *question)
 {
@@ -399,7 +399,7 @@ static bool check_place(const struct job *j, const struct answer *a,
         const double tolerance = 4.0 * DBL_EPSILON * size;
         if (fabs(got - want) <= tolerance)
             continue;
-        return CHECK_NEAR(
+        CHECK_NEAR(
             got,
             .quantity = check_text("%s of disk %zu", is_x ? "x" : "y", i),
             .unit = "m", .input = input(j), .expected = want,
@@ -407,13 +407,12 @@ static bool check_place(const struct job *j, const struct answer *a,
             .because = "4 epsilons of the size of the box",
             .question = question, .mistakes = {behind(j, a, before, got)});
     }
-    return true;
 }
 
 /* The disks of the student lie where the last 2 n numbers put them? Those
    of a throw that is finished after an overlap and those of one that is
    not are different numbers, but each placing is the last ones. */
-static bool check_last(const struct job *j, const struct answer *a,
+static void check_last(const struct job *j, const struct answer *a,
                        struct random before, const char *question)
 {
     struct answer expected = *a;
@@ -424,7 +423,7 @@ static bool check_last(const struct job *j, const struct answer *a,
         expected.y[i] =
             along(j->radius[i], j->height, source.recent[(k + 1) % RECENT]);
     }
-    return check_place(j, a, &expected, before, question);
+    check_place(j, a, &expected, before, question);
 }
 
 /* How many single disks a right sampler throws that stops at an overlap. */
@@ -434,10 +433,10 @@ static double disks_thrown(const struct job *j)
     return call(right, j).ended ? 0.5 * (double)source.used : NAN;
 }
 
-static bool check_throws(const struct job *j, const struct answer *a,
+static void check_throws(const struct job *j, const struct answer *a,
                          double expected, const char *question)
 {
-    return CHECK_NEAR(
+    CHECK_NEAR(
         a->throws, .quantity = "how often all disks were thrown",
         .input = input(j), .expected = expected, .tolerance = 0.0,
         .because = "a number of throws is exact", .question = question,
@@ -451,22 +450,22 @@ static bool check_throws(const struct job *j, const struct answer *a,
 
 /* A script of which every throw fails at its last disk, if it fails: those
    who stop at an overlap and those who do not use the same numbers. */
-static bool check_given(const struct job *j, const struct answer *expected,
+static void check_given(const struct job *j, const struct answer *expected,
                         const char *question)
 {
     struct random before;
     random_seed(&before, 6);
     const struct answer a = first(student, j);
-    return check_ended(j, &a, question) &&
-           check_place(j, &a, expected, before, question) &&
-           check_throws(j, &a, expected->throws, question);
+    check_ended(j, &a, question);
+    check_place(j, &a, expected, before, question);
+    check_throws(j, &a, expected->throws, question);
 }
 
-static bool check_script(struct job j, double throws, const char *question)
+static void check_script(struct job j, double throws, const char *question)
 {
     struct answer expected = first(right, &j);
     expected.throws = throws;
-    return check_given(&j, &expected, question);
+    check_given(&j, &expected, question);
 }
 
 static void test_at_once(void)
@@ -474,11 +473,10 @@ static void test_at_once(void)
     static const char question[] =
         "Nothing overlaps here. Where may the centre of a disk be, and "
         "which numbers say where it is?";
-    (void)(check_script(JOB(1, {0.25}, 1.0, 2.0, 2, {0.5, 0.25}), 1.0,
-                        question) &&
-           check_script(JOB(3, {0.125, 0.125, 0.125}, 1.0, 1.0, 6,
-                            {0.0, 0.0, 0.9, 0.1, 0.3, 0.8}),
-                        1.0, question));
+    check_script(JOB(1, {0.25}, 1.0, 2.0, 2, {0.5, 0.25}), 1.0, question);
+    check_script(JOB(3, {0.125, 0.125, 0.125}, 1.0, 1.0, 6,
+                     {0.0, 0.0, 0.9, 0.1, 0.3, 0.8}),
+                 1.0, question);
 }
 
 /* The third falls on the first, and then on the second; a slip that keeps
@@ -487,14 +485,14 @@ static void test_three(void)
 {
     static const char question[] = "The third disk fell on another. Which "
                                    "of the three may keep its place?";
-    (void)(check_script(JOB(3, {0.15, 0.15, 0.15}, 1.0, 1.0, 12,
-                            {0.1, 0.1, 0.9, 0.9, 0.2, 0.2, 0.3, 0.1, 0.9,
-                             0.5, 0.35, 0.95}),
-                        2.0, question) &&
-           check_script(JOB(3, {0.15, 0.15, 0.15}, 1.0, 1.0, 12,
-                            {0.1, 0.1, 0.9, 0.9, 0.8, 0.7, 0.2, 0.9, 0.5,
-                             0.3, 0.95, 0.85}),
-                        2.0, question));
+    check_script(
+        JOB(3, {0.15, 0.15, 0.15}, 1.0, 1.0, 12,
+            {0.1, 0.1, 0.9, 0.9, 0.2, 0.2, 0.3, 0.1, 0.9, 0.5, 0.35, 0.95}),
+        2.0, question);
+    check_script(
+        JOB(3, {0.15, 0.15, 0.15}, 1.0, 1.0, 12,
+            {0.1, 0.1, 0.9, 0.9, 0.8, 0.7, 0.2, 0.9, 0.5, 0.3, 0.95, 0.85}),
+        2.0, question);
 }
 
 static void test_two(void)
@@ -503,12 +501,11 @@ static void test_two(void)
                                    "Which of the two must be thrown again?";
     static const char near[] =
         "The two disks are near in x and near in y. Do they overlap?";
-    (void)(check_script(JOB(2, {0.2, 0.2}, 1.0, 1.0, 8,
-                            {0.5, 0.5, 0.6, 0.7, 0.1, 0.2, 0.8, 0.9}),
-                        2.0, question) &&
-           check_script(
-               JOB(2, {0.2, 0.2}, 1.0, 1.0, 4, {0.2, 0.1, 0.75, 0.65}), 1.0,
-               near));
+    check_script(JOB(2, {0.2, 0.2}, 1.0, 1.0, 8,
+                     {0.5, 0.5, 0.6, 0.7, 0.1, 0.2, 0.8, 0.9}),
+                 2.0, question);
+    check_script(JOB(2, {0.2, 0.2}, 1.0, 1.0, 4, {0.2, 0.1, 0.75, 0.65}),
+                 1.0, near);
 }
 
 static void test_again(void)
@@ -528,16 +525,14 @@ static void test_radii(void)
     static const char question[] =
         "A large disk and a small one. Do they overlap, and where may each "
         "of them be?";
-    (void)(check_script(JOB(2, {0.3, 0.05}, 1.0, 1.0, 8,
-                            {0.0, 0.0, 0.5, 0.2, 1.0, 0.5, 0.1, 0.3}),
-                        2.0, question) &&
-           check_script(
-               JOB(2, {0.05, 0.3}, 1.0, 1.0, 4, {0.1, 0.1, 0.8, 0.3}), 1.0,
-               question) &&
-           check_script(
-               JOB(2, {0.25, 0.125}, 1.25, 1.25, 4, {0.0, 0.0, 0.5, 0.125}),
-               1.0,
-               "The two disks touch, and no more. Is that an overlap?"));
+    check_script(JOB(2, {0.3, 0.05}, 1.0, 1.0, 8,
+                     {0.0, 0.0, 0.5, 0.2, 1.0, 0.5, 0.1, 0.3}),
+                 2.0, question);
+    check_script(JOB(2, {0.05, 0.3}, 1.0, 1.0, 4, {0.1, 0.1, 0.8, 0.3}),
+                 1.0, question);
+    check_script(
+        JOB(2, {0.25, 0.125}, 1.25, 1.25, 4, {0.0, 0.0, 0.5, 0.125}), 1.0,
+        "The two disks touch, and no more. Is that an overlap?");
 }
 
 /* The first disk in the middle: no corner is far enough away. */
@@ -643,16 +638,15 @@ static void test_drawn(void)
             a.y[k] = along(j.radius[k], j.height, u[2 * k + 1]);
         }
         a.throws = failed + 1.0;
-        if (!check_given(&j, &a,
-                         "In the first throws, if there are any, the last "
-                         "disk falls on another; in the last one no two "
-                         "touch. Which numbers make the placing?"))
-            return;
+        check_given(&j, &a,
+                    "In the first throws, if there are any, the last disk "
+                    "falls on another; in the last one no two touch. Which "
+                    "numbers make the placing?");
     }
 }
 
 /* The numbers are those of a generator. */
-static bool check_many(const struct job *j)
+static void check_many(const struct job *j)
 {
     static const char question[] =
         "Some disks lie where an earlier throw had put them. Which random "
@@ -660,33 +654,28 @@ static bool check_many(const struct job *j)
     for (int sample = 0; sample < 20; ++sample) {
         const struct random before = source.random;
         const struct answer a = call(student, j);
-        if (!check_ended(j, &a, question) ||
-            !check_last(j, &a, before, question))
-            return false;
+        check_ended(j, &a, question);
+        check_last(j, &a, before, question);
         for (size_t i = 0; i < j->n; ++i)
-            if (!CHECK_NEAR(
-                    (double)hit(j, i, touch, a.x, a.y),
-                    .quantity = check_text(
-                        "the first disk that disk %zu overlaps (%zu: none)",
-                        i, i),
-                    .input = input(j), .expected = (double)i,
-                    .tolerance = 0.0,
-                    .because = "a number of a disk is exact",
-                    .question =
-                        "Two of the disks overlap. Who looks, and when?",
-                    .mistakes = {
-                        behind(j, &a, before,
-                               (double)hit(j, i, touch, a.x, a.y))}))
-                return false;
+            CHECK_NEAR(
+                (double)hit(j, i, touch, a.x, a.y),
+                .quantity = check_text(
+                    "the first disk that disk %zu overlaps (%zu: none)", i,
+                    i),
+                .input = input(j), .expected = (double)i, .tolerance = 0.0,
+                .because = "a number of a disk is exact",
+                .question =
+                    "Two of the disks overlap. Who looks, and when?",
+                .mistakes = {behind(j, &a, before,
+                                    (double)hit(j, i, touch, a.x, a.y))});
     }
-    return true;
 }
 
 /* limit: 1 (disk, in the throw of one number) */
 /* limit: 100 disks */
 /* A hundred disks in ten rows. In a first throw the last one falls on
    another, so that all hundred are thrown again. */
-static bool check_hundred(void)
+static void check_hundred(void)
 {
     enum { N = 100, ROW = 10 };
     static double radius[N], script[4 * N], x[N], y[N];
@@ -710,32 +699,27 @@ static bool check_hundred(void)
     static const char text[] =
         "100 disks of 0.04 m in ten rows, in a box of 1 m by 1 m; in a "
         "first throw the last one falls on another";
-    if (!CHECK_NEAR(ended ? (double)throws : NAN, .quantity = "throws",
-                    .input = text, .expected = 2.0, .tolerance = 0.0,
-                    .because = "a number of throws is exact",
-                    .question = question))
-        return false;
+    CHECK_NEAR(ended ? (double)throws : NAN, .quantity = "throws",
+               .input = text, .expected = 2.0, .tolerance = 0.0,
+               .because = "a number of throws is exact",
+               .question = question);
     for (int i = 0; i < N; ++i)
-        if (!CHECK_NEAR(x[i] + 10.0 * y[i],
-                        .quantity = check_text("x + 10 y of disk %d", i),
-                        .unit = "m", .input = text,
-                        .expected = 0.1 * (i % ROW) + i / ROW + 0.55,
-                        .tolerance = 128.0 * DBL_EPSILON,
-                        .because = "8 epsilons of 11 m, and some",
-                        .question = question))
-            return false;
-    return true;
+        CHECK_NEAR(x[i] + 10.0 * y[i],
+                   .quantity = check_text("x + 10 y of disk %d", i),
+                   .unit = "m", .input = text,
+                   .expected = 0.1 * (i % ROW) + i / ROW + 0.55,
+                   .tolerance = 128.0 * DBL_EPSILON,
+                   .because = "8 epsilons of 11 m, and some",
+                   .question = question);
 }
 
 static void test_many(void)
 {
-    if (!check_hundred())
-        return;
+    check_hundred();
     for (int i = 0; i < 10; ++i) {
         const struct job j = draw_job();
         source_begin(&j, (uint64_t)check_draw_whole(1, 1000000));
-        if (!check_many(&j))
-            return;
+        check_many(&j);
     }
 }
 
@@ -761,8 +745,7 @@ static void test_acceptance(void)
     source_begin(&two, 602);
     for (int sample = 0; sample < PLACINGS; ++sample) {
         const struct answer a = call(student, &two);
-        if (!check_ended(&two, &a, "Two disks have much room here."))
-            return;
+        check_ended(&two, &a, "Two disks have much room here.");
         throws += a.throws;
     }
     CHECK_NEAR(

@@ -335,7 +335,7 @@ static double rounding(const struct job *j)
 
 static const char because[] = "4 epsilons of the dish for each try";
 
-static bool check_places(const struct job *j, const struct answer *a,
+static void check_places(const struct job *j, const struct answer *a,
                          const struct answer *expected,
                          const char *question)
 {
@@ -344,60 +344,55 @@ static bool check_places(const struct job *j, const struct answer *a,
         const double want = c % 2 ? expected->y[c / 2] : expected->x[c / 2];
         if (fabs(got - want) <= rounding(j))
             continue;
-        return CHECK_NEAR(
-            got,
-            .quantity = check_text("%s of disk %zu after the last try",
-                                   c % 2 ? "y" : "x", c / 2),
-            .unit = "m", .input = input(j), .expected = want,
-            .tolerance = rounding(j), .because = because,
-            .question = question, .mistakes = {behind(j, a, got)});
+        CHECK_NEAR(got,
+                   .quantity =
+                       check_text("%s of disk %zu after the last try",
+                                  c % 2 ? "y" : "x", c / 2),
+                   .unit = "m", .input = input(j), .expected = want,
+                   .tolerance = rounding(j), .because = because,
+                   .question = question, .mistakes = {behind(j, a, got)});
     }
-    return true;
 }
 
-static bool check_ended(const struct job *j, const struct answer *a)
+static void check_ended(const struct job *j, const struct answer *a)
 {
-    return CHECK_NEAR(a->ended ? 1.0 : 0.0,
-                      .quantity = "does it end before it has asked for 60 "
-                                  "random numbers a try? (1 yes, 0 no)",
-                      .input = input(j), .expected = 1.0, .tolerance = 0.0,
-                      .because = "yes or no",
-                      .question =
-                          "Does a loop of yours wait for a move that is "
-                          "allowed? What does it do where there is none?");
+    CHECK_NEAR(a->ended ? 1.0 : 0.0,
+               .quantity = "does it end before it has asked for 60 random "
+                           "numbers a try? (1 yes, 0 no)",
+               .input = input(j), .expected = 1.0, .tolerance = 0.0,
+               .because = "yes or no",
+               .question = "Does a loop of yours wait for a move that is "
+                           "allowed? What does it do where there is none?");
 }
 
-static bool check_given(const struct job *j, const struct answer *expected,
+static void check_given(const struct job *j, const struct answer *expected,
                         const char *question)
 {
     const struct answer a = run(student, j);
-    return check_ended(j, &a) &&
-           CHECK_NEAR(a.accepted, .quantity = "accepted moves, *accepted",
-                      .input = input(j), .expected = expected->accepted,
-                      .tolerance = 0.0,
-                      .because = "a number of moves is exact",
-                      .question = question,
-                      .mistakes = {behind(j, &a, a.accepted)}) &&
-           check_places(j, &a, expected, question) &&
-           CHECK_NEAR(
-               a.mean, .quantity = "average of x^2 + y^2", .unit = "m^2",
+    check_ended(j, &a);
+    CHECK_NEAR(a.accepted, .quantity = "accepted moves, *accepted",
+               .input = input(j), .expected = expected->accepted,
+               .tolerance = 0.0, .because = "a number of moves is exact",
+               .question = question,
+               .mistakes = {behind(j, &a, a.accepted)});
+    check_places(j, &a, expected, question);
+    CHECK_NEAR(a.mean, .quantity = "average of x^2 + y^2", .unit = "m^2",
                .input = input(j), .expected = expected->mean,
                .tolerance = 4.0 * j->dish * rounding(j),
                .because = "16 epsilons of the dish squared for each try",
                .equation = "eq:balance", .question = question,
-               .mistakes = {behind(j, &a, a.mean)}) &&
-           CHECK_NEAR(
-               a.numbers, .quantity = "random numbers that were asked for",
+               .mistakes = {behind(j, &a, a.mean)});
+    CHECK_NEAR(a.numbers, .quantity = "random numbers that were asked for",
                .input = input(j), .expected = 3.0 * (double)j->tries,
                .tolerance = 0.0, .because = "three for each try",
                .question = "A try asks for three numbers. Does yours also "
                            "when it is rejected?");
 }
 
-static bool check(struct job j, const char *question)
+static void check(struct job j, const char *question)
 {
     const struct answer expected = run_with(RIGHT, &j);
-    return check_given(&j, &expected, question);
+    check_given(&j, &expected, question);
 }
 
 /* limit: 1 (disk, and one try) */
@@ -406,14 +401,14 @@ static void test_accepted(void)
     static const char question[] =
         "All of these moves are allowed. Which placings does the chain go "
         "through, and which of them count?";
-    (void)(check(JOB(.n = 1, .radius = 0.25, .dish = 1.0, .step = 0.5,
-                     .tries = 1, .script = {0.5, 0.75, 0.25}),
-                 question) &&
-           check(JOB(.n = 1, .radius = 0.25, .dish = 1.0, .step = 0.5,
-                     .tries = 3, .x = {-0.25},
-                     .script = {0.5, 0.75, 0.125, 0.25, 0.625, 0.5, 0.0,
-                                0.125, 0.75}),
-                 question));
+    check(JOB(.n = 1, .radius = 0.25, .dish = 1.0, .step = 0.5, .tries = 1,
+              .script = {0.5, 0.75, 0.25}),
+          question);
+    check(JOB(.n = 1, .radius = 0.25, .dish = 1.0, .step = 0.5, .tries = 3,
+              .x = {-0.25},
+              .script = {0.5, 0.75, 0.125, 0.25, 0.625, 0.5, 0.0, 0.125,
+                         0.75}),
+          question);
 }
 
 static void test_wall(void)
@@ -421,16 +416,16 @@ static void test_wall(void)
     static const char question[] =
         "One of these moves leads into the wall. Where is the disk after "
         "that try, and what does the try add to the average?";
-    (void)(check(JOB(.n = 1, .radius = 0.25, .dish = 1.0, .step = 0.5,
-                     .tries = 3, .x = {0.5},
-                     .script = {0.5, 0.25, 0.75, 0.5, 0.25, 0.875, 0.5,
-                                0.75, 0.375}),
-                 question) &&
-           check(JOB(.n = 1, .radius = 0.25, .dish = 1.0, .step = 0.5,
-                     .tries = 4, .x = {0.5}, .y = {0.25},
-                     .script = {0.5, 0.875, 0.5, 0.5, 0.875, 0.75, 0.5,
-                                0.25, 0.375, 0.5, 0.0, 0.5}),
-                 question));
+    check(JOB(.n = 1, .radius = 0.25, .dish = 1.0, .step = 0.5, .tries = 3,
+              .x = {0.5},
+              .script = {0.5, 0.25, 0.75, 0.5, 0.25, 0.875, 0.5, 0.75,
+                         0.375}),
+          question);
+    check(JOB(.n = 1, .radius = 0.25, .dish = 1.0, .step = 0.5, .tries = 4,
+              .x = {0.5}, .y = {0.25},
+              .script = {0.5, 0.875, 0.5, 0.5, 0.875, 0.75, 0.5, 0.25,
+                         0.375, 0.5, 0.0, 0.5}),
+          question);
 }
 
 static void test_disk(void)
@@ -449,13 +444,12 @@ static void test_just_fits(void)
     static const char question[] =
         "The disk just touches what it has come to. Does it reach out of "
         "the dish, or overlap?";
-    (void)(check(JOB(.n = 1, .radius = 0.25, .dish = 1.0, .step = 1.0,
-                     .tries = 1, .script = {0.0, 0.875, 0.5}),
-                 question) &&
-           check(JOB(.n = 2, .radius = 0.25, .dish = 1.0, .step = 1.0,
-                     .tries = 1, .x = {-0.5, 0.5},
-                     .script = {0.0, 0.75, 0.5}),
-                 question));
+    check(JOB(.n = 1, .radius = 0.25, .dish = 1.0, .step = 1.0, .tries = 1,
+              .script = {0.0, 0.875, 0.5}),
+          question);
+    check(JOB(.n = 2, .radius = 0.25, .dish = 1.0, .step = 1.0, .tries = 1,
+              .x = {-0.5, 0.5}, .script = {0.0, 0.75, 0.5}),
+          question);
 }
 
 static void test_caught(void)
@@ -480,7 +474,7 @@ static const struct job many = {.n = 4,
 /* limit: 100 disks */
 /* A hundred disks in ten rows; each moves up and to the right, in its turn.
  */
-static bool check_hundred(void)
+static void check_hundred(void)
 {
     enum { N = 100, ROW = 10 };
     static double script[3 * N], x[N], y[N];
@@ -506,23 +500,21 @@ static bool check_hundred(void)
     static const char text[] =
         "100 disks of 0.03 m in ten rows, in a dish of 1 m; each moves by "
         "0.01 m along x and y, one after the other";
-    return CHECK_NEAR(ended ? (double)accepted : NAN,
-                      .quantity = "accepted moves, *accepted",
-                      .input = text, .expected = N, .tolerance = 0.0,
-                      .because = "a number of moves is exact",
-                      .question = question) &&
-           CHECK_NEAR(mean, .quantity = "average of x^2 + y^2",
-                      .unit = "m^2", .input = text, .expected = expected,
-                      .tolerance = 16.0 * DBL_EPSILON * N,
-                      .because =
-                          "16 epsilons of the dish squared for each try",
-                      .equation = "eq:balance", .question = question);
+    CHECK_NEAR(ended ? (double)accepted : NAN,
+               .quantity = "accepted moves, *accepted", .input = text,
+               .expected = N, .tolerance = 0.0,
+               .because = "a number of moves is exact",
+               .question = question);
+    CHECK_NEAR(mean, .quantity = "average of x^2 + y^2", .unit = "m^2",
+               .input = text, .expected = expected,
+               .tolerance = 16.0 * DBL_EPSILON * N,
+               .because = "16 epsilons of the dish squared for each try",
+               .equation = "eq:balance", .question = question);
 }
 
 static void test_many(void)
 {
-    if (!check_hundred())
-        return;
+    check_hundred();
     check(many, "A thousand tries, with four disks. Does your chain go the "
                 "same way, and count each of its placings?");
 }
@@ -607,11 +599,9 @@ static void test_drawn(void)
     for (int i = 0; i < 30; ++i) {
         struct answer expected = {.ended = true};
         const struct job j = draw_chain(&expected);
-        if (!check_given(
-                &j, &expected,
-                "For each disk, write down from which try to which it is "
-                "at each of its places. What is the average then?"))
-            return;
+        check_given(&j, &expected,
+                    "For each disk, write down from which try to which it "
+                    "is at each of its places. What is the average then?");
     }
 }
 
@@ -644,17 +634,17 @@ static double exact_two(double a, double d)
     return sum / all;
 }
 
-static bool check_mean(const struct job *j, double expected, double scatter,
+static void check_mean(const struct job *j, double expected, double scatter,
                        const char *question)
 {
     const struct answer a = run(student, j);
-    return check_ended(j, &a) &&
-           CHECK_NEAR(a.mean, .quantity = "average of x^2 + y^2",
-                      .unit = "m^2", .input = input(j),
-                      .expected = expected, .tolerance = 4.0 * scatter,
-                      .because = "4 times the scatter of such averages",
-                      .equation = "eq:balance", .question = question,
-                      .mistakes = {behind(j, &a, a.mean)});
+    check_ended(j, &a);
+    CHECK_NEAR(a.mean, .quantity = "average of x^2 + y^2", .unit = "m^2",
+               .input = input(j), .expected = expected,
+               .tolerance = 4.0 * scatter,
+               .because = "4 times the scatter of such averages",
+               .equation = "eq:balance", .question = question,
+               .mistakes = {behind(j, &a, a.mean)});
 }
 
 /* A single disk is evenly spread: the mean is (dish - radius)^2/2. The

@@ -142,10 +142,10 @@ struct slack {
     const char *because;
 };
 
-static bool check_overlap(struct pair p, double expected,
+static void check_overlap(struct pair p, double expected,
                           struct slack slack, const char *question)
 {
-    return CHECK_NEAR(
+    CHECK_NEAR(
         answer(p).overlap, .quantity = "what the two zones share, *overlap",
         .unit = p.dimensions == 2 ? "m^2" : "m^3", .input = input(p),
         .expected = expected, .tolerance = slack.overlap,
@@ -181,11 +181,11 @@ static bool check_overlap(struct pair p, double expected,
 }
 
 /* The potential where the zones overlap. */
-static bool check_potential(struct pair p, double overlap,
+static void check_potential(struct pair p, double overlap,
                             struct slack slack, const char *question)
 {
     const double expected = -p.density * overlap;
-    return CHECK_NEAR(
+    CHECK_NEAR(
         answer(p).potential, .quantity = "the potential", .unit = "kT",
         .input = input(p), .expected = expected,
         .tolerance = p.density * slack.overlap, .because = slack.because,
@@ -201,39 +201,37 @@ static bool check_potential(struct pair p, double overlap,
              "more or less than few?"}});
 }
 
-static bool check_given(struct pair p, double overlap, struct slack slack,
+static void check_given(struct pair p, double overlap, struct slack slack,
                         const char *question)
 {
-    return check_overlap(p, overlap, slack, question) &&
-           check_potential(p, overlap, slack, question);
+    check_overlap(p, overlap, slack, question);
+    check_potential(p, overlap, slack, question);
 }
 
-static bool check_both(struct pair p, const char *question)
+static void check_both(struct pair p, const char *question)
 {
     const struct slack few = {
         tolerance(p),
         "16 epsilons of the zones, more where the lens is thin"};
-    return check_given(p, exact(p), few, question);
+    check_given(p, exact(p), few, question);
 }
 
 /* Beyond the reach of the zones there is nothing, exactly. Where they touch
    but for a rounding, a lens of the thickness of an epsilon may be left. */
-static bool check_apart(struct pair p, double tolerance,
+static void check_apart(struct pair p, double tolerance,
                         const char *question)
 {
     static const char cut[] =
         "The zones do not meet any more, and your formula goes on. What is "
         "the acos of more than 1, and the volume of a cap of negative "
         "height? Up to which distance do the formulas hold?";
-    return CHECK_NEAR(answer(p).potential, .quantity = "the potential",
-                      .unit = "kT", .input = input(p), .expected = 0.0,
-                      .tolerance = tolerance,
-                      .because = "zones that do not meet share nothing",
-                      .question = question,
-                      .mistakes = {{"not-cut-off", -p.density * goes_on(p),
-                                    cut}}) &&
-           CHECK_NEAR(
-               answer(p).overlap,
+    CHECK_NEAR(answer(p).potential, .quantity = "the potential",
+               .unit = "kT", .input = input(p), .expected = 0.0,
+               .tolerance = tolerance,
+               .because = "zones that do not meet share nothing",
+               .question = question,
+               .mistakes = {{"not-cut-off", -p.density * goes_on(p), cut}});
+    CHECK_NEAR(answer(p).overlap,
                .quantity = "what the two zones share, *overlap",
                .unit = p.dimensions == 2 ? "m^2" : "m^3", .input = input(p),
                .expected = 0.0, .tolerance = tolerance,
@@ -249,12 +247,9 @@ static void test_disks(void)
     static const char question[] =
         "Two circles of equal radius cut each other. What is half of the "
         "lens: a slice of cake less which triangle?";
-    (void)(check_both((struct pair){2, 1.0, 1.0, 0.2, 1.5, 2.2},
-                      question) &&
-           check_both((struct pair){2, 1.0, 1.0, 0.2, 0.75, 2.05},
-                      question) &&
-           check_both((struct pair){2, 0.5, 0.5, 1.0, 2.0, 1.25},
-                      question));
+    check_both((struct pair){2, 1.0, 1.0, 0.2, 1.5, 2.2}, question);
+    check_both((struct pair){2, 1.0, 1.0, 0.2, 0.75, 2.05}, question);
+    check_both((struct pair){2, 0.5, 0.5, 1.0, 2.0, 1.25}, question);
 }
 
 static void test_spheres(void)
@@ -262,31 +257,27 @@ static void test_spheres(void)
     static const char question[] =
         "Two balls of equal radius share two caps. How high is a cap, and "
         "what is its volume?";
-    (void)(check_both((struct pair){3, 1.0, 1.0, 0.2, 1.5, 2.2},
-                      question) &&
-           check_both((struct pair){3, 1.0, 1.0, 0.2, 0.75, 2.05},
-                      question) &&
-           check_both((struct pair){3, 0.5, 0.5, 1.0, 2.0, 1.25},
-                      question));
+    check_both((struct pair){3, 1.0, 1.0, 0.2, 1.5, 2.2}, question);
+    check_both((struct pair){3, 1.0, 1.0, 0.2, 0.75, 2.05}, question);
+    check_both((struct pair){3, 0.5, 0.5, 1.0, 2.0, 1.25}, question);
 }
 
 /* Either way round. */
-static bool check_twice(struct pair p, const char *question)
+static void check_twice(struct pair p, const char *question)
 {
     struct pair q = p;
     q.R1 = p.R2;
     q.R2 = p.R1;
-    return check_both(p, question) && check_both(q, question);
+    check_both(p, question);
+    check_both(q, question);
 }
 
 static void test_unequal(void)
 {
     static const char question[] = "The two zones are not equal. How far "
                                    "is the chord from either centre?";
-    (void)(check_twice((struct pair){2, 1.0, 0.5, 0.5, 1.25, 1.75},
-                       question) &&
-           check_twice((struct pair){3, 1.0, 0.5, 0.5, 1.25, 1.75},
-                       question));
+    check_twice((struct pair){2, 1.0, 0.5, 0.5, 1.25, 1.75}, question);
+    check_twice((struct pair){3, 1.0, 0.5, 0.5, 1.25, 1.75}, question);
 }
 
 static void test_behind(void)
@@ -294,10 +285,8 @@ static void test_behind(void)
     static const char question[] =
         "The chord lies behind the centre of the small zone. What sign has "
         "its distance from there, and does your formula keep it?";
-    (void)(check_twice((struct pair){2, 3.0, 0.25, 0.5, 1.25, 3.375},
-                       question) &&
-           check_twice((struct pair){3, 3.0, 0.25, 0.5, 1.25, 3.375},
-                       question));
+    check_twice((struct pair){2, 3.0, 0.25, 0.5, 1.25, 3.375}, question);
+    check_twice((struct pair){3, 3.0, 0.25, 0.5, 1.25, 3.375}, question);
 }
 
 static void test_apart(void)
@@ -311,58 +300,55 @@ static void test_apart(void)
     static const double touching[][3] = {
         {0.1, 0.2, 0.25}, {0.1, 0.3, 0.1}, {0.1, 0.2, 1.3}};
     for (size_t i = 0; i < sizeof apart / sizeof apart[0]; ++i)
-        if (!check_apart(apart[i], 0.0, question))
-            return;
+        check_apart(apart[i], 0.0, question);
     for (size_t i = 0; i < 3; ++i) {
         const double *t = touching[i];
         const struct pair p = {2,    t[0], t[1],
                                t[2], 2.0,  (t[0] + t[2]) + (t[1] + t[2])};
-        if (!check_apart(p, 1e-20, question))
-            return;
+        check_apart(p, 1e-20, question);
     }
 }
 
-static bool check_touching(struct pair p)
+static void check_touching(struct pair p)
 {
     static const char question[] = "The two big bodies just touch. Where "
                                    "are the zones and their chord now?";
     static const char why[] = "The big bodies do not overlap here, they "
                               "just touch. Is that forbidden?";
-    return CHECK_NEAR(isinf(answer(p).potential) ? 1.0 : 0.0,
-                      .quantity =
-                          "is the potential infinite? (1 yes, 0 no)",
-                      .input = input(p), .expected = 0.0, .tolerance = 0.0,
-                      .because = "yes or no", .question = why,
-                      .mistakes = {{"touching-forbidden", 1.0, why}}) &&
-           check_both(p, question);
+    CHECK_NEAR(isinf(answer(p).potential) ? 1.0 : 0.0,
+               .quantity = "is the potential infinite? (1 yes, 0 no)",
+               .input = input(p), .expected = 0.0, .tolerance = 0.0,
+               .because = "yes or no", .question = why,
+               .mistakes = {{"touching-forbidden", 1.0, why}});
+    check_both(p, question);
 }
 
 static void test_touching(void)
 {
-    (void)(check_touching((struct pair){2, 1.0, 1.0, 0.2, 1.5, 2.0}) &&
-           check_touching((struct pair){3, 1.0, 1.0, 0.2, 1.5, 2.0}) &&
-           check_touching((struct pair){2, 1.0, 0.25, 0.5, 1.5, 1.25}) &&
-           check_touching((struct pair){3, 0.25, 1.0, 0.5, 1.5, 1.25}));
+    check_touching((struct pair){2, 1.0, 1.0, 0.2, 1.5, 2.0});
+    check_touching((struct pair){3, 1.0, 1.0, 0.2, 1.5, 2.0});
+    check_touching((struct pair){2, 1.0, 0.25, 0.5, 1.5, 1.25});
+    check_touching((struct pair){3, 0.25, 1.0, 0.5, 1.5, 1.25});
 }
 
-static bool check_core(struct pair p)
+static void check_core(struct pair p)
 {
     static const char why[] =
         "The big bodies themselves overlap at this distance. What does "
         "that cost, however much room the small ones gain?";
-    return CHECK_NEAR(
-        answer(p).potential, .quantity = "the potential", .unit = "kT",
-        .input = input(p), .expected = INFINITY, .tolerance = 0.0,
-        .because = "infinity is exact", .question = why,
-        .mistakes = {{"no-core", -p.density * exact(p), why}});
+    CHECK_NEAR(answer(p).potential, .quantity = "the potential",
+               .unit = "kT", .input = input(p), .expected = INFINITY,
+               .tolerance = 0.0, .because = "infinity is exact",
+               .question = why,
+               .mistakes = {{"no-core", -p.density * exact(p), why}});
 }
 
 static void test_core(void)
 {
-    (void)(check_core((struct pair){2, 1.0, 1.0, 0.2, 1.5, 1.9}) &&
-           check_core((struct pair){3, 1.0, 0.5, 0.5, 1.5, 1.25}) &&
-           check_core((struct pair){2, 1.0, 0.5, 0.5, 0.0, 1.25}) &&
-           check_core((struct pair){3, 1.0, 1.0, 0.0, 1.5, 1.0}));
+    check_core((struct pair){2, 1.0, 1.0, 0.2, 1.5, 1.9});
+    check_core((struct pair){3, 1.0, 0.5, 0.5, 1.5, 1.25});
+    check_core((struct pair){2, 1.0, 0.5, 0.5, 0.0, 1.25});
+    check_core((struct pair){3, 1.0, 1.0, 0.0, 1.5, 1.0});
 }
 
 /* What an angle cuts off the circle, or off the sphere, of radius 1: the
@@ -402,10 +388,8 @@ static void test_limits(void)
         struct pair far = draw_pair(2 + i % 2, &overlap), near = far;
         far.r = far.R1 + far.R2 + 2.0 * far.small + check_draw(0.01, 9.0);
         near.r = check_draw(0.1, 0.98) * (near.R1 + near.R2);
-        if (!check_core(near) ||
-            !check_apart(far, 0.0,
-                         "The zones do not meet. What do they share?"))
-            return;
+        check_core(near);
+        check_apart(far, 0.0, "The zones do not meet. What do they share?");
     }
 }
 
@@ -422,10 +406,9 @@ static void test_drawn(void)
         const struct slack some = {
             tolerance(p) + 1e-8 * overlap,
             "a hundred millionth, for those who integrate"};
-        if (!check_given(p, overlap, some,
-                         "Two zones, and a chord in front of a centre or "
-                         "behind it. What does it cut off each of them?"))
-            return;
+        check_given(p, overlap, some,
+                    "Two zones, and a chord in front of a centre or behind "
+                    "it. What does it cut off each of them?");
     }
 }
 

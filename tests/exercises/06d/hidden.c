@@ -3,13 +3,13 @@
 #include "examiner/check.h"
 #include "call.h"
 
-static bool check(double got, double expected, const char *what,
+static void check(double got, double expected, const char *what,
                   const char *question)
 {
-    return CHECK_NEAR(got, .quantity = what,
-                      .input = "a row of disks of 1 m in a box of 10 m",
-                      .expected = expected, .tolerance = 1e-12,
-                      .because = "a few roundings", .question = question);
+    CHECK_NEAR(got, .quantity = what,
+               .input = "a row of disks of 1 m in a box of 10 m",
+               .expected = expected, .tolerance = 1e-12,
+               .because = "a few roundings", .question = question);
 }
 
 /* Three in a row that touch: the push comes out at the other end. */
@@ -22,11 +22,10 @@ static void test_touching(void)
         static const char question[] =
             "The three touch from the start, so the push is handed on "
             "before anybody has moved. How far does the first one go?";
-        if (!(check((double)touches, 2.0, "what is returned", question) &&
-              check(x[0], at, "x[0] after", question) &&
-              check(fmod(x[2] - at - 2.0 + 10.0, 10.0), way,
-                    "how far the last one has gone", question)))
-            return;
+        check((double)touches, 2.0, "what is returned", question);
+        check(x[0], at, "x[0] after", question);
+        check(fmod(x[2] - at - 2.0 + 10.0, 10.0), way,
+              "how far the last one has gone", question);
     }
 }
 
@@ -41,11 +40,10 @@ static void test_parts(void)
         push_chain(3, 1.0, 10.0, 4.0, z, y, 0, one);
         push_chain(3, 1.0, 10.0, 4.0, z, y, 0, two);
         for (int k = 0; k < 3; ++k)
-            if (!check(z[k], x[k], "x after two parts of a push",
-                       "A push in two parts is the same push, when the "
-                       "second part begins where the first has ended. What "
-                       "does your chain forget?"))
-                return;
+            check(z[k], x[k], "x after two parts of a push",
+                  "A push in two parts is the same push, when the second "
+                  "part begins where the first has ended. What does your "
+                  "chain forget?");
     }
 }
 

@@ -93,7 +93,7 @@ static double would(const struct box *from, struct idea k, size_t i)
 
 /* Each touch has ten roundings of the width or so, and the root makes more
    of them where a disk is only brushed; drawn boxes have none such. */
-static bool check(const struct box *from, const char *question)
+static void check(const struct box *from, const char *question)
 {
     struct box got = *from, b = *from;
     struct idea radius = right, straight = right, stops = right,
@@ -110,46 +110,44 @@ static bool check(const struct box *from, const char *question)
                          (from->width + from->length + from->sigma);
     for (size_t k = 0; k < b.n; ++k) {
         const size_t i = (b.first + k) % b.n; /* the pushed one first */
-        if (!CHECK_NEAR(
-                got.x[i], .quantity = check_text("x[%zu] after", i),
-                .unit = "m", .input = input(from), .expected = b.x[i],
-                .tolerance = slack,
-                .because =
-                    "64 epsilons of the box and the way, for each touch",
-                .question = question,
-                .mistakes = {
-                    {"radius-for-diameter", would(from, radius, i),
-                     "Your disks come nearer to each other than they can. "
-                     "How far apart are two centres that touch?"},
-                    {"not-aside", would(from, straight, i),
-                     "This disk stops a whole diameter short. The other "
-                     "one stands aside: how far apart along x are their "
-                     "centres when they touch?"},
-                    {"push-not-handed-on", would(from, stops, i),
-                     "At the first touch your chain ends. What becomes of "
-                     "the rest of the way?"},
-                    {"length-anew", would(from, anew, i),
-                     "The length is for all disks together. How much of it "
-                     "has the one before used up?"},
-                    {"not-through-the-side", would(from, no_x, i),
-                     "There is a disk beyond the right side, which has a "
-                     "smaller x. How far ahead is it?"},
-                    {"not-through-the-top", would(from, no_y, i),
-                     "A disk near the top and one near the bottom may "
-                     "touch. How far aside is it, by the shorter way?"},
-                    {"left-outside", would(from, outside, i),
-                     "This place is outside the box. Where does a disk "
-                     "come in that leaves on the right?"},
-                    {"touching-passed-by", would(from, passes, i),
-                     "These disks touch, and a rounding has put one of "
-                     "them a hair too near. Which way of yours has become "
-                     "negative, or as long as the box?"}}))
-            return false;
+        CHECK_NEAR(got.x[i], .quantity = check_text("x[%zu] after", i),
+                   .unit = "m", .input = input(from), .expected = b.x[i],
+                   .tolerance = slack,
+                   .because =
+                       "64 epsilons of the box and the way, for each touch",
+                   .question = question,
+                   .mistakes = {
+                       {"radius-for-diameter", would(from, radius, i),
+                        "Your disks come nearer to each other than they "
+                        "can. How far apart are two centres that touch?"},
+                       {"not-aside", would(from, straight, i),
+                        "This disk stops a whole diameter short. The other "
+                        "one stands aside: how far apart along x are their "
+                        "centres when they touch?"},
+                       {"push-not-handed-on", would(from, stops, i),
+                        "At the first touch your chain ends. What becomes "
+                        "of the rest of the way?"},
+                       {"length-anew", would(from, anew, i),
+                        "The length is for all disks together. How much of "
+                        "it has the one before used up?"},
+                       {"not-through-the-side", would(from, no_x, i),
+                        "There is a disk beyond the right side, which has "
+                        "a smaller x. How far ahead is it?"},
+                       {"not-through-the-top", would(from, no_y, i),
+                        "A disk near the top and one near the bottom may "
+                        "touch. How far aside is it, by the shorter way?"},
+                       {"left-outside", would(from, outside, i),
+                        "This place is outside the box. Where does a disk "
+                        "come in that leaves on the right?"},
+                       {"touching-passed-by", would(from, passes, i),
+                        "These disks touch, and a rounding has put one of "
+                        "them a hair too near. Which way of yours has "
+                        "become negative, or as long as the box?"}});
     }
     static const char count[] =
         "All places are right. When is a push handed on, and how often has "
         "that happened here?";
-    return CHECK_NEAR(
+    CHECK_NEAR(
         (double)touches, .quantity = "what is returned",
         .input = input(from), .expected = (double)expected,
         .tolerance = 0.0, .because = "a number of touches",
@@ -162,27 +160,24 @@ static void test_one(void)
 {
     static const char question[] =
         "A disk alone has nobody to touch. Where is it after all the way?";
-    (void)(check(&BOX(1, 1.0, 4.0, 3.0, {1.0}, {1.0}, 0, 1.5), question) &&
-           check(&BOX(1, 1.0, 4.0, 3.0, {1.0}, {1.0}, 0, 5.5), question));
+    check(&BOX(1, 1.0, 4.0, 3.0, {1.0}, {1.0}, 0, 1.5), question);
+    check(&BOX(1, 1.0, 4.0, 3.0, {1.0}, {1.0}, 0, 5.5), question);
 }
 
 static void test_row(void)
 {
     static const char question[] = "All are in one row. Who goes how far, "
                                    "and how long is that in all?";
-    (void)(check(&BOX(2, 1.0, 6.0, 3.0, {1.0, 2.5}, {1.0, 1.0}, 0, 1.5),
-                 question) &&
-           check(&BOX(2, 1.0, 6.0, 3.0, {1.0, 2.5}, {1.0, 1.0}, 0, 0.5),
-                 "The way ends just where they touch. Has anything been "
-                 "handed on?") &&
-           check(&BOX(3, 1.0, 9.0, 3.0, {3.5, 1.0, 6.0}, {1.0, 1.0, 1.0}, 1,
-                      4.0),
-                 question) &&
-           check(&BOX(3, 0.1, 1.2, 0.5,
-                      {0.1, 0.2, 0.3}, /* 0.3 - 0.2 < 0.1 */
-                      {0.2, 0.2, 0.2}, 0, 0.25),
-                 "Three in a row that touch, but for roundings. Which of "
-                 "them goes anywhere?"));
+    check(&BOX(2, 1.0, 6.0, 3.0, {1.0, 2.5}, {1.0, 1.0}, 0, 1.5), question);
+    check(
+        &BOX(2, 1.0, 6.0, 3.0, {1.0, 2.5}, {1.0, 1.0}, 0, 0.5),
+        "The way ends just where they touch. Has anything been handed on?");
+    check(&BOX(3, 1.0, 9.0, 3.0, {3.5, 1.0, 6.0}, {1.0, 1.0, 1.0}, 1, 4.0),
+          question);
+    check(&BOX(3, 0.1, 1.2, 0.5, {0.1, 0.2, 0.3}, /* 0.3 - 0.2 < 0.1 */
+               {0.2, 0.2, 0.2}, 0, 0.25),
+          "Three in a row that touch, but for roundings. Which of them "
+          "goes anywhere?");
 }
 
 static void test_aside(void)
@@ -195,16 +190,15 @@ static void test_aside(void)
 /* limit: 2 sigma (what the box is larger than) */
 static void test_edges(void)
 {
-    (void)(check(&BOX(2, 1.0, 6.0, 3.0, {1.0, 5.0}, {1.0, 1.0}, 1, 2.0),
-                 "The disk that is pushed leaves on the right. Who stands "
-                 "beyond that side?") &&
-           check(&BOX(2, 1.0, 6.0, 3.0, {1.0, 3.0}, {0.2, 2.8}, 0, 2.5),
-                 "One disk is near the bottom and the other one near the "
-                 "top. Do they pass each other?") &&
-           check(
-               &BOX(2, 1.0, 2.125, 2.125, {0.25, 1.5}, {0.5, 0.75}, 0, 3.0),
-               "The box is hardly larger than two disks. Whom does each of "
-               "them meet, on either side?"));
+    check(&BOX(2, 1.0, 6.0, 3.0, {1.0, 5.0}, {1.0, 1.0}, 1, 2.0),
+          "The disk that is pushed leaves on the right. Who stands beyond "
+          "that side?");
+    check(&BOX(2, 1.0, 6.0, 3.0, {1.0, 3.0}, {0.2, 2.8}, 0, 2.5),
+          "One disk is near the bottom and the other one near the top. Do "
+          "they pass each other?");
+    check(&BOX(2, 1.0, 2.125, 2.125, {0.25, 1.5}, {0.5, 0.75}, 0, 3.0),
+          "The box is hardly larger than two disks. Whom does each of them "
+          "meet, on either side?");
 }
 
 /* So many, one after the other, wherever they fit. */
@@ -245,16 +239,14 @@ static void test_room(void)
         for (size_t k = 0; k < b.n; ++k)
             moved += b.x[k] - from.x[k];
         const double turns = (b.length - moved) / b.width;
-        if (!CHECK_NEAR(
-                turns - round(turns),
-                .quantity = "what is missing of the way in all, in widths "
-                            "of the box",
-                .input = input(&from), .expected = 0.0, .tolerance = 1e-11,
-                .because = "roundings",
-                .question =
-                    "Whatever one disk does not go, another one does. Add "
-                    "up how far each has gone: is it the length?"))
-            return;
+        CHECK_NEAR(
+            turns - round(turns),
+            .quantity =
+                "what is missing of the way in all, in widths of the box",
+            .input = input(&from), .expected = 0.0, .tolerance = 1e-11,
+            .because = "roundings",
+            .question = "Whatever one disk does not go, another one does. "
+                        "Add up how far each has gone: is it the length?");
     }
 }
 
@@ -263,9 +255,8 @@ static void test_drawn(void)
     for (int i = 0; i < 30; ++i) {
         struct box b;
         draw(&b);
-        if (!check(&b, "Up to ten disks. Follow the push on paper, disk by "
-                       "disk: which one is touched first?"))
-            return;
+        check(&b, "Up to ten disks. Follow the push on paper, disk by "
+                  "disk: which one is touched first?");
     }
 }
 

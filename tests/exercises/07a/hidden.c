@@ -16,10 +16,10 @@ static double fourth(int n, double mean, double v)
     return answer;
 }
 
-static bool check(double got, double expected, double tolerance,
+static void check(double got, double expected, double tolerance,
                   const char *quantity, int n, double mean, double v)
 {
-    return CHECK_NEAR(
+    CHECK_NEAR(
         got, .quantity = quantity,
         .input = check_text(
             "n = %d disks, mean square %g m^2/s^2, v = %g m/s", n, mean, v),
@@ -53,11 +53,10 @@ static void test_means(void)
             last += 2.0 * s * part;
         }
         const double v = check_draw(-3.0, 9.0);
-        if (!check(second, mean, 1e-12 * half,
-                   "mean of v^2, from your probabilities", n, mean, v) ||
-            !check(fourth(n, mean, v), last, 1e-12 * half * half,
-                   "*fourth, from your probabilities", n, mean, v))
-            return;
+        check(second, mean, 1e-12 * half,
+              "mean of v^2, from your probabilities", n, mean, v);
+        check(fourth(n, mean, v), last, 1e-12 * half * half,
+              "*fourth, from your probabilities", n, mean, v);
     }
 }
 
@@ -70,12 +69,11 @@ static void test_units(void)
         const double mean = check_draw(0.5, 2.0), part = check_draw(0, 1);
         const double v = part * sqrt(2.0 * mean) * unit;
         const double squared = mean * unit * unit;
-        if (!check(below(2, squared, v), part * part, 1e-12 * part * part,
-                   "probability of a speed below v", 2, squared, v) ||
-            !check(fourth(2, squared, v) / squared, 4.0 / 3.0 * squared,
-                   1e-12 * squared, "*fourth over the mean square", 2,
-                   squared, v))
-            return;
+        check(below(2, squared, v), part * part, 1e-12 * part * part,
+              "probability of a speed below v", 2, squared, v);
+        check(fourth(2, squared, v) / squared, 4.0 / 3.0 * squared,
+              1e-12 * squared, "*fourth over the mean square", 2, squared,
+              v);
     }
 }
 
@@ -87,16 +85,15 @@ static void test_out_of_reach(void)
         const double mean = check_draw(0.1, 9.0);
         const double fast = sqrt(n * mean) * check_draw(1.001, 9.0);
         const double slow = sqrt(mean) * check_draw(0.1, 0.999);
-        if (!check(below(n, mean, fast), 1.0, 0.0,
-                   "probability of a speed below v", n, mean, fast) ||
-            !check(below(n, mean, 1e200), 1.0, 0.0,
-                   "probability of a speed below v", n, mean, 1e200) ||
-            !check(below(n, mean, -fast), 0.0, 0.0,
-                   "probability of a speed below v", n, mean, -fast) ||
-            (n == 1 &&
-             !check(below(n, mean, slow), 0.0, 0.0,
-                    "probability of a speed below v", n, mean, slow)))
-            return;
+        check(below(n, mean, fast), 1.0, 0.0,
+              "probability of a speed below v", n, mean, fast);
+        check(below(n, mean, 1e200), 1.0, 0.0,
+              "probability of a speed below v", n, mean, 1e200);
+        check(below(n, mean, -fast), 0.0, 0.0,
+              "probability of a speed below v", n, mean, -fast);
+        if (n == 1)
+            check(below(n, mean, slow), 0.0, 0.0,
+                  "probability of a speed below v", n, mean, slow);
     }
 }
 

@@ -40,20 +40,19 @@ static double density(const struct known *k)
 
 /* Digits are lost where some of the first are right, or where the answer
    would be right if it were not so small. */
-static bool check_digits(const struct known *k, double got,
+static void check_digits(const struct known *k, double got,
                          const char *question)
 {
     const double off = (got - k->below) / k->below;
-    return CHECK_NEAR(
-        off, .quantity = "relative error of the probability below v",
-        .input = input(k), .expected = 0.0, .tolerance = tolerance,
-        .because = because, .question = question,
-        .mistakes = {
-            {"digits-lost", off,
-             "The formula is right, and its last digits are gone, or all "
-             "of them. What is left of a small share in 1 minus it, what "
-             "makes a high power of that, and which two functions of "
-             "<math.h> do without the 1?"}});
+    CHECK_NEAR(off, .quantity = "relative error of the probability below v",
+               .input = input(k), .expected = 0.0, .tolerance = tolerance,
+               .because = because, .question = question,
+               .mistakes = {
+                   {"digits-lost", off,
+                    "The formula is right, and its last digits are gone, "
+                    "or all of them. What is left of a small share in 1 "
+                    "minus it, what makes a high power of that, and which "
+                    "two functions of <math.h> do without the 1?"}});
 }
 
 static const char bounded[] =
@@ -64,16 +63,18 @@ static const char unbounded[] =
     "This is the law of Maxwell and Boltzmann, and it is near. How many of "
     "your digits are right, and how many were asked for?";
 
-static bool check_below(const struct known *k, const char *question)
+static void check_below(const struct known *k, const char *question)
 {
     const double got = below(k->n, k->mean, k->v), off = got - k->below;
     const double bell = -expm1(-k->v * k->v / k->mean);
     const double n = k->n, share = k->v * k->v / (n * k->mean);
     const bool few = fabs(got - bell) > 1e-12 * bell;
-    if (few &&
-        (fabs(off) < 1e-6 * k->below || (share < 1e-3 && fabs(off) < 1e-9)))
-        return check_digits(k, got, question);
-    return CHECK_NEAR(
+    if (few && (fabs(off) < 1e-6 * k->below ||
+                (share < 1e-3 && fabs(off) < 1e-9))) {
+        check_digits(k, got, question);
+        return;
+    }
+    CHECK_NEAR(
         got, .quantity = "probability of a speed below v",
         .input = input(k), .expected = k->below,
         .tolerance = tolerance * k->below, .because = because,
@@ -106,13 +107,11 @@ static bool check_below(const struct known *k, const char *question)
              "other?"}});
 }
 
-static bool check_table(const struct known *k, size_t count,
+static void check_table(const struct known *k, size_t count,
                         const char *question)
 {
     for (size_t i = 0; i < count; ++i)
-        if (!check_below(&k[i], question))
-            return false;
-    return true;
+        check_below(&k[i], question);
 }
 
 static void test_two(void)
@@ -143,7 +142,7 @@ static void test_some(void)
 }
 
 /* Beyond the largest speed, and below any. */
-static bool check_outside(int n, double mean, double v, double expected)
+static void check_outside(int n, double mean, double v, double expected)
 {
     const struct known k = {n, mean, v, expected};
     const double share = v / n * v / mean;
@@ -151,7 +150,7 @@ static bool check_outside(int n, double mean, double v, double expected)
         "No disk can be as fast as that: it would have more than all the "
         "energy. How many of the speeds lie below this v?";
     const bool fast = v > 0.0;
-    return CHECK_NEAR(
+    CHECK_NEAR(
         below(n, mean, v), .quantity = "probability of a speed below v",
         .input = input(&k), .expected = expected, .tolerance = 0.0,
         .because = "nothing is to be computed here",
@@ -170,15 +169,15 @@ static bool check_outside(int n, double mean, double v, double expected)
 
 static void test_outside(void)
 {
-    for (int n = 2; n <= 6; n += 2)
-        if (!(check_outside(n, 1.0, 2.5, 1.0) &&
-              check_outside(n, 4.0, 7.0, 1.0) &&
-              check_outside(n, 1.0, INFINITY, 1.0) &&
-              check_outside(n, 1.0, 0.0, 0.0) &&
-              check_outside(n, 1.0, -0.5, 0.0) &&
-              check_outside(n, 1.0, -7.0, 0.0) &&
-              check_outside(n, 1.0, -INFINITY, 0.0)))
-            return;
+    for (int n = 2; n <= 6; n += 2) {
+        check_outside(n, 1.0, 2.5, 1.0);
+        check_outside(n, 4.0, 7.0, 1.0);
+        check_outside(n, 1.0, INFINITY, 1.0);
+        check_outside(n, 1.0, 0.0, 0.0);
+        check_outside(n, 1.0, -0.5, 0.0);
+        check_outside(n, 1.0, -7.0, 0.0);
+        check_outside(n, 1.0, -INFINITY, 0.0);
+    }
     check_outside(4, 1.0, 2.0, 1.0);
 }
 
@@ -188,14 +187,13 @@ static void test_one(void)
     static const double v[] = {0.5, 1.75, 2.25, 5.0};
     for (size_t i = 0; i < sizeof v / sizeof v[0]; ++i) {
         const struct known k = {1, 4.0, v[i], v[i] < 2.0 ? 0.0 : 1.0};
-        if (!CHECK_NEAR(
-                below(k.n, k.mean, k.v),
-                .quantity = "probability of a speed below v",
-                .input = input(&k), .expected = k.below, .tolerance = 0.0,
-                .because = "there is only one speed",
-                .question = "One disk alone keeps its energy, and so its "
-                            "speed. Which is it, and is it below v?"))
-            return;
+        CHECK_NEAR(below(k.n, k.mean, k.v),
+                   .quantity = "probability of a speed below v",
+                   .input = input(&k), .expected = k.below,
+                   .tolerance = 0.0, .because = "there is only one speed",
+                   .question =
+                       "One disk alone keeps its energy, and so its speed. "
+                       "Which is it, and is it below v?");
     }
 }
 
@@ -234,37 +232,38 @@ static void test_many(void)
    speed above v is the mean of v^2. For three and four disks it is that of
    a polynomial of second and third degree, which Simpson's rule gives
    exactly. The roundings are those of three probabilities. */
-static bool check_mean(int n, double mean)
+static void check_mean(int n, double mean)
 {
     const double all = n * mean;
     const double above[3] = {1.0 - below(n, mean, 0.0),
                              1.0 - below(n, mean, sqrt(0.5 * all)),
                              1.0 - below(n, mean, sqrt(all))};
     const struct known k = {n, mean, sqrt(0.5 * all), 0.0};
-    return CHECK_NEAR(all / 6.0 * (above[0] + 4.0 * above[1] + above[2]),
-                      .quantity = "mean of v^2, from your probabilities "
-                                  "for 0, this v, and the largest v",
-                      .unit = "m^2/s^2", .input = input(&k),
-                      .expected = mean, .tolerance = all * tolerance,
-                      .because = "that of the probabilities, summed up",
-                      .question =
-                          "The mean of the squares was given. Which "
-                          "squares are too frequent in your law?");
+    CHECK_NEAR(all / 6.0 * (above[0] + 4.0 * above[1] + above[2]),
+               .quantity = "mean of v^2, from your probabilities for 0, "
+                           "this v, and the largest v",
+               .unit = "m^2/s^2", .input = input(&k), .expected = mean,
+               .tolerance = all * tolerance,
+               .because = "that of the probabilities, summed up",
+               .question = "The mean of the squares was given. Which "
+                           "squares are too frequent in your law?");
 }
 
 static void test_mean(void)
 {
-    (void)(check_mean(3, 1.0) && check_mean(4, 1.0) && check_mean(3, 2.5) &&
-           check_mean(4, 0.3));
+    check_mean(3, 1.0);
+    check_mean(4, 1.0);
+    check_mean(3, 2.5);
+    check_mean(4, 0.3);
 }
 
-static bool check_fourth(int n, double mean, double v)
+static void check_fourth(int n, double mean, double v)
 {
     const struct known k = {n, mean, v, 0.0};
     const double count = n, square = mean * mean;
     double got = CHECK_EMPTY;
     (void)speed_below(n, mean, v, &got);
-    return CHECK_NEAR(
+    CHECK_NEAR(
         got, .quantity = "*fourth, the mean of v^4", .unit = "m^4/s^4",
         .input = input(&k),
         .expected = square * (count / (count + 1.0) * 2.0),
@@ -294,11 +293,15 @@ static bool check_fourth(int n, double mean, double v)
 
 static void test_fourth(void)
 {
-    (void)(check_fourth(3, 1.25, 1.0) && check_fourth(2, 1.5, 1.0) &&
-           check_fourth(2, 0.7, 9.0) && check_fourth(5, 1.5, -1.0) &&
-           check_fourth(250, 1.0, 0.5) && check_fourth(1, 1.5, 1.0) &&
-           check_fourth(1, 3.0, 2.0) && check_fourth(1000000, 2.0, 1.0) &&
-           check_fourth(1000000000, 2.0, 1.0));
+    check_fourth(3, 1.25, 1.0);
+    check_fourth(2, 1.5, 1.0);
+    check_fourth(2, 0.7, 9.0);
+    check_fourth(5, 1.5, -1.0);
+    check_fourth(250, 1.0, 0.5);
+    check_fourth(1, 1.5, 1.0);
+    check_fourth(1, 3.0, 2.0);
+    check_fourth(1000000, 2.0, 1.0);
+    check_fourth(1000000000, 2.0, 1.0);
 }
 
 /* The integral over s = v^2 of 2 s times the probability of a speed above v
@@ -339,10 +342,9 @@ static void test_drawn(void)
 {
     for (int i = 0; i < 50; ++i) {
         const struct known k = draw_known();
-        if (!check_below(&k, "Many disks or few, fast or slow: where in "
-                             "your formula do digits get lost?") ||
-            !check_fourth(k.n, k.mean, k.v))
-            return;
+        check_below(&k, "Many disks or few, fast or slow: where in your "
+                        "formula do digits get lost?");
+        check_fourth(k.n, k.mean, k.v);
     }
 }
 

@@ -12,15 +12,14 @@ struct state {
 size_t steps_under(void (*by)(size_t n, const double x[], double a[]),
                    size_t n, struct state *s, double dt, size_t steps);
 
-static bool check(double got, double expected, double tolerance,
+static void check(double got, double expected, double tolerance,
                   const char *quantity, const char *input,
                   const char *question)
 {
-    return CHECK_NEAR(got, .quantity = quantity, .input = input,
-                      .expected = expected, .tolerance = tolerance,
-                      .because =
-                          "some epsilons a step of all that is added up",
-                      .question = question);
+    CHECK_NEAR(got, .quantity = quantity, .input = input,
+               .expected = expected, .tolerance = tolerance,
+               .because = "some epsilons a step of all that is added up",
+               .question = question);
 }
 
 /* A planet, whose force points to the sun whatever its strength. */
@@ -47,14 +46,13 @@ static void test_areas(void)
             "a planet at %g m with %g m/s across, %zu steps of %g s", r,
             fast, steps, dt);
         (void)steps_under(to_the_sun, 3, &s, dt, steps);
-        if (!check(s.x[0] * s.v[1] - s.x[1] * s.v[0], r * fast,
-                   (double)(steps + 4) * 1e-14, "angular momentum", input,
-                   "The force points to the sun at the place where it "
-                   "acts. Is that the place that is kicked?") ||
-            !check(s.x[2], 0.5 + 0.25 * dt * (double)steps,
-                   (double)(steps + 4) * 1e-14, "z", input,
-                   "Nothing acts along z. How far has it gone?"))
-            return;
+        check(s.x[0] * s.v[1] - s.x[1] * s.v[0], r * fast,
+              (double)(steps + 4) * 1e-14, "angular momentum", input,
+              "The force points to the sun at the place where it acts. Is "
+              "that the place that is kicked?");
+        check(s.x[2], 0.5 + 0.25 * dt * (double)steps,
+              (double)(steps + 4) * 1e-14, "z", input,
+              "Nothing acts along z. How far has it gone?");
     }
 }
 
@@ -87,14 +85,13 @@ static void test_together(void)
         }
         const char *input = check_text(
             "a ring of %d bodies, %zu steps of %g s", MOST, steps, dt);
-        if (!check(v_end, v, 1e-11, "sum of all v", input,
-                   "What one body takes from another it gives back. Were "
-                   "both forces taken at the same time?") ||
-            !check(x_end, x + v * dt * (double)steps, 1e-9, "sum of all x",
-                   input,
-                   "The centre of all bodies goes straight on. How long do "
-                   "the two halves of a drift last together?"))
-            return;
+        check(v_end, v, 1e-11, "sum of all v", input,
+              "What one body takes from another it gives back. Were both "
+              "forces taken at the same time?");
+        check(x_end, x + v * dt * (double)steps, 1e-9, "sum of all x",
+              input,
+              "The centre of all bodies goes straight on. How long do the "
+              "two halves of a drift last together?");
     }
 }
 
@@ -123,12 +120,11 @@ static void test_units(void)
             check_text("a(x) = -x^3, x = %g, v = %g, %zu steps of %g, and "
                        "the same with %g times the unit of time",
                        x, v, steps, dt, unit_of_time);
-        if (!check(other.x[0], s.x[0], 1e-13, "x in the other units", input,
-                   "Is there a number with a unit in your step?") ||
-            !check(other.v[0] * unit_of_time, s.v[0], 1e-13,
-                   "v in the other units", input,
-                   "Is there a number with a unit in your step?"))
-            return;
+        check(other.x[0], s.x[0], 1e-13, "x in the other units", input,
+              "Is there a number with a unit in your step?");
+        check(other.v[0] * unit_of_time, s.v[0], 1e-13,
+              "v in the other units", input,
+              "Is there a number with a unit in your step?");
     }
     unit_of_time = 1.0;
 }

@@ -135,7 +135,7 @@ static bool near(double a, double b)
 /* limit: 1 (coordinate) */
 /* One step of one coordinate; expected is what has been worked out by
    hand. The slips are those that explain both x and v. */
-static bool check_step(struct point p, double dt, struct point expected,
+static void check_step(struct point p, double dt, struct point expected,
                        const char *question)
 {
     struct state s = {.x = {p.x}, .v = {p.v}};
@@ -161,19 +161,17 @@ static bool check_step(struct point p, double dt, struct point expected,
             if (near(s.x[0], slip[i].end.x) && near(s.v[0], slip[i].end.v))
                 c.mistakes[used++] =
                     (struct check_mistake){slip[i].name, got, slip[i].hint};
-        if (!check_near(__FILE__, __LINE__, got, c))
-            return false;
+        check_near(__FILE__, __LINE__, got, c);
     }
-    return true;
 }
 
 /* ---- the tests ---- */
 
 /* A coordinate of many that fly freely. */
-static bool check_free(size_t n, size_t i, double got, double expected,
+static void check_free(size_t n, size_t i, double got, double expected,
                        const char *quantity)
 {
-    return CHECK_NEAR(
+    CHECK_NEAR(
         got, .quantity = check_text("%s[%zu]", quantity, i),
         .input = check_text("%zu coordinates without forces, three steps "
                             "of 0.5 s; x[i] = i m and v[i] = 2 - i m/s",
@@ -205,14 +203,12 @@ static void test_free(void)
             s.v[i] = 2.0 - (double)i;
         }
         (void)steps_under(no_force, n, &s, 0.5, 3);
-        for (size_t i = 0; i <= n; ++i)
-            if (!check_free(n, i, s.x[i],
-                            i < n ? 1.5 * (2.0 - (double)i) + (double)i
-                                  : 4096.0,
-                            "x") ||
-                !check_free(n, i, s.v[i], i < n ? 2.0 - (double)i : 4096.0,
-                            "v"))
-                return;
+        for (size_t i = 0; i <= n; ++i) {
+            check_free(n, i, s.x[i],
+                       i < n ? 1.5 * (2.0 - (double)i) + (double)i : 4096.0,
+                       "x");
+            check_free(n, i, s.v[i], i < n ? 2.0 - (double)i : 4096.0, "v");
+        }
     }
 }
 
@@ -221,19 +217,16 @@ static void test_stone(void)
 {
     oscillator.omega = 0.0;
     oscillator.weight = -10.0;
-    (void)(check_step((struct point){0.0, 12.0}, 1.0,
-                      (struct point){7.0, 2.0},
-                      "A stone is thrown upwards with 12 m/s. Where is it "
-                      "half a second later, and where after the other "
-                      "half, with the new velocity?") &&
-           check_step((struct point){2.0, 3.0}, 0.5,
-                      (struct point){2.25, -2.0},
-                      "A stone on its parabola: which velocity has each "
-                      "half of the drift?") &&
-           check_step((struct point){2.25, -2.0}, -0.5,
-                      (struct point){2.0, 3.0},
-                      "The step goes back in time. Where did the stone "
-                      "come from?"));
+    check_step(
+        (struct point){0.0, 12.0}, 1.0, (struct point){7.0, 2.0},
+        "A stone is thrown upwards with 12 m/s. Where is it half a second "
+        "later, and where after the other half, with the new velocity?");
+    check_step((struct point){2.0, 3.0}, 0.5, (struct point){2.25, -2.0},
+               "A stone on its parabola: which velocity has each half of "
+               "the drift?");
+    check_step(
+        (struct point){2.25, -2.0}, -0.5, (struct point){2.0, 3.0},
+        "The step goes back in time. Where did the stone come from?");
 }
 
 /* By hand, with omega = 1/s: from x = 1 and v = 2 and dt = 1/2 the middle
@@ -245,19 +238,16 @@ static void test_oscillator(void)
 {
     oscillator.omega = 1.0;
     oscillator.weight = 0.0;
-    (void)(check_step(
-               (struct point){1.0, 2.0}, 0.5, (struct point){1.8125, 1.25},
+    check_step((struct point){1.0, 2.0}, 0.5, (struct point){1.8125, 1.25},
                "Follow the step on paper: half a drift, a kick, half a "
-               "drift. Where is the coordinate after each?") &&
-           check_step((struct point){0.0, 1.0}, 1.0,
-                      (struct point){0.75, 0.5},
-                      "Begin at x = 0: where is the middle of the step, "
-                      "how large is the kick there, and where does the "
-                      "second half of the drift end?") &&
-           check_step((struct point){1.0, 0.0}, 1.0,
-                      (struct point){0.5, -1.0},
-                      "Begin at rest: in which half of the step does the "
-                      "coordinate move?"));
+               "drift. Where is the coordinate after each?");
+    check_step(
+        (struct point){0.0, 1.0}, 1.0, (struct point){0.75, 0.5},
+        "Begin at x = 0: where is the middle of the step, how large is the "
+        "kick there, and where does the second half of the drift end?");
+    check_step((struct point){1.0, 0.0}, 1.0, (struct point){0.5, -1.0},
+               "Begin at rest: in which half of the step does the "
+               "coordinate move?");
 }
 
 static void test_asked(void)
@@ -268,24 +258,23 @@ static void test_asked(void)
         oscillator.weight = 0.5;
         const double asked =
             (double)steps_under(spring_and_weight, 4, &s, 0.25, steps);
-        if (!CHECK_NEAR(
-                asked, .quantity = "how often the forces were asked for",
-                .input = check_text("4 coordinates, %zu step%s", steps,
-                                    steps == 1 ? "" : "s"),
-                .expected = (double)steps, .tolerance = 0.0,
-                .because = "a number is exact",
-                .question = "Forces are what costs time in a large run. "
-                            "How many kicks has a step?",
-                .mistakes = {{"one-after-the-other", 4.0 * (double)steps,
-                              "Four times a step: once for each "
-                              "coordinate. Where must ALL of them be when "
-                              "the force on one is asked for?"},
-                             {"asks-twice", 2.0 * (double)steps,
-                              "Twice a step. Have the coordinates moved "
-                              "between the two?"},
-                             {"one-step-only", 1.0,
-                              "Once in all. How many steps were wanted?"}}))
-            return;
+        CHECK_NEAR(
+            asked, .quantity = "how often the forces were asked for",
+            .input = check_text("4 coordinates, %zu step%s", steps,
+                                steps == 1 ? "" : "s"),
+            .expected = (double)steps, .tolerance = 0.0,
+            .because = "a number is exact",
+            .question = "Forces are what costs time in a large run. How "
+                        "many kicks has a step?",
+            .mistakes = {
+                {"one-after-the-other", 4.0 * (double)steps,
+                 "Four times a step: once for each coordinate. Where must "
+                 "ALL of them be when the force on one is asked for?"},
+                {"asks-twice", 2.0 * (double)steps,
+                 "Twice a step. Have the coordinates moved between the "
+                 "two?"},
+                {"one-step-only", 1.0,
+                 "Once in all. How many steps were wanted?"}});
     }
 }
 
@@ -323,22 +312,22 @@ static void test_many(void)
                                        "m, v = %g m/s, %zu steps of %g s",
                                        z / dt, p.x, p.v, steps, dt);
         (void)steps_under(spring_and_weight, 1, &s, dt, steps);
-        if (!CHECK_NEAR(s.x[0], .quantity = "x at the end", .unit = "m",
-                        .input = input, .expected = end.x,
-                        .tolerance = tolerance,
-                        .because = "8 epsilons of the amplitude a step",
-                        .question = "One step was right. What is different "
-                                    "in the second one?",
-                        .mistakes = {{"one-step-only", one.x,
-                                      "This is where one step leads. How "
-                                      "many were wanted?"}}) ||
-            !CHECK_NEAR(s.v[0], .quantity = "v at the end", .unit = "m/s",
-                        .input = input, .expected = end.v,
-                        .tolerance = tolerance * z / dt / 0.6,
-                        .because = "8 epsilons of the amplitude a step",
-                        .question = "x is right at the end. Does v belong "
-                                    "to the same time?"))
-            return;
+        CHECK_NEAR(
+            s.x[0], .quantity = "x at the end", .unit = "m", .input = input,
+            .expected = end.x, .tolerance = tolerance,
+            .because = "8 epsilons of the amplitude a step",
+            .question =
+                "One step was right. What is different in the second one?",
+            .mistakes = {
+                {"one-step-only", one.x,
+                 "This is where one step leads. How many were wanted?"}});
+        CHECK_NEAR(
+            s.v[0], .quantity = "v at the end", .unit = "m/s",
+            .input = input, .expected = end.v,
+            .tolerance = tolerance * z / dt / 0.6,
+            .because = "8 epsilons of the amplitude a step",
+            .question =
+                "x is right at the end. Does v belong to the same time?");
     }
 }
 
@@ -368,7 +357,7 @@ static void coupled(size_t n, const double x[], double a[])
     mirror(n, q, a);
 }
 
-static bool check_coupled(size_t n)
+static void check_coupled(size_t n)
 {
     struct state s, end;
     double q[MOST], w[MOST];
@@ -399,30 +388,26 @@ static bool check_coupled(size_t n)
         33.0 * (double)n;
     for (size_t i = 0; i < n; ++i)
         for (int k = 0; k < 2; ++k)
-            if (!CHECK_NEAR(
-                    k == 0 ? s.x[i] : s.v[i] * dt,
-                    .quantity = check_text(
-                        k == 0 ? "x[%zu]" : "v[%zu] times dt", i),
-                    .unit = "m",
-                    .input = check_text("%zu oscillators that are coupled, "
-                                        "%zu steps of %g s",
-                                        n, steps, dt),
-                    .expected = k == 0 ? end.x[i] : end.v[i] * dt,
-                    .tolerance = tolerance,
-                    .because = "some epsilons of all the amplitudes",
-                    .question =
-                        "Each coordinate pulls at all the others. Where "
-                        "are they when the force is asked for?"))
-                return false;
-    return true;
+            CHECK_NEAR(
+                k == 0 ? s.x[i] : s.v[i] * dt,
+                .quantity =
+                    check_text(k == 0 ? "x[%zu]" : "v[%zu] times dt", i),
+                .unit = "m",
+                .input = check_text(
+                    "%zu oscillators that are coupled, %zu steps of %g s",
+                    n, steps, dt),
+                .expected = k == 0 ? end.x[i] : end.v[i] * dt,
+                .tolerance = tolerance,
+                .because = "some epsilons of all the amplitudes",
+                .question = "Each coordinate pulls at all the others. "
+                            "Where are they when the force is asked for?");
 }
 
 static void test_coupled(void)
 {
     static const size_t n[] = {2, 3, 2, 5, 3, 8, 13, MOST};
     for (size_t i = 0; i < sizeof n / sizeof n[0]; ++i)
-        if (!check_coupled(n[i]))
-            return;
+        check_coupled(n[i]);
 }
 
 /* A chain of pendulums. */
@@ -449,17 +434,16 @@ static void test_back(void)
         (void)steps_under(pendulums, 5, &s, dt, steps);
         (void)steps_under(pendulums, 5, &s, -dt, steps);
         for (int k = 0; k < 5; ++k)
-            if (!CHECK_NEAR(
-                    s.x[k], .quantity = check_text("x[%d]", k),
-                    .input = check_text("five pendulums, %zu steps of %g "
-                                        "and %zu of -%g; v[%d] was %g",
-                                        steps, dt, steps, dt, k, v[k]),
-                    .expected = x[k], .tolerance = 1e-10,
-                    .because = "a rounding grows 3000 times at most, in "
-                               "each of 160 steps",
-                    .question = "Forth and back again: read your step "
-                                "backwards. Is it the same step?"))
-                return;
+            CHECK_NEAR(s.x[k], .quantity = check_text("x[%d]", k),
+                       .input =
+                           check_text("five pendulums, %zu steps of %g and "
+                                      "%zu of -%g; v[%d] was %g",
+                                      steps, dt, steps, dt, k, v[k]),
+                       .expected = x[k], .tolerance = 1e-10,
+                       .because = "a rounding grows 3000 times at most, in "
+                                  "each of 160 steps",
+                       .question = "Forth and back again: read your step "
+                                   "backwards. Is it the same step?");
     }
 }
 
@@ -476,12 +460,11 @@ static void test_none(void)
         "x[0]", "x[1]", "v[0]", "v[1]",
         "how often the forces were asked for"};
     for (int k = 0; k < 5; ++k)
-        if (!CHECK_NEAR(got[k], .quantity = quantity[k],
-                        .input = "2 coordinates, no step",
-                        .expected = expected[k], .tolerance = 0.0,
-                        .because = "nothing is to be done",
-                        .question = "No step: what has to change?"))
-            return;
+        CHECK_NEAR(got[k], .quantity = quantity[k],
+                   .input = "2 coordinates, no step",
+                   .expected = expected[k], .tolerance = 0.0,
+                   .because = "nothing is to be done",
+                   .question = "No step: what has to change?");
 }
 
 const struct check_suite check_suite = {

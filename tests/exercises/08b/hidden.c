@@ -18,14 +18,14 @@ size_t step_under(void (*law)(size_t n, double t, const double y[],
 struct table new_method(void);
 struct table draw_table(size_t stages);
 
-static bool check(double got, double expected, double tolerance,
+static void check(double got, double expected, double tolerance,
                   const char *quantity, const char *input,
                   const char *question)
 {
-    return CHECK_NEAR(got, .quantity = quantity, .input = input,
-                      .expected = expected, .tolerance = tolerance,
-                      .because = "some epsilons of all that is added up",
-                      .question = question);
+    CHECK_NEAR(got, .quantity = quantity, .input = input,
+               .expected = expected, .tolerance = tolerance,
+               .because = "some epsilons of all that is added up",
+               .question = question);
 }
 
 /* A cubic in t, whose integral is exact, over any step. */
@@ -55,15 +55,14 @@ static void test_cubics(void)
         for (int k = 0; k < 4; ++k)
             cubic[k] = check_draw(-1.0, 1.0);
         (void)step_under(grows, &table, 1, t, h, y);
-        if (!check(y[0], begin + integral_to(t + h) - integral_to(t), 2e-13,
-                   "y by the 3/8 rule",
-                   check_text("y' = %g + %g t + %g t^2 + %g t^3, y = %g at "
-                              "t = %g, h = %g",
-                              cubic[0], cubic[1], cubic[2], cubic[3], begin,
-                              t, h),
-                   "Newton's rule is exact for cubics. At which times are "
-                   "the four slopes taken?"))
-            return;
+        check(y[0], begin + integral_to(t + h) - integral_to(t), 2e-13,
+              "y by the 3/8 rule",
+              check_text("y' = %g + %g t + %g t^2 + %g t^3, y = %g at t = "
+                         "%g, h = %g",
+                         cubic[0], cubic[1], cubic[2], cubic[3], begin, t,
+                         h),
+              "Newton's rule is exact for cubics. At which times are the "
+              "four slopes taken?");
     }
 }
 
@@ -102,14 +101,11 @@ static void test_places(void)
                        "do not use each other and change places",
                        s, h);
         for (int k = 0; k < 3; ++k)
-            if (!check(z[k], y[k], 1e-12, check_text("y[%d]", k), input,
-                       "Two stages that do not use each other have changed "
-                       "places. Has each taken its row and its weight with "
-                       "it?"))
-                return;
-        if (!check(asked, (double)s, 0.0, "how often the slopes were asked",
-                   input, "How many stages are there?"))
-            return;
+            check(z[k], y[k], 1e-12, check_text("y[%d]", k), input,
+                  "Two stages that do not use each other have changed "
+                  "places. Has each taken its row and its weight with it?");
+        check(asked, (double)s, 0.0, "how often the slopes were asked",
+              input, "How many stages are there?");
     }
 }
 
@@ -140,14 +136,12 @@ static void test_spiral(void)
     for (int i = 0; i < 5; ++i) {
         const double angle = check_draw(0.0, 6.0);
         const double end = check_draw(1.5, 2.5);
-        if (!check(log2(spiral_error(&table, angle, end, 40) /
-                        spiral_error(&table, angle, end, 80)),
-                   4.0, 0.15, "order, from 40 steps and 80",
-                   check_text("a spiral inwards from the angle %g to t = "
-                              "%g",
-                              angle, end),
-                   "Half the step: how much smaller should the error be?"))
-            return;
+        check(log2(spiral_error(&table, angle, end, 40) /
+                   spiral_error(&table, angle, end, 80)),
+              4.0, 0.15, "order, from 40 steps and 80",
+              check_text("a spiral inwards from the angle %g to t = %g",
+                         angle, end),
+              "Half the step: how much smaller should the error be?");
     }
 }
 

@@ -93,7 +93,7 @@ static bool is(const struct table *table, enum kind kind)
     return true;
 }
 
-static bool check_entry(const struct table *table, int i, int j)
+static void check_entry(const struct table *table, int i, int j)
 {
     static const struct check_mistake known[KINDS] = {
         [INTEGERS] = {"integer-division", 0.0,
@@ -125,7 +125,7 @@ static bool check_entry(const struct table *table, int i, int j)
             c.mistakes[used] = known[kind];
             c.mistakes[used++].value = got;
         }
-    return check_near(__FILE__, __LINE__, got, c);
+    check_near(__FILE__, __LINE__, got, c);
 }
 
 static void test_rows(void)
@@ -134,8 +134,7 @@ static void test_rows(void)
     const struct table table = new_method();
     for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 4; ++j)
-            if (!check_entry(&table, order[i], j))
-                return;
+            check_entry(&table, order[i], j);
 }
 
 static void test_weights(void)
@@ -143,20 +142,19 @@ static void test_weights(void)
     static const double eighths[] = {1.0, 3.0, 3.0, 1.0};
     const struct table table = new_method();
     for (int i = 0; i < 4; ++i)
-        if (!CHECK_NEAR(
-                table.b[i], .quantity = check_text("b[%d]", i),
-                .input = "the weights are 1/8, 3/8, 3/8 and 1/8",
-                .expected = eighths[i] / 8.0, .tolerance = DBL_EPSILON,
-                .because = "eighths are exact in binary",
-                .question = "What is the mean of four slopes that are all "
-                            "the same?",
-                .mistakes = {{"integer-division", 0.0,
-                              "This is 0. What is 3 / 8 in C?"},
-                             {"weights-of-the-classical-table",
-                              eighths[i] < 2.0 ? 1.0 / 6.0 : 1.0 / 3.0,
-                              "This is a weight of the classical method. "
-                              "What is the 3/8 rule called after?"}}))
-            return;
+        CHECK_NEAR(
+            table.b[i], .quantity = check_text("b[%d]", i),
+            .input = "the weights are 1/8, 3/8, 3/8 and 1/8",
+            .expected = eighths[i] / 8.0, .tolerance = DBL_EPSILON,
+            .because = "eighths are exact in binary",
+            .question =
+                "What is the mean of four slopes that are all the same?",
+            .mistakes = {
+                {"integer-division", 0.0, "This is 0. What is 3 / 8 in C?"},
+                {"weights-of-the-classical-table",
+                 eighths[i] < 2.0 ? 1.0 / 6.0 : 1.0 / 3.0,
+                 "This is a weight of the classical method. What is the "
+                 "3/8 rule called after?"}});
 }
 
 /* ---- steps of one number ---- */
@@ -216,17 +214,15 @@ static void test_one(void)
         const double begin = y[0];
         (void)step_under(straight, &euler, 1, t[i], h[i], y);
         const double far = begin + on_line(t[i], begin);
-        if (!CHECK_NEAR(
-                y[0], .quantity = "y after one step of the Euler method",
-                .input = line_text(&euler, t[i], h[i], begin),
-                .expected = i == 2 ? 1.5 : expected[i], .tolerance = 1e-14,
-                .because = "some epsilons",
-                .question = "One stage, of weight 1: this is the Euler "
-                            "method. Where does its straight line lead?",
-                .mistakes = {{"weights-without-the-step", far,
-                              "This goes along the slope for a whole "
-                              "second. How long is the step?"}}))
-            return;
+        CHECK_NEAR(y[0], .quantity = "y after one step of the Euler method",
+                   .input = line_text(&euler, t[i], h[i], begin),
+                   .expected = i == 2 ? 1.5 : expected[i],
+                   .tolerance = 1e-14, .because = "some epsilons",
+                   .question = "One stage, of weight 1: this is the Euler "
+                               "method. Where does its straight line lead?",
+                   .mistakes = {{"weights-without-the-step", far,
+                                 "This goes along the slope for a whole "
+                                 "second. How long is the step?"}});
     }
 }
 
@@ -277,7 +273,7 @@ static void slips_of(const struct table *w, double t, double h, double y,
         slip[i] = all[i];
 }
 
-static bool check_two(const struct table *w, double t, double h, double y,
+static void check_two(const struct table *w, double t, double h, double y,
                       double expected, const char *question)
 {
     double got[2] = {y, 0.0};
@@ -294,7 +290,7 @@ static bool check_two(const struct table *w, double t, double h, double y,
     for (int i = 0; i < SLIPS; ++i)
         c.mistakes[i] =
             (struct check_mistake){slip[i].name, slip[i].end, slip[i].hint};
-    return check_near(__FILE__, __LINE__, got[0], c);
+    check_near(__FILE__, __LINE__, got[0], c);
 }
 
 /* By hand. The midpoint: k_1 = 5, the middle is 1 + 0.25 * 5 at t = 1.25,
@@ -311,10 +307,10 @@ static void test_two(void)
     const struct table other = {2, {0.0, 0.0, 0.25, 0.0}, {0.75, 0.5}};
     line.rate = 2.0;
     line.push = 3.0;
-    (void)(check_two(&other, 1.0, 0.5, 1.0, 4.53125, question) &&
-           check_two(&middle, 1.0, 0.5, 1.0, 5.125, question) &&
-           check_two(&heun, 1.0, 0.5, 1.0, 5.125, question) &&
-           check_two(&middle, 0.0, -0.25, 3.0, 1.96875, question));
+    check_two(&other, 1.0, 0.5, 1.0, 4.53125, question);
+    check_two(&middle, 1.0, 0.5, 1.0, 5.125, question);
+    check_two(&heun, 1.0, 0.5, 1.0, 5.125, question);
+    check_two(&middle, 0.0, -0.25, 3.0, 1.96875, question);
 }
 
 /* Three stages, where the third uses the first slope too. With z = h rate
@@ -335,21 +331,19 @@ static void test_three(void)
         const double one = b[0] + b[1] + b[2];
         const double two = b[1] * a10 + b[2] * (a20 + a21);
         const double cube = z * z * z * b[2] * a21 * a10;
-        if (!CHECK_NEAR(
-                y[0], .quantity = "y after one step",
-                .input = line_text(&kutta, 0.0, h, 1.5),
-                .expected = 1.5 * (1.0 + one * z + two * z * z + cube),
-                .tolerance = 1e-14 * 20.0,
-                .because = "some epsilons of all that is added up",
-                .question = "The third stage uses two slopes. Are both "
-                            "kept until then?",
-                .mistakes = {
-                    {"previous-slope-only",
-                     1.5 * (1.0 + one * z +
-                            (b[1] * a10 + b[2] * a21) * z * z + cube),
-                     "The third stage uses the second slope alone. What "
-                     "else is in its row?"}}))
-            return;
+        CHECK_NEAR(
+            y[0], .quantity = "y after one step",
+            .input = line_text(&kutta, 0.0, h, 1.5),
+            .expected = 1.5 * (1.0 + one * z + two * z * z + cube),
+            .tolerance = 1e-14 * 20.0,
+            .because = "some epsilons of all that is added up",
+            .question = "The third stage uses two slopes. Are both kept "
+                        "until then?",
+            .mistakes = {{"previous-slope-only",
+                          1.5 * (1.0 + one * z +
+                                 (b[1] * a10 + b[2] * a21) * z * z + cube),
+                          "The third stage uses the second slope alone. "
+                          "What else is in its row?"}});
     }
 }
 
@@ -361,10 +355,10 @@ static void rates(size_t n, double t, const double y[], double dy[])
         dy[i] = ((double)i - 2.0) * y[i];
 }
 
-static bool check_number(size_t n, size_t i, double got)
+static void check_number(size_t n, size_t i, double got)
 {
     const double z = 0.5 * ((double)i - 2.0);
-    return CHECK_NEAR(
+    CHECK_NEAR(
         got, .quantity = check_text("y[%zu]", i),
         .input = check_text("%zu numbers, y[i] = i + 1 with y' = (i - 2) "
                             "y[i]; the midpoint method, h = 0.5",
@@ -389,16 +383,14 @@ static void test_numbers(void)
             y[i] = (double)i + 1.0;
         const size_t asked = step_under(rates, &middle, n, 0.0, 0.5, y);
         for (size_t i = 0; i <= n; ++i)
-            if (!check_number(n, i, y[i]))
-                return;
-        if (!CHECK_NEAR((double)asked,
-                        .quantity = "how often the slopes were asked for",
-                        .input = check_text("%zu numbers, two stages", n),
-                        .expected = 2.0, .tolerance = 0.0,
-                        .because = "a number is exact",
-                        .question = "One call gives the slopes of all "
-                                    "numbers. How many stages are there?"))
-            return;
+            check_number(n, i, y[i]);
+        CHECK_NEAR((double)asked,
+                   .quantity = "how often the slopes were asked for",
+                   .input = check_text("%zu numbers, two stages", n),
+                   .expected = 2.0, .tolerance = 0.0,
+                   .because = "a number is exact",
+                   .question = "One call gives the slopes of all numbers. "
+                               "How many stages are there?");
     }
 }
 
@@ -471,28 +463,24 @@ static void test_drawn(void)
         line.rate = check_draw(-1.0, 1.0);
         line.push = 0.0;
         (void)step_under(straight, &table, 1, t, h, y);
-        if (!CHECK_NEAR(
-                y[0], .quantity = "y after one step",
-                .input = line_text(&table, t, h, begin),
-                .expected = begin * polynomial(&table, line.rate * h),
-                .tolerance = 1e-12,
-                .because = "an epsilon for each of 256 chains, 16 times",
-                .question = "A table of this size: are all slopes kept, "
-                            "and all rows read?"))
-            return;
+        CHECK_NEAR(y[0], .quantity = "y after one step",
+                   .input = line_text(&table, t, h, begin),
+                   .expected = begin * polynomial(&table, line.rate * h),
+                   .tolerance = 1e-12,
+                   .because = "an epsilon for each of 256 chains, 16 times",
+                   .question = "A table of this size: are all slopes kept, "
+                               "and all rows read?");
         y[0] = begin;
         (void)step_under(cosine, &table, 1, t, h, y);
-        if (!CHECK_NEAR(
-                y[0] - begin,
-                .quantity = "y after one step, less y before it",
-                .input = check_text("y' = cos(t), t = %g, h = %g, %zu "
-                                    "stages of a drawn table",
-                                    t, h, stages),
-                .expected = integral(&table, t, h), .tolerance = 1e-13,
-                .because = "some epsilons of 8 cosines",
-                .question = "Only the time matters here. At which times "
-                            "does this table take its slopes?"))
-            return;
+        CHECK_NEAR(
+            y[0] - begin, .quantity = "y after one step, less y before it",
+            .input = check_text(
+                "y' = cos(t), t = %g, h = %g, %zu stages of a drawn table",
+                t, h, stages),
+            .expected = integral(&table, t, h), .tolerance = 1e-13,
+            .because = "some epsilons of 8 cosines",
+            .question = "Only the time matters here. At which times does "
+                        "this table take its slopes?");
     }
 }
 
@@ -525,19 +513,17 @@ static void test_wheel(void)
                                        spin, y[0], y[1], h);
         (void)step_under(wheel, &table, 2, 0.0, h, y);
         for (int k = 0; k < 2; ++k)
-            if (!CHECK_NEAR(
-                    y[k],
-                    .quantity = k == 0
-                                    ? "y[0], by your table and your step"
-                                    : "y[1], by your table and your step",
-                    .input = input,
-                    .expected = k == 0 ? creal(end) : cimag(end),
-                    .tolerance = 1e-14 * 10.0,
-                    .because = "some epsilons of ten terms",
-                    .question = "Four stages of order 4 give 1 + z + z^2/2 "
-                                "+ z^3/6 + z^4/24. Does every y, and every "
-                                "slope, have the number that it should?"))
-                return;
+            CHECK_NEAR(
+                y[k],
+                .quantity = k == 0 ? "y[0], by your table and your step"
+                                   : "y[1], by your table and your step",
+                .input = input,
+                .expected = k == 0 ? creal(end) : cimag(end),
+                .tolerance = 1e-14 * 10.0,
+                .because = "some epsilons of ten terms",
+                .question = "Four stages of order 4 give 1 + z + z^2/2 + "
+                            "z^3/6 + z^4/24. Does every y, and every "
+                            "slope, have the number that it should?");
     }
 }
 

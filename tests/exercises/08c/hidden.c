@@ -5,14 +5,14 @@
 
 enum { RUNS = 6 };
 
-static bool check(double got, double expected, double tolerance,
+static void check(double got, double expected, double tolerance,
                   const char *quantity, const char *input,
                   const char *question)
 {
-    return CHECK_NEAR(got, .quantity = quantity, .input = input,
-                      .expected = expected, .tolerance = tolerance,
-                      .because = "some epsilons of four logarithms",
-                      .question = question);
+    CHECK_NEAR(got, .quantity = quantity, .input = input,
+               .expected = expected, .tolerance = tolerance,
+               .because = "some epsilons of four logarithms",
+               .question = question);
 }
 
 /* C h^p (1 + D h): the slope between two steps is p and what the second
@@ -42,9 +42,9 @@ static double slope_of(const struct series *s, int coarse)
 
 static const char *text_of(const struct series *s)
 {
-    return check_text("errors as h^%g (1 + %g h), steps from 1 s down to "
-                      "%g s",
-                      s->p, s->d, s->h[RUNS - 1]);
+    return check_text(
+        "errors as h^%g (1 + %g h), steps from 1 s down to %g s", s->p,
+        s->d, s->h[RUNS - 1]);
 }
 
 static void test_series(void)
@@ -56,15 +56,13 @@ static void test_series(void)
         double order = -99.0;
         const enum verdict verdict =
             measure_order(RUNS, s.h, s.error, 1e-16, &order);
-        if (!check(order, last, 1e-12, "*order", text_of(&s),
-                   "Which two runs have the smallest steps?"))
-            return;
-        if (fabs(change - 0.2) > 1e-3 &&
-            !check((double)verdict, change > 0.2 ? NOT_YET : MEASURED, 0.0,
-                   "what is returned (0 TOO_FEW, 1 NOT_YET, 2 MEASURED)",
-                   text_of(&s),
-                   "How far apart are the slopes of the last two pairs?"))
-            return;
+        check(order, last, 1e-12, "*order", text_of(&s),
+              "Which two runs have the smallest steps?");
+        if (fabs(change - 0.2) > 1e-3)
+            check((double)verdict, change > 0.2 ? NOT_YET : MEASURED, 0.0,
+                  "what is returned (0 TOO_FEW, 1 NOT_YET, 2 MEASURED)",
+                  text_of(&s),
+                  "How far apart are the slopes of the last two pairs?");
     }
 }
 
@@ -87,17 +85,16 @@ static void test_units(void)
             measure_order(RUNS, s.h, s.error, rounding, &order);
         const enum verdict two =
             measure_order(RUNS, other.h, other.error, m * rounding, &same);
-        if (!check((double)two, (double)one, 0.0,
-                   "what is returned, in the other units", text_of(&s),
-                   "Is there a number with a unit in your program?") ||
-            !check(isnan(same), isnan(order), 0.0,
-                   "is *order NAN? (1 yes, 0 no)", text_of(&s),
-                   "Is there a number with a unit in your program?") ||
-            (!isnan(order) &&
-             !check(same, order, 1e-11, "*order, in the other units",
-                    text_of(&s),
-                    "Is there a number with a unit in your program?")))
-            return;
+        check((double)two, (double)one, 0.0,
+              "what is returned, in the other units", text_of(&s),
+              "Is there a number with a unit in your program?");
+        check(isnan(same), isnan(order), 0.0,
+              "is *order NAN? (1 yes, 0 no)", text_of(&s),
+              "Is there a number with a unit in your program?");
+        if (!isnan(order))
+            check(same, order, 1e-11, "*order, in the other units",
+                  text_of(&s),
+                  "Is there a number with a unit in your program?");
     }
 }
 
@@ -115,13 +112,13 @@ static void test_limit(void)
             measure_order(RUNS, s.h, s.error, limit / 1000.0, &order);
         const char *input =
             check_text("%s, of which %d are of use", text_of(&s), useful);
-        if (useful < 2 ? !check((double)verdict, TOO_FEW, 0.0,
-                                "what is returned (0 TOO_FEW, 1 NOT_YET, 2 "
-                                "MEASURED)",
-                                input, "How many runs are of use?")
-                       : !check(order, slope_of(&s, useful - 2), 1e-12,
-                                "*order", input, "Which runs are of use?"))
-            return;
+        if (useful < 2)
+            check((double)verdict, TOO_FEW, 0.0,
+                  "what is returned (0 TOO_FEW, 1 NOT_YET, 2 MEASURED)",
+                  input, "How many runs are of use?");
+        else
+            check(order, slope_of(&s, useful - 2), 1e-12, "*order", input,
+                  "Which runs are of use?");
     }
 }
 

@@ -176,7 +176,7 @@ static double tolerance(const struct runs *r, double p)
     return 32.0 * DBL_EPSILON * logs / log(1.05);
 }
 
-static bool check_order(const struct runs *r, double got, double p,
+static void check_order(const struct runs *r, double got, double p,
                         const char *question)
 {
     struct slip slip[SLIPS];
@@ -193,7 +193,7 @@ static bool check_order(const struct runs *r, double got, double p,
         if (same(got, slip[i].value))
             c.mistakes[used++] = (struct check_mistake){
                 slip[i].name, slip[i].value, slip[i].hint};
-    return check_near(__FILE__, __LINE__, got, c);
+    check_near(__FILE__, __LINE__, got, c);
 }
 
 static const char *verdict_name(enum verdict verdict)
@@ -204,11 +204,11 @@ static const char *verdict_name(enum verdict verdict)
 }
 
 /* A verdict, with the slips that go with this one. */
-static bool check_verdict(const struct runs *r, enum verdict got,
+static void check_verdict(const struct runs *r, enum verdict got,
                           enum verdict expected, struct check_mistake one,
                           struct check_mistake other, const char *question)
 {
-    return CHECK_NEAR(
+    CHECK_NEAR(
         (double)got,
         .quantity = "what is returned (0 TOO_FEW, 1 NOT_YET, 2 MEASURED)",
         .input = input(r), .expected = expected, .tolerance = 0.0,
@@ -218,7 +218,7 @@ static bool check_verdict(const struct runs *r, enum verdict got,
 
 static const struct check_mistake nothing = {NULL, 0.0, NULL};
 
-static bool check_measured(const struct runs *r, double p,
+static void check_measured(const struct runs *r, double p,
                            const char *question)
 {
     const struct result got = measured(r);
@@ -228,30 +228,30 @@ static bool check_measured(const struct runs *r, double p,
         "when there are three?"};
     const struct check_mistake yet = {"wants-three", NOT_YET, few.hint};
     const bool two = sifted(r).n == 2;
-    return check_order(r, got.order, p, question) &&
-           check_verdict(r, got.verdict, MEASURED, two ? few : nothing,
-                         two ? yet : nothing, question);
+    check_order(r, got.order, p, question);
+    check_verdict(r, got.verdict, MEASURED, two ? few : nothing,
+                  two ? yet : nothing, question);
 }
 
 /* There are no two runs of use. */
-static bool check_few(const struct runs *r, const char *question)
+static void check_few(const struct runs *r, const char *question)
 {
     const struct result got = measured(r);
-    return check_verdict(
-               r, got.verdict, TOO_FEW,
-               (struct check_mistake){"rounding-counted", MEASURED,
-                                      "How many of these runs are of use?"},
-               nothing, question) &&
-           CHECK_NEAR(
-               isnan(got.order), .quantity = "is *order NAN? (1 yes, 0 no)",
-               .input = input(r), .expected = 1.0, .tolerance = 0.0,
-               .because = "there is no order",
-               .question = "No order could be measured. What was to stand "
-                           "in *order then?",
-               .mistakes = {{"order-of-nothing", 0.0,
-                             "There is a number in *order, or nothing was "
-                             "put there. What was wanted when there are no "
-                             "two runs of use?"}});
+    check_verdict(
+        r, got.verdict, TOO_FEW,
+        (struct check_mistake){"rounding-counted", MEASURED,
+                               "How many of these runs are of use?"},
+        nothing, question);
+    CHECK_NEAR(
+        isnan(got.order), .quantity = "is *order NAN? (1 yes, 0 no)",
+        .input = input(r), .expected = 1.0, .tolerance = 0.0,
+        .because = "there is no order",
+        .question =
+            "No order could be measured. What was to stand in *order then?",
+        .mistakes = {
+            {"order-of-nothing", 0.0,
+             "There is a number in *order, or nothing was put there. What "
+             "was wanted when there are no two runs of use?"}});
 }
 
 /* ---- the tests ---- */
@@ -263,9 +263,9 @@ static void test_two(void)
     const struct runs third = {2, 0.0, {0.3, 0.1}, {0.27, 0.03}};
     const struct runs fifth = {2, 1e-9, {1.0, 0.2}, {2.5, 0.0008}};
     const struct runs tenth = {2, 1e-9, {0.5, 0.05}, {3e-3, 3e-4}};
-    (void)(check_measured(&third, 2.0, question) &&
-           check_measured(&fifth, 5.0, question) &&
-           check_measured(&tenth, 1.0, question));
+    check_measured(&third, 2.0, question);
+    check_measured(&fifth, 5.0, question);
+    check_measured(&tenth, 1.0, question);
 }
 
 static void test_signs(void)
@@ -276,9 +276,9 @@ static void test_signs(void)
     const struct runs across = {2, 1e-9, {0.4, 0.1}, {-0.64, 0.01}};
     const struct runs one = {
         4, 1e-9, {0.8, 0.4, 0.2, 0.1}, {0.0561, 0.00683, -0.0008, 0.0001}};
-    (void)(check_measured(&one, 3.0, question) &&
-           check_measured(&below, 2.0, question) &&
-           check_measured(&across, 3.0, question));
+    check_measured(&one, 3.0, question);
+    check_measured(&below, 2.0, question);
+    check_measured(&across, 3.0, question);
 }
 
 /* Made so that the slope is 2.5 at the largest steps, and 2.1 and then 2 at
@@ -290,9 +290,9 @@ static void test_smallest(void)
     r.error[2] = r.error[3] * 16.0;
     r.error[1] = r.error[2] * pow(2.0, 2.1);
     r.error[0] = r.error[1] * pow(2.0, 2.5);
-    (void)check_measured(&r, 2.0,
-                         "Large steps show terms of higher order. Which "
-                         "two runs are the best?");
+    check_measured(&r, 2.0,
+                   "Large steps show terms of higher order. Which two runs "
+                   "are the best?");
 }
 
 static void test_rounding(void)
@@ -309,9 +309,9 @@ static void test_rounding(void)
                                 1e-6,
                                 {0.9, 0.3, 0.2, 0.1, 0.05},
                                 {0.81, 0.09, 0.0009, 0.01, 0.00099}};
-    (void)(check_measured(&most, 2.0, question) &&
-           check_measured(&within, 2.0, question) &&
-           check_measured(&zero, 3.0, question));
+    check_measured(&most, 2.0, question);
+    check_measured(&within, 2.0, question);
+    check_measured(&zero, 3.0, question);
 }
 
 /* A little above 1000 times the rounding, just that, and a little below. */
@@ -325,13 +325,13 @@ static void test_limit(void)
         3, r, {0.4, 0.2, 0.1}, {5.0, 1000.0 * r, -1000.0 * r}};
     const struct runs below = {
         3, r, {0.4, 0.2, 0.1}, {5.0, -999.5 * r, 999.5 * r}};
-    (void)(check_measured(&above, 3.0,
-                          "Both errors are more than 1000 times the "
-                          "rounding. Are they of use?") &&
-           check_few(&just, "An error of just 1000 times the rounding is "
-                            "not more than that. Is it of use?") &&
-           check_few(&below, "These errors are a little less than 1000 "
-                             "times the rounding. Are they of use?"));
+    check_measured(&above, 3.0,
+                   "Both errors are more than 1000 times the rounding. Are "
+                   "they of use?");
+    check_few(&just, "An error of just 1000 times the rounding is not more "
+                     "than that. Is it of use?");
+    check_few(&below, "These errors are a little less than 1000 times the "
+                      "rounding. Are they of use?");
 }
 
 static void test_blown_up(void)
@@ -346,9 +346,9 @@ static void test_blown_up(void)
         4, 1e-9, {1.6, 0.8, 0.4, 0.2}, {NAN, -INFINITY, 0.064, 0.008}};
     const struct runs last = {
         4, 1e-9, {0.8, 0.4, 0.2, 0.1}, {0.64, 0.16, 0.04, INFINITY}};
-    (void)(check_measured(&last, 2.0, question) &&
-           check_measured(&three, 2.0, question) &&
-           check_measured(&two, 3.0, question));
+    check_measured(&last, 2.0, question);
+    check_measured(&three, 2.0, question);
+    check_measured(&two, 3.0, question);
 }
 
 static void test_few(void)
@@ -362,23 +362,25 @@ static void test_few(void)
     const struct runs blown = {
         3, 1e-6, {0.4, 0.2, 0.1}, {NAN, INFINITY, 0.01}};
     const struct runs perfect = {3, 0.0, {0.4, 0.2, 0.1}, {0.0, 0.0, 0.0}};
-    (void)(check_few(&rounded, question) && check_few(&none, question) &&
-           check_few(&one, question) && check_few(&blown, question) &&
-           check_few(&perfect, question));
+    check_few(&rounded, question);
+    check_few(&none, question);
+    check_few(&one, question);
+    check_few(&blown, question);
+    check_few(&perfect, question);
 }
 
 static const char doubt_question[] =
     "Look at these errors from the largest step to the smallest. Do they "
     "follow one straight line on logarithmic paper, and does it fall?";
 
-static bool check_doubt(const struct runs *r, double p, const char *name,
+static void check_doubt(const struct runs *r, double p, const char *name,
                         const char *hint)
 {
     const struct result got = measured(r);
-    return check_order(r, got.order, p, doubt_question) &&
-           check_verdict(r, got.verdict, NOT_YET,
-                         (struct check_mistake){name, MEASURED, hint},
-                         nothing, doubt_question);
+    check_order(r, got.order, p, doubt_question);
+    check_verdict(r, got.verdict, NOT_YET,
+                  (struct check_mistake){name, MEASURED, hint}, nothing,
+                  doubt_question);
 }
 
 /* limit: 0.5 */
@@ -395,14 +397,14 @@ static void test_constant(void)
         2, 1e-9, {0.2, 0.1}, {0.3 * pow(2.0, 0.51), 0.3}};
     const struct runs worse = {
         3, 1e-9, {0.4, 0.2, 0.1}, {0.01, 0.02, 0.04}};
-    (void)(check_doubt(&two, log(4.0 / 3.0) / log(4.0),
-                       "no-convergence-unnoticed", hint) &&
-           check_doubt(&just, 0.49, "no-convergence-unnoticed", hint) &&
-           check_measured(&more, 0.51,
-                          "This order is more than 0.5, and there are two "
-                          "runs. Is it measured?") &&
-           check_doubt(&same, 0.0, "no-convergence-unnoticed", hint) &&
-           check_doubt(&worse, -1.0, "no-convergence-unnoticed", hint));
+    check_doubt(&two, log(4.0 / 3.0) / log(4.0), "no-convergence-unnoticed",
+                hint);
+    check_doubt(&just, 0.49, "no-convergence-unnoticed", hint);
+    check_measured(&more, 0.51,
+                   "This order is more than 0.5, and there are two runs. "
+                   "Is it measured?");
+    check_doubt(&same, 0.0, "no-convergence-unnoticed", hint);
+    check_doubt(&worse, -1.0, "no-convergence-unnoticed", hint);
 }
 
 /* The same slope, 2, after one of 1, of 4, of 2.3, of 1.7; and with a run
@@ -417,18 +419,17 @@ static void test_doubt(void)
     for (int i = 0; i < 6; ++i) {
         struct runs r = {3, 1e-9, {0.4, 0.2, 0.1}, {0.0, 0.04, 0.01}};
         r.error[0] = 0.04 * pow(2.0, before[i]);
-        if (!check_doubt(
-                &r, 2.0,
-                before[i] < 2.0 ? "order-that-grows" : "third-run-unused",
-                before[i] < 2.0
-                    ? "The slope before this one was smaller, and that is "
-                      "doubtful too. Which differences have you looked for?"
-                    : hint))
-            return;
+        check_doubt(
+            &r, 2.0,
+            before[i] < 2.0 ? "order-that-grows" : "third-run-unused",
+            before[i] < 2.0
+                ? "The slope before this one was smaller, and that is "
+                  "doubtful too. Which differences have you looked for?"
+                : hint);
     }
     const struct runs gap = {
         4, 1e-9, {0.8, 0.4, 0.2, 0.1}, {0.08, NAN, 0.04, 0.01}};
-    (void)check_doubt(&gap, 2.0, "third-run-unused", hint);
+    check_doubt(&gap, 2.0, "third-run-unused", hint);
 }
 
 /* Slopes that differ by less than 0.2 are none to doubt. */
@@ -438,10 +439,9 @@ static void test_agree(void)
     for (int i = 0; i < 4; ++i) {
         struct runs r = {3, 1e-9, {0.4, 0.2, 0.1}, {0.0, 0.04, 0.01}};
         r.error[0] = 0.04 * pow(2.0, before[i]);
-        if (!check_measured(
-                &r, 2.0,
-                "The two slopes differ by less than 0.2. Is that enough?"))
-            return;
+        check_measured(
+            &r, 2.0,
+            "The two slopes differ by less than 0.2. Is that enough?");
     }
 }
 
@@ -457,25 +457,23 @@ static void test_leapfrog(void)
         r.error[i] = cos(2.0 * steps * asin(0.5 * r.h[i])) - cos(1.0);
     }
     const struct result got = measured(&r);
-    (void)(CHECK_NEAR(
-               got.order, .quantity = "*order",
-               .input = "the leapfrog on an oscillator, with steps from "
-                        "0.1 s to 3 ns",
-               .expected = 2.0, .tolerance = 0.02,
-               .because = "rounding, less than a thousandth of the error, "
-                          "and a few of them",
-               .question = "The smallest steps have errors that are only "
-                           "rounding. Are they passed over?",
-               .mistakes =
-                   {{"rounding-counted", last_rise(&r, 0.0),
-                     "Runs count here whose errors are mostly rounding. "
-                     "How large must an error be to be of use?"},
-                    {"rounding-counted", last_rise(&r, 1.0),
-                     "Runs count here whose errors are mostly rounding. "
-                     "How many times larger must an error be?"}}) &&
-           check_verdict(
-               &r, got.verdict, MEASURED, nothing, nothing,
-               "Two pairs of runs agree. Is the order measured?"));
+    CHECK_NEAR(
+        got.order, .quantity = "*order",
+        .input =
+            "the leapfrog on an oscillator, with steps from 0.1 s to 3 ns",
+        .expected = 2.0, .tolerance = 0.02,
+        .because = "rounding, less than a thousandth of the error, and a "
+                   "few of them",
+        .question = "The smallest steps have errors that are only "
+                    "rounding. Are they passed over?",
+        .mistakes = {{"rounding-counted", last_rise(&r, 0.0),
+                      "Runs count here whose errors are mostly rounding. "
+                      "How large must an error be to be of use?"},
+                     {"rounding-counted", last_rise(&r, 1.0),
+                      "Runs count here whose errors are mostly rounding. "
+                      "How many times larger must an error be?"}});
+    check_verdict(&r, got.verdict, MEASURED, nothing, nothing,
+                  "Two pairs of runs agree. Is the order measured?");
 }
 
 /* ---- drawn runs ---- */
@@ -536,10 +534,9 @@ static void test_drawn(void)
         const double slope[] = {count == 2 ? p : before, p};
         const struct runs r = draw_runs(count, slope);
         const struct result got = measured(&r);
-        if (!check_order(&r, got.order, p, question) ||
-            !check_verdict(&r, got.verdict, doubt ? NOT_YET : MEASURED,
-                           nothing, nothing, question))
-            return;
+        check_order(&r, got.order, p, question);
+        check_verdict(&r, got.verdict, doubt ? NOT_YET : MEASURED, nothing,
+                      nothing, question);
     }
 }
 

@@ -15,14 +15,14 @@ struct method {
 double limit_of(const struct method *m, double most);
 double draw_method(struct method *m);
 
-static bool check(double got, double expected, const char *input,
+static void check(double got, double expected, const char *input,
                   const char *question)
 {
-    return CHECK_NEAR(got, .quantity = "the largest stable step",
-                      .unit = "s", .input = input, .expected = expected,
-                      .tolerance = isinf(expected) ? 0.0 : 1e-9,
-                      .because = "10 times the width that was asked for",
-                      .question = question);
+    CHECK_NEAR(got, .quantity = "the largest stable step", .unit = "s",
+               .input = input, .expected = expected,
+               .tolerance = isinf(expected) ? 0.0 : 1e-9,
+               .because = "10 times the width that was asked for",
+               .question = question);
 }
 
 /* Implicit by the part q: |lambda|^2 = (1 + (1-q)^2 z^2)/(1 + q^2 z^2) is
@@ -38,13 +38,12 @@ static void test_implicit(void)
                                  .unit = check_draw(0.2, 5.0),
                                  .lean = check_draw(-2.0, 2.0)};
         const double most = check_draw(0.5, 15.0);
-        if (!check(limit_of(&m, most), m.part < 0.5 ? 0.0 : INFINITY,
-                   check_text("implicit by the part %g, omega = %g/s, "
-                              "steps up to %g s",
-                              m.part, m.omega, most),
-                   "Does this oscillator grow at 0.01 s, and at any other "
-                   "step?"))
-            return;
+        check(
+            limit_of(&m, most), m.part < 0.5 ? 0.0 : INFINITY,
+            check_text(
+                "implicit by the part %g, omega = %g/s, steps up to %g s",
+                m.part, m.omega, most),
+            "Does this oscillator grow at 0.01 s, and at any other step?");
     }
 }
 
@@ -60,11 +59,9 @@ static void test_period(void)
             check_text("%s, omega = %g/s", m.text, m.omega / slower);
         m.omega /= slower;
         m.friction /= slower;
-        if (!check(limit_of(&m, 1.08 * slower * limit), slower * limit,
-                   input,
-                   "Half the frequency, twice the step: is there a number "
-                   "with a unit in your program?"))
-            return;
+        check(limit_of(&m, 1.08 * slower * limit), slower * limit, input,
+              "Half the frequency, twice the step: is there a number with "
+              "a unit in your program?");
     }
 }
 
@@ -78,10 +75,9 @@ static void test_most(void)
         const char *input = check_text(
             "%s, omega = %g/s, part %g, steps up to %g s and to %g s",
             m.text, m.omega, m.part, 1.1 * limit, far);
-        if (!check(limit_of(&m, far), limit_of(&m, 1.1 * limit), input,
-                   "One looks a little beyond the limit, or far. Does that "
-                   "change it?"))
-            return;
+        check(limit_of(&m, far), limit_of(&m, 1.1 * limit), input,
+              "One looks a little beyond the limit, or far. Does that "
+              "change it?");
     }
 }
 

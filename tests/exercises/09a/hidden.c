@@ -15,11 +15,11 @@ struct bodies {
 double answer_of(const struct bodies *b, size_t i);
 struct bodies draw_bodies(size_t n);
 
-static bool check(double got, double expected, double tolerance,
+static void check(double got, double expected, double tolerance,
                   const char *quantity, const struct bodies *b,
                   const char *question)
 {
-    return CHECK_NEAR(
+    CHECK_NEAR(
         got, .quantity = quantity,
         .input = check_text("%s; k2 = %g m^3/(kg s^2), softening %g m",
                             b->text, b->k2, b->softening),
@@ -42,13 +42,12 @@ static void test_order(void)
                 other.x[(k + 1) % 3 * n + to] = b.x[k * n + j];
         }
         const double energy = answer_of(&b, n), one = answer_of(&b, 0);
-        if (!check(answer_of(&other, n), energy, 1e-13 * fabs(energy),
-                   "the energy, with the bodies in another order", &b,
-                   "Does it matter who is the first?") ||
-            !check(answer_of(&other, turn), one, 1e-13 * fabs(one),
-                   "the potential of the same body", &b,
-                   "Does it matter who is the first?"))
-            return;
+        check(answer_of(&other, n), energy, 1e-13 * fabs(energy),
+              "the energy, with the bodies in another order", &b,
+              "Does it matter who is the first?");
+        check(answer_of(&other, turn), one, 1e-13 * fabs(one),
+              "the potential of the same body", &b,
+              "Does it matter who is the first?");
     }
 }
 
@@ -68,19 +67,16 @@ static void test_brought(void)
         for (size_t j = 0; j < n; ++j)
             sum += b.mass[j] * answer_of(&b, j);
         const double energy = answer_of(&b, n);
-        if (!check(
-                0.5 * sum, energy, 1e-13 * fabs(energy),
-                "half the sum of mass times potential", &b,
-                "What does the sum of mass times potential count twice?") ||
-            !check(answer_of(&fewer, n - 1) +
-                       b.mass[n - 1] * answer_of(&b, n - 1),
-                   energy, 1e-13 * fabs(energy),
-                   "the energy without the last body, and the work to "
-                   "bring it",
-                   &b,
-                   "One more body is brought in from far away. How much "
-                   "work is that?"))
-            return;
+        check(0.5 * sum, energy, 1e-13 * fabs(energy),
+              "half the sum of mass times potential", &b,
+              "What does the sum of mass times potential count twice?");
+        check(answer_of(&fewer, n - 1) +
+                  b.mass[n - 1] * answer_of(&b, n - 1),
+              energy, 1e-13 * fabs(energy),
+              "the energy without the last body, and the work to bring it",
+              &b,
+              "One more body is brought in from far away. How much work is "
+              "that?");
     }
 }
 
@@ -99,13 +95,12 @@ static void test_units(void)
             other.x[j] *= m;
         other.softening *= m;
         const double energy = answer_of(&b, n), one = answer_of(&b, 0);
-        if (!check(answer_of(&other, n) / (kg / m) / kg, energy,
-                   1e-14 * fabs(energy), "the energy, in other units", &b,
-                   "Is there a number with a unit in your program?") ||
-            !check(answer_of(&other, 0) / (kg / m), one, 1e-14 * fabs(one),
-                   "potential[0], in other units", &b,
-                   "Is there a number with a unit in your program?"))
-            return;
+        check(answer_of(&other, n) / (kg / m) / kg, energy,
+              1e-14 * fabs(energy), "the energy, in other units", &b,
+              "Is there a number with a unit in your program?");
+        check(answer_of(&other, 0) / (kg / m), one, 1e-14 * fabs(one),
+              "potential[0], in other units", &b,
+              "Is there a number with a unit in your program?");
     }
 }
 

@@ -186,7 +186,7 @@ static void slips_of(const struct bodies *b, size_t i,
 
 /* Body i, or the energy for i = n. All terms have one sign: a rounding for
    each, and a dozen for the distances. */
-static bool check_value(const struct bodies *b, size_t i, double expected,
+static void check_value(const struct bodies *b, size_t i, double expected,
                         const char *question)
 {
     const double got = answer_of(b, i);
@@ -207,24 +207,23 @@ static bool check_value(const struct bodies *b, size_t i, double expected,
         if (near(got, slip[k].value))
             c.mistakes[used++] = (struct check_mistake){
                 slip[k].name, slip[k].value, slip[k].hint};
-    return check_near(__FILE__, __LINE__, got, c);
+    check_near(__FILE__, __LINE__, got, c);
 }
 
-static bool check_behind(const struct bodies *b)
+static void check_behind(const struct bodies *b)
 {
-    return CHECK_NEAR(
+    CHECK_NEAR(
         answer_of(b, b->n + 1), .quantity = "what stands behind potential",
         .input = b->text, .expected = 4096.0, .tolerance = 0.0,
         .because = "it is nobody's",
         .question = "How many bodies are there, and which is the last?");
 }
 
-static bool check_all(const struct bodies *b, const char *question)
+static void check_all(const struct bodies *b, const char *question)
 {
     for (size_t i = 0; i <= b->n; ++i)
-        if (!check_value(b, i, value(b, RIGHT, i), question))
-            return false;
-    return check_behind(b);
+        check_value(b, i, value(b, RIGHT, i), question);
+    check_behind(b);
 }
 
 /* ---- the tests ---- */
@@ -237,9 +236,10 @@ static void test_two(void)
         "and which potential has each at the place of the other?";
     struct bodies b = BODIES("2 kg and 6 kg, 3 m apart along x", 2, 15.0,
                              4.0, {2.0, 6.0}, {1.0, 4.0});
-    (void)(check_value(&b, 0, -18.0, question) &&
-           check_value(&b, 1, -6.0, question) &&
-           check_value(&b, 2, -36.0, question) && check_behind(&b));
+    check_value(&b, 0, -18.0, question);
+    check_value(&b, 1, -6.0, question);
+    check_value(&b, 2, -36.0, question);
+    check_behind(&b);
 }
 
 /* The way is (2, 3, 6) m, 7 m long, and 24 m of softening make 25. */
@@ -258,10 +258,9 @@ static void test_axes(void)
         place(&b, 0, 1.0, -2.0, 0.5);
         place(&b, 1, 1.0 + way[i], -2.0 + way[(i + 1) % 3],
               0.5 + way[(i + 2) % 3]);
-        if (!check_value(&b, 0, -4.0, question) ||
-            !check_value(&b, 1, -20.0, question) ||
-            !check_value(&b, 2, -20.0, question))
-            return;
+        check_value(&b, 0, -4.0, question);
+        check_value(&b, 1, -20.0, question);
+        check_value(&b, 2, -20.0, question);
     }
 }
 
@@ -280,11 +279,9 @@ static void test_five(void)
     static const char question[] =
         "Each body has four others. How many pairs are there, and is each "
         "counted once in the energy?";
-    (void)(check_value(&b, 0, -2.0 * side - across - 2.0 * half,
-                       question) &&
-           check_value(&b, 4, -4.0 * half, question) &&
-           check_value(&b, 5, -4.0 * side - 2.0 * across - 8.0 * half,
-                       question));
+    check_value(&b, 0, -2.0 * side - across - 2.0 * half, question);
+    check_value(&b, 4, -4.0 * half, question);
+    check_value(&b, 5, -4.0 * side - 2.0 * across - 8.0 * half, question);
 }
 
 static void test_hard(void)
@@ -297,11 +294,11 @@ static void test_hard(void)
     static const char question[] =
         "Without softening the potential is -k2 m/r. And what is it of a "
         "body at its own place?";
-    (void)(check_value(&b, 0, -2.0 * (3.0 / 5.0 + 4.0 / 12.0), question) &&
-           check_value(&b, 1, -2.0 * (2.0 / 5.0 + 4.0 / 13.0), question) &&
-           check_value(&b, 3, -2.0 * (6.0 / 5.0 + 8.0 / 12.0 + 12.0 / 13.0),
-                       question) &&
-           check_behind(&b));
+    check_value(&b, 0, -2.0 * (3.0 / 5.0 + 4.0 / 12.0), question);
+    check_value(&b, 1, -2.0 * (2.0 / 5.0 + 4.0 / 13.0), question);
+    check_value(&b, 3, -2.0 * (6.0 / 5.0 + 8.0 / 12.0 + 12.0 / 13.0),
+                question);
+    check_behind(&b);
 }
 
 /* The softened potential has a bottom. */
@@ -314,9 +311,9 @@ static void test_one_place(void)
         place(&b, i, 7.0, -1.0, 2.0);
     static const char question[] =
         "No distance at all, and a softening: what is left under the root?";
-    (void)(check_value(&b, 0, -36.0, question) &&
-           check_value(&b, 2, -18.0, question) &&
-           check_value(&b, 3, -84.0, question));
+    check_value(&b, 0, -36.0, question);
+    check_value(&b, 2, -18.0, question);
+    check_value(&b, 3, -84.0, question);
 }
 
 static void test_few(void)
@@ -324,16 +321,15 @@ static void test_few(void)
     struct bodies b = {"one body alone", 1, 3.0, 0.0, {5.0}, {1.0}};
     static const char question[] = "There is no pair. What is the energy, "
                                    "and the potential of the others?";
-    if (!check_value(&b, 0, 0.0, question) ||
-        !check_value(&b, 1, 0.0, question))
-        return;
+    check_value(&b, 0, 0.0, question);
+    check_value(&b, 1, 0.0, question);
     b.softening = 0.25;
-    if (!check_value(&b, 0, 0.0, question) ||
-        !check_value(&b, 1, 0.0, question))
-        return;
+    check_value(&b, 0, 0.0, question);
+    check_value(&b, 1, 0.0, question);
     b.n = 0;
     b.text = "no body";
-    (void)(check_value(&b, 0, 0.0, question) && check_behind(&b));
+    check_value(&b, 0, 0.0, question);
+    check_behind(&b);
 }
 
 /* A body without mass feels and is not felt. */
@@ -344,9 +340,9 @@ static void test_massless(void)
                4.0, {10.0, 0.0}, {0.0, 3.0});
     static const char question[] =
         "A body without mass acts on nobody. What does it feel itself?";
-    (void)(check_value(&b, 0, 0.0, question) &&
-           check_value(&b, 1, -2.0, question) &&
-           check_value(&b, 2, 0.0, question));
+    check_value(&b, 0, 0.0, question);
+    check_value(&b, 1, -2.0, question);
+    check_value(&b, 2, 0.0, question);
 }
 
 /* n equal bodies on a circle: a chord over the part j/n of it has the
@@ -371,20 +367,18 @@ static void test_ring(void)
                 sum -= 3.0 / hypot(6.0 * sin(0.5 * angle), b.softening);
         }
         for (size_t j = 0; j <= n; j += j < 2 || j == n ? 1 : n - j)
-            if (!CHECK_NEAR(
-                    answer_of(&b, j),
-                    .quantity = j < n ? check_text("potential[%zu]", j)
-                                      : "the potential energy",
-                    .unit = j < n ? "m^2/s^2" : "J",
-                    .input = check_text(
-                        "%s; k2 = %g m^3/(kg s^2), softening %g m", b.text,
-                        b.k2, b.softening),
-                    .expected = j < n ? sum : sum * (double)n,
-                    .tolerance = 1e-12 * (double)n * fabs(sum),
-                    .because = "roundings of the places",
-                    .question = "On a ring all bodies feel the same "
-                                "potential. How many pairs are there?"))
-                return;
+            CHECK_NEAR(answer_of(&b, j),
+                       .quantity = j < n ? check_text("potential[%zu]", j)
+                                         : "the potential energy",
+                       .unit = j < n ? "m^2/s^2" : "J",
+                       .input = check_text(
+                           "%s; k2 = %g m^3/(kg s^2), softening %g m",
+                           b.text, b.k2, b.softening),
+                       .expected = j < n ? sum : sum * (double)n,
+                       .tolerance = 1e-12 * (double)n * fabs(sum),
+                       .because = "roundings of the places",
+                       .question = "On a ring all bodies feel the same "
+                                   "potential. How many pairs are there?");
     }
 }
 
@@ -440,23 +434,20 @@ static void test_gradient(void)
             (energy[0] - 8.0 * energy[1] + 8.0 * energy[2] - energy[3]) /
             (12.0 * h);
         const double size = fabs(value(&b, RIGHT, n)) / b.softening;
-        if (!CHECK_NEAR(
-                -slope,
-                .quantity = check_text(
-                    "minus the slope of your energy along %c of body %zu",
-                    "xyz"[axis], body),
-                .unit = "N",
-                .input =
-                    check_text("%s; k2 = %g m^3/(kg s^2), softening %g m",
-                               b.text, b.k2, b.softening),
-                .expected = force_on(&b, body, axis),
-                .tolerance = 2e-9 * size,
-                .because = "the energy's rounding over a thousandth of the "
-                           "softening",
-                .question = "Move one body a little: the energy should "
-                            "change by minus force times way. Which "
-                            "potential has this force?"))
-            return;
+        CHECK_NEAR(
+            -slope,
+            .quantity = check_text(
+                "minus the slope of your energy along %c of body %zu",
+                "xyz"[axis], body),
+            .unit = "N",
+            .input = check_text("%s; k2 = %g m^3/(kg s^2), softening %g m",
+                                b.text, b.k2, b.softening),
+            .expected = force_on(&b, body, axis), .tolerance = 2e-9 * size,
+            .because =
+                "the energy's rounding over a thousandth of the softening",
+            .question =
+                "Move one body a little: the energy should change by minus "
+                "force times way. Which potential has this force?");
     }
 }
 
@@ -465,9 +456,8 @@ static void test_drawn(void)
     for (int i = 0; i < 12; ++i) {
         const struct bodies b =
             draw_bodies((size_t)(i < 10 ? check_draw_whole(2, 9) : MOST));
-        if (!check_all(&b, "Many bodies of many masses: who acts on whom, "
-                           "and how often is a pair counted?"))
-            return;
+        check_all(&b, "Many bodies of many masses: who acts on whom, and "
+                      "how often is a pair counted?");
     }
 }
 

@@ -3,15 +3,14 @@
 #include "examiner/check.h"
 #include "call.h"
 
-static bool check(double got, double expected, const char *quantity,
+static void check(double got, double expected, const char *quantity,
                   const char *input, const char *equation,
                   const char *question)
 {
-    return CHECK_NEAR(got, .quantity = quantity, .input = input,
-                      .expected = expected,
-                      .tolerance = 4e-12 * fabs(expected),
-                      .because = "4 times what was asked for a speed",
-                      .equation = equation, .question = question);
+    CHECK_NEAR(got, .quantity = quantity, .input = input,
+               .expected = expected, .tolerance = 4e-12 * fabs(expected),
+               .because = "4 times what was asked for a speed",
+               .equation = equation, .question = question);
 }
 
 /* On circles the kinetic energy is half of minus the potential energy, and
@@ -28,15 +27,14 @@ static void test_virial(void)
             "k2 = %g m^3/(kg s^2), m1 = %g kg, m2 = %g kg, d = %g m", k2,
             m1, m2, d);
         binary_speeds(k2, m1, m2, d, &v1, &v2);
-        if (!check(m1 * v1 * v1 + m2 * v2 * v2, k2 * m1 * m2 / d,
-                   "twice the kinetic energy", input, "eq:binary-speeds",
-                   "On a circle, how is the kinetic energy to the "
-                   "potential energy?") ||
-            !check(m1 * v1, m2 * v2, "the momentum of the first", input,
-                   "eq:binary-speeds",
-                   "Which total momentum do the two have, seen from their "
-                   "centre of mass?"))
-            return;
+        check(m1 * v1 * v1 + m2 * v2 * v2, k2 * m1 * m2 / d,
+              "twice the kinetic energy", input, "eq:binary-speeds",
+              "On a circle, how is the kinetic energy to the potential "
+              "energy?");
+        check(m1 * v1, m2 * v2, "the momentum of the first", input,
+              "eq:binary-speeds",
+              "Which total momentum do the two have, seen from their "
+              "centre of mass?");
     }
 }
 
@@ -52,18 +50,15 @@ static void test_units(void)
         const char *input = check_text(
             "k2 = %g m^3/(kg s^2), n = %zu, %g kg each, radius %g m", k2, n,
             m, r);
-        if (!check(choreography_speed(k2, n, unit * m, r), sqrt(unit) * v,
-                   "the speed with other masses", input,
-                   "eq:choreography-speed",
-                   "How does v go with the mass?") ||
-            !check(choreography_speed(k2, n, m, r / unit), sqrt(unit) * v,
-                   "the speed on another circle", input,
-                   "eq:choreography-speed",
-                   "How does v go with the radius?") ||
-            !check(choreography_speed(unit * k2, n, m, r), sqrt(unit) * v,
-                   "the speed with another k2", input,
-                   "eq:choreography-speed", "How does v go with k2?"))
-            return;
+        check(choreography_speed(k2, n, unit * m, r), sqrt(unit) * v,
+              "the speed with other masses", input, "eq:choreography-speed",
+              "How does v go with the mass?");
+        check(choreography_speed(k2, n, m, r / unit), sqrt(unit) * v,
+              "the speed on another circle", input, "eq:choreography-speed",
+              "How does v go with the radius?");
+        check(choreography_speed(unit * k2, n, m, r), sqrt(unit) * v,
+              "the speed with another k2", input, "eq:choreography-speed",
+              "How does v go with k2?");
     }
 }
 
@@ -83,16 +78,15 @@ static void test_twice_as_many(void)
             const size_t part = 2 * j + 1 < n ? 2 * j + 1 : 2 * (n - j) - 1;
             odd += 1.0 / sin(2.0 * quarter * (double)part / (double)n);
         }
-        if (!check(4.0 * r * (many * many - few * few) / (k2 * m), odd,
-                   "what n further bodies between the others add to 4 R "
-                   "v^2/(k2 m)",
-                   check_text("k2 = %g m^3/(kg s^2), n = %zu and %zu, %g "
-                              "kg each, radius %g m",
-                              k2, n, 2 * n, m, r),
-                   "eq:choreography-speed",
-                   "A body is put between each and the next one. What do "
-                   "these add to the pull?"))
-            return;
+        check(4.0 * r * (many * many - few * few) / (k2 * m), odd,
+              "what n further bodies between the others add to 4 R v^2/(k2 "
+              "m)",
+              check_text("k2 = %g m^3/(kg s^2), n = %zu and %zu, %g kg "
+                         "each, radius %g m",
+                         k2, n, 2 * n, m, r),
+              "eq:choreography-speed",
+              "A body is put between each and the next one. What do these "
+              "add to the pull?");
     }
 }
 

@@ -16,13 +16,12 @@ static void draw(double gm[2], double x[2][3], double v[2][3])
     v[1][0] += 0.7;
 }
 
-static bool check(double got, double expected, const char *what,
+static void check(double got, double expected, const char *what,
                   const char *question)
 {
-    return CHECK_NEAR(got, .quantity = what, .input = "two planets, drawn",
-                      .expected = expected, .tolerance = 1e-12,
-                      .because = "the roundings of a step",
-                      .question = question);
+    CHECK_NEAR(got, .quantity = what, .input = "two planets, drawn",
+               .expected = expected, .tolerance = 1e-12,
+               .because = "the roundings of a step", .question = question);
 }
 
 static void test_order(void)
@@ -38,11 +37,10 @@ static void test_order(void)
         ellipses_and_kicks(2, gm, 1.0, 0.3, x, v);
         ellipses_and_kicks(2, mg, 1.0, 0.3, y, w);
         for (int k = 0; k < 6; ++k)
-            if (!check(w[k / 3][k % 3], v[1 - k / 3][k % 3],
-                       "velocity with the planets in the other order",
-                       "Who comes first is chance. Which of your pulls "
-                       "knows the order?"))
-                return;
+            check(w[k / 3][k % 3], v[1 - k / 3][k % 3],
+                  "velocity with the planets in the other order",
+                  "Who comes first is chance. Which of your pulls knows "
+                  "the order?");
     }
 }
 
@@ -59,10 +57,9 @@ static void test_units(void)
         ellipses_and_kicks(2, gm, 1.0, 0.3, x, v);
         ellipses_and_kicks(2, other, 64.0, 2.4, y, w);
         for (int k = 0; k < 6; ++k)
-            if (!check(w[k / 3][k % 3] / 2.0, v[k / 3][k % 3],
-                       "velocity in other units",
-                       "Which of your numbers has a unit of its own?"))
-                return;
+            check(w[k / 3][k % 3] / 2.0, v[k / 3][k % 3],
+                  "velocity in other units",
+                  "Which of your numbers has a unit of its own?");
     }
 }
 

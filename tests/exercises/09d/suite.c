@@ -108,7 +108,7 @@ static double would(const struct planets *from, struct idea k, double dt,
     return at < 3 ? p.x[i][at] : p.v[i][at - 3];
 }
 
-static bool check_number(const struct planets *from, double dt, double got,
+static void check_number(const struct planets *from, double dt, double got,
                          size_t i, int at, double size,
                          const char *question)
 {
@@ -120,7 +120,7 @@ static bool check_number(const struct planets *from, double dt, double got,
     sun.sun = own.own = once.once = true;
     straight.sun = straight.straight = true;
     away.sign = -1.0;
-    return CHECK_NEAR(
+    CHECK_NEAR(
         got,
         .quantity =
             check_text("%s[%zu][%d]", at < 3 ? "x" : "v", i, at % 3),
@@ -154,7 +154,7 @@ static bool check_number(const struct planets *from, double dt, double got,
                       "Which path does the given function know?"}});
 }
 
-static bool check_step(const struct planets *from, double dt,
+static void check_step(const struct planets *from, double dt,
                        const char *question)
 {
     struct planets p = *from;
@@ -165,15 +165,13 @@ static bool check_step(const struct planets *from, double dt,
         /* the velocities first, for these tell more about the kicks */
         for (int k = 0; k < 6; ++k) {
             const int at = (k + 3) % 6;
-            if (!check_number(from, dt,
-                              at < 3 ? p.x[i][at] : p.v[i][at - 3], i, at,
-                              at < 3 ? far + fabs(dt) * fast
-                                     : fast + fabs(dt) * p.sun / far / far,
-                              question))
-                return false;
+            check_number(from, dt, at < 3 ? p.x[i][at] : p.v[i][at - 3], i,
+                         at,
+                         at < 3 ? far + fabs(dt) * fast
+                                : fast + fabs(dt) * p.sun / far / far,
+                         question);
         }
     }
-    return true;
 }
 
 static const struct planets pair = {2,
@@ -188,10 +186,9 @@ static void test_one(void)
     struct planets p = pair;
     p.n = 1;
     for (double dt = -0.5; dt < 5.0; dt += 1.0)
-        if (!check_step(&p, dt,
-                        "A planet alone goes along its ellipse, however "
-                        "long the step is. What disturbs it in yours?"))
-            return;
+        check_step(&p, dt,
+                   "A planet alone goes along its ellipse, however long "
+                   "the step is. What disturbs it in yours?");
 }
 
 static void test_two(void)
@@ -202,32 +199,29 @@ static void test_two(void)
 }
 
 /* limit: 0 (a planet without a mass feels the others, and pulls none) */
-static bool check_massless(void)
+static void check_massless(void)
 {
     struct planets p = pair;
     for (int i = 0; i < 2; ++i) {
         p.gm[i] = 0.0;
         struct planets q = p;
         ellipses_and_kicks(q.n, q.gm, q.sun, 0.25, q.x, q.v);
-        if (!CHECK_NEAR(
-                isnan(q.v[i][0]) ? NAN : 0.0,
-                .quantity =
-                    check_text("v[%d][0], if it is not a number", i),
-                .unit = "AU/d", .input = input(&p, 0.25), .expected = 0.0,
-                .tolerance = 0.0,
-                .because = "a body without a mass has a velocity",
-                .question = "Which of your numbers is zero here?",
-                .mistakes = {{"divided-by-own-mass", CHECK_NAN,
-                              "This body has no mass, and the Sun and the "
-                              "others pull it all the same. By what do you "
-                              "divide, and need you?"}}) ||
-            !check_step(
-                &p, 0.25,
-                "One planet has no mass: its own gm is 0. Is anything of "
-                "yours divided by that, or left out for it?"))
-            return false;
+        CHECK_NEAR(
+            isnan(q.v[i][0]) ? NAN : 0.0,
+            .quantity = check_text("v[%d][0], if it is not a number", i),
+            .unit = "AU/d", .input = input(&p, 0.25), .expected = 0.0,
+            .tolerance = 0.0,
+            .because = "a body without a mass has a velocity",
+            .question = "Which of your numbers is zero here?",
+            .mistakes = {
+                {"divided-by-own-mass", CHECK_NAN,
+                 "This body has no mass, and the Sun and the others pull "
+                 "it all the same. By what do you divide, and need you?"}});
+        check_step(&p, 0.25,
+                   "One planet has no mass: its own gm is 0. Is anything "
+                   "of yours divided by that, or left out for it?");
     }
-    return true; /* the second time both are without */
+    /* the second time both are without */
 }
 
 static void test_three(void)
@@ -237,10 +231,9 @@ static void test_three(void)
     p.gm[2] = 0.005;
     memcpy(p.x[2], (double[3]){0.3, -2.0, -0.3}, sizeof p.x[2]);
     memcpy(p.v[2], (double[3]){0.7, 0.1, 0.05}, sizeof p.v[2]);
-    (void)(check_step(&p, 0.25,
-                      "Three planets make three pairs. How many pulls are "
-                      "there?") &&
-           check_massless());
+    check_step(&p, 0.25,
+               "Three planets make three pairs. How many pulls are there?");
+    check_massless();
 }
 
 /* Around circles, with gentle pulls, and never close to another. */
@@ -269,28 +262,24 @@ static void test_back(void)
         q = p;
         const double dt = check_draw(0.05, 0.5);
         ellipses_and_kicks(q.n, q.gm, q.sun, dt, q.x, q.v);
-        if (!CHECK_NEAR(fabs(q.x[0][0] - p.x[0][0]) > 1e-6 ? 1.0 : 0.0,
-                        .quantity = "has x[0][0] changed? (1 yes, 0 no)",
-                        .input = input(&p, dt), .expected = 1.0,
-                        .tolerance = 0.0, .because = "yes or no",
-                        .question =
-                            "Nothing has moved. Who moves the planets?"))
-            return;
+        CHECK_NEAR(fabs(q.x[0][0] - p.x[0][0]) > 1e-6 ? 1.0 : 0.0,
+                   .quantity = "has x[0][0] changed? (1 yes, 0 no)",
+                   .input = input(&p, dt), .expected = 1.0,
+                   .tolerance = 0.0, .because = "yes or no",
+                   .question = "Nothing has moved. Who moves the planets?");
         ellipses_and_kicks(q.n, q.gm, q.sun, -dt, q.x, q.v);
         for (size_t k = 0; k < p.n; ++k)
             for (int a = 0; a < 3; ++a)
-                if (!CHECK_NEAR(
-                        q.v[k][a],
-                        .quantity = check_text(
-                            "v[%zu][%d] after a step and a step back", k,
-                            a),
-                        .unit = "AU/d", .input = input(&p, dt),
-                        .expected = p.v[k][a], .tolerance = 1e-12,
-                        .because = "the roundings of two steps",
-                        .question = "The last half of a kick should be "
-                                    "undone by the first half of the step "
-                                    "back. From which places is it taken?"))
-                    return;
+                CHECK_NEAR(
+                    q.v[k][a],
+                    .quantity = check_text(
+                        "v[%zu][%d] after a step and a step back", k, a),
+                    .unit = "AU/d", .input = input(&p, dt),
+                    .expected = p.v[k][a], .tolerance = 1e-12,
+                    .because = "the roundings of two steps",
+                    .question = "The last half of a kick should be undone "
+                                "by the first half of the step back. From "
+                                "which places is it taken?");
     }
 }
 
@@ -327,10 +316,9 @@ static void test_drawn(void)
     for (int i = 0; i < 20; ++i) {
         struct planets p;
         draw(&p);
-        if (!check_step(&p, check_draw(-0.5, 0.5),
-                        "Up to five planets, forward and back. Which pull "
-                        "is missing, or comes too often?"))
-            return;
+        check_step(&p, check_draw(-0.5, 0.5),
+                   "Up to five planets, forward and back. Which pull is "
+                   "missing, or comes too often?");
     }
 }
 

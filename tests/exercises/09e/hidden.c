@@ -25,15 +25,13 @@ static void test_backwards(void)
             back[k] = part[N - 1 - k];
         const double forth = sum_up(N, part);
         const double twice = N * DBL_EPSILON;
-        if (!CHECK_NEAR(
-                sum_up(N, back), .quantity = "sum in the opposite order",
-                .input = "101 numbers of many sizes", .expected = forth,
-                .tolerance = 4.0 * DBL_EPSILON * fabs(forth) +
-                             2.0 * twice * twice * sizes,
-                .because = "what was asked for, each time",
-                .question = "The same numbers. What is lost in one order, "
-                            "and not in the other?"))
-            return;
+        CHECK_NEAR(sum_up(N, back), .quantity = "sum in the opposite order",
+                   .input = "101 numbers of many sizes", .expected = forth,
+                   .tolerance = 4.0 * DBL_EPSILON * fabs(forth) +
+                                2.0 * twice * twice * sizes,
+                   .because = "what was asked for, each time",
+                   .question = "The same numbers. What is lost in one "
+                               "order, and not in the other?");
     }
 }
 
@@ -45,14 +43,13 @@ static void test_units(void)
         const int unit = check_draw_whole(-300, 300);
         for (size_t k = 0; k < N; ++k)
             other[k] = ldexp(part[k], unit);
-        if (!CHECK_NEAR(
-                ldexp(sum_up(N, other), -unit),
-                .quantity = "sum in other units",
-                .input = check_text("101 numbers, times 2^%d", unit),
-                .expected = sum_up(N, part), .tolerance = 0.0,
-                .because = "a power of two rounds nothing",
-                .question = "Which of your numbers has a size of its own?"))
-            return;
+        CHECK_NEAR(ldexp(sum_up(N, other), -unit),
+                   .quantity = "sum in other units",
+                   .input = check_text("101 numbers, times 2^%d", unit),
+                   .expected = sum_up(N, part), .tolerance = 0.0,
+                   .because = "a power of two rounds nothing",
+                   .question =
+                       "Which of your numbers has a size of its own?");
     }
 }
 

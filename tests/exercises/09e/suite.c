@@ -51,14 +51,14 @@ static double owing(size_t n, const double part[])
 }
 
 /* limit: 2 epsilons */
-static bool check(size_t n, const double part[], const char *what,
+static void check(size_t n, const double part[], const char *what,
                   double expected, const char *question)
 {
     double sizes = 0.0;
     for (size_t i = 0; i < n; ++i)
         sizes += fabs(part[i]);
     const double twice = (double)n * DBL_EPSILON;
-    return CHECK_NEAR(
+    CHECK_NEAR(
         sum_up(n, part), .quantity = "sum", .input = what,
         .expected = expected,
         .tolerance = isinf(expected) ? 0.0
@@ -86,12 +86,11 @@ static bool check(size_t n, const double part[], const char *what,
 static void test_easy(void)
 {
     static const double some[] = {1.5, -2.25, 3.0, 0.75};
-    static const char question[] = "These have no roundings at all. Which "
-                                   "ones are added?";
-    (void)(check(4, some, "{1.5, -2.25, 3, 0.75}", 3.0, question) &&
-           check(1, some, "{1.5}", 1.5, question) &&
-           check(0, some, "no number", 0.0,
-                 "What is the sum of no numbers?"));
+    static const char question[] =
+        "These have no roundings at all. Which ones are added?";
+    check(4, some, "{1.5, -2.25, 3, 0.75}", 3.0, question);
+    check(1, some, "{1.5}", 1.5, question);
+    check(0, some, "no number", 0.0, "What is the sum of no numbers?");
 }
 
 static void test_dust(void)
@@ -112,12 +111,12 @@ static void test_late(void)
     const double large = ldexp(1.0, 70);
     const double first[] = {large, -large, 1.0, 4.0};
     const double late[] = {1.0, large, -large, 4.0};
-    (void)(check(4, first, "{2^70, -2^70, 1, 4}", 5.0,
-                 "One addition after another is right here. What have you "
-                 "done to the order?") &&
-           check(4, late, "{1, 2^70, -2^70, 4}", 5.0,
-                 "The second number is larger than the sum so far. What is "
-                 "lost there, the new number or the sum?"));
+    check(4, first, "{2^70, -2^70, 1, 4}", 5.0,
+          "One addition after another is right here. What have you done to "
+          "the order?");
+    check(4, late, "{1, 2^70, -2^70, 4}", 5.0,
+          "The second number is larger than the sum so far. What is lost "
+          "there, the new number or the sum?");
 }
 
 static void test_cancel(void)
@@ -137,12 +136,11 @@ static void test_infinite(void)
         static const char why[] =
             "A body has got lost, and the sum is no number at all. Which "
             "of your differences is infinity minus infinity?";
-        if (!CHECK_NEAR(sum_up(4, some), .quantity = "sum",
-                        .input = check_text("{1, %g, 2, -3}", some[1]),
-                        .expected = some[1], .tolerance = 0.0,
-                        .because = "infinite, and exact", .question = why,
-                        .mistakes = {{"infinity-lost", CHECK_NAN, why}}))
-            return;
+        CHECK_NEAR(sum_up(4, some), .quantity = "sum",
+                   .input = check_text("{1, %g, 2, -3}", some[1]),
+                   .expected = some[1], .tolerance = 0.0,
+                   .because = "infinite, and exact", .question = why,
+                   .mistakes = {{"infinity-lost", CHECK_NAN, why}});
     }
 }
 
@@ -171,11 +169,10 @@ static void test_drawn(void)
             part[k] = part[other];
             part[other] = swap;
         }
-        if (!check(N, part, "60 whole numbers, drawn, of 20 and of 55 bits",
-                   (double)exact,
-                   "The exact sum is known in whole numbers. Which of your "
-                   "roundings is not given back?"))
-            return;
+        check(N, part, "60 whole numbers, drawn, of 20 and of 55 bits",
+              (double)exact,
+              "The exact sum is known in whole numbers. Which of your "
+              "roundings is not given back?");
     }
 }
 

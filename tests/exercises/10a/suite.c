@@ -67,7 +67,7 @@ static double tolerance(const struct pair *p)
 static const char because[] = "16 epsilons of c times the relative speed";
 
 /* The force on body a along axis k. */
-static bool check_force(const struct pair *p, double got, int k,
+static void check_force(const struct pair *p, double got, int k,
                         const char *question)
 {
     const double right = p->on_a[k];
@@ -77,7 +77,7 @@ static bool check_force(const struct pair *p, double got, int k,
     const double own = dot(s.x, p->b.v) / square;
     const double speed =
         r > 0.0 ? p->c * sqrt(dot(s.v, s.v)) * s.x[k] / r : right;
-    return CHECK_NEAR(
+    CHECK_NEAR(
         got,
         .quantity =
             check_text("on_a[%d], the force on a along %c", k, "xyz"[k]),
@@ -113,29 +113,28 @@ static bool check_force(const struct pair *p, double got, int k,
 }
 
 /* Body b feels the opposite of what body a does. */
-static bool check_opposite(const struct pair *p, double got, int k)
+static void check_opposite(const struct pair *p, double got, int k)
 {
     const double right = -p->on_a[k];
-    return CHECK_NEAR(
-        got,
-        .quantity =
-            check_text("on_b[%d], the force on b along %c", k, "xyz"[k]),
-        .unit = "N", .input = input(p), .expected = right,
-        .tolerance = tolerance(p), .because = because,
-        .question = "What one of the two feels, the other feels as well. "
-                    "In which direction?",
-        .mistakes = {
-            {"both-the-same", -right,
-             "This is the very force on a. What becomes of the total "
-             "momentum when both are pulled the same way?"}});
+    CHECK_NEAR(got,
+               .quantity = check_text("on_b[%d], the force on b along %c",
+                                      k, "xyz"[k]),
+               .unit = "N", .input = input(p), .expected = right,
+               .tolerance = tolerance(p), .because = because,
+               .question = "What one of the two feels, the other feels as "
+                           "well. In which direction?",
+               .mistakes = {
+                   {"both-the-same", -right,
+                    "This is the very force on a. What becomes of the "
+                    "total momentum when both are pulled the same way?"}});
 }
 
-static bool check_heat(const struct pair *p, double got,
+static void check_heat(const struct pair *p, double got,
                        const char *question)
 {
     const struct body s = seen(p);
     const double u = sqrt(dot(s.v, s.v));
-    return CHECK_NEAR(
+    CHECK_NEAR(
         got, .quantity = "power turned into heat", .unit = "W",
         .input = input(p), .expected = p->heat,
         .tolerance = 2.0 * tolerance(p) * u,
@@ -159,16 +158,13 @@ static bool check_heat(const struct pair *p, double got,
              "same place?"}});
 }
 
-static bool check_pair(const struct pair *p, const char *question)
+static void check_pair(const struct pair *p, const char *question)
 {
     const struct answer r = answer(p);
     for (int k = 0; k < 3; ++k)
-        if (!check_force(p, r.on_a[k], k, question))
-            return false;
+        check_force(p, r.on_a[k], k, question);
     for (int k = 0; k < 3; ++k)
-        if (!check_opposite(p, r.on_b[k], k))
-            return false;
-    return true;
+        check_opposite(p, r.on_b[k], k);
 }
 
 /* Two bodies on the axis k, at 1 m from each other. */
@@ -193,10 +189,9 @@ static void test_axis(void)
         const struct pair apart = on_axis(k, 1.0, 4.0);
         const struct pair nearer = on_axis(k, 2.0, -0.5);
         const struct pair together = on_axis(k, 1.5, 1.5);
-        if (!(check_pair(&apart, question) &&
-              check_pair(&nearer, question) &&
-              check_pair(&together, question)))
-            return;
+        check_pair(&apart, question);
+        check_pair(&nearer, question);
+        check_pair(&together, question);
     }
 }
 
@@ -212,11 +207,10 @@ static void test_distance(void)
             .b = {.x = {0.0, far[i], 0.0}, .v = {1.0, 0.75, 3.0}},
             .on_a = {0.0, 1.5, 0.0},
             .heat = 1.125};
-        if (!check_pair(&p, "The same velocities at another distance: does "
-                            "the length change at another rate?") ||
-            !check_heat(&p, answer(&p).heat,
-                        "Does the power know of the distance?"))
-            return;
+        check_pair(&p, "The same velocities at another distance: does the "
+                       "length change at another rate?");
+        check_heat(&p, answer(&p).heat,
+                   "Does the power know of the distance?");
     }
 }
 
@@ -242,9 +236,8 @@ static void test_turning(void)
                 p.a.v[k] = turn[j][l] * p.a.x[m] - turn[j][m] * p.a.x[l];
                 p.b.v[k] = turn[j][l] * p.b.x[m] - turn[j][m] * p.b.x[l];
             }
-            if (!check_pair(&p, "These two only turn about a point. Does "
-                                "their distance change?"))
-                return;
+            check_pair(&p, "These two only turn about a point. Does their "
+                           "distance change?");
         }
 }
 
@@ -263,7 +256,8 @@ static void test_oblique(void)
                            .a = {{3.0, 0.0, 1.0}, {-5.0, 2.0, 9.0}},
                            .b = {{0.0, 4.0, 1.0}, {5.0, 2.0, -7.0}},
                            .on_a = {14.4, -19.2, 0.0}};
-    (void)(check_pair(&p, question) && check_pair(&q, question));
+    check_pair(&p, question);
+    check_pair(&q, question);
 }
 
 /* What holds whatever the formula: the momentum stays, and so does the
@@ -279,18 +273,17 @@ static void test_momenta(void)
     const struct body s = seen(&p);
     for (int k = 0; k < 3; ++k) {
         const int l = (k + 1) % 3, m = (k + 2) % 3;
-        if (!check_opposite(&p, r.on_b[k], k) ||
-            !CHECK_NEAR(s.x[l] * r.on_b[m] - s.x[m] * r.on_b[l],
-                        .quantity = check_text(
-                            "torque of both forces about %c", "xyz"[k]),
-                        .unit = "N m", .input = input(&p), .expected = 0.0,
-                        .tolerance = tolerance(&p) * 6.0,
-                        .because = "that of the forces, times 2 * 3 m",
-                        .question = "Your dashpot turns the pair. Which "
-                                    "way does its force point?"))
-            return;
+        check_opposite(&p, r.on_b[k], k);
+        CHECK_NEAR(s.x[l] * r.on_b[m] - s.x[m] * r.on_b[l],
+                   .quantity = check_text("torque of both forces about %c",
+                                          "xyz"[k]),
+                   .unit = "N m", .input = input(&p), .expected = 0.0,
+                   .tolerance = tolerance(&p) * 6.0,
+                   .because = "that of the forces, times 2 * 3 m",
+                   .question = "Your dashpot turns the pair. Which way "
+                               "does its force point?");
     }
-    (void)(check_pair(&p, "Is this force along the axis?"));
+    check_pair(&p, "Is this force along the axis?");
 }
 
 static void test_heat(void)
@@ -304,10 +297,10 @@ static void test_heat(void)
                                  .b = {{3.0, 4.0, 7.0}, {7.0, 0.0, 7.0}},
                                  .heat = 32.0};
     const struct pair still = {.c = 4.0, .b = {{1.0, 0, 0}, {0, 1.0, 0}}};
-    (void)(check_heat(&apart, answer(&apart).heat, question) &&
-           check_heat(&nearer, answer(&nearer).heat, question) &&
-           check_heat(&oblique, answer(&oblique).heat, question) &&
-           check_heat(&still, answer(&still).heat, question));
+    check_heat(&apart, answer(&apart).heat, question);
+    check_heat(&nearer, answer(&nearer).heat, question);
+    check_heat(&oblique, answer(&oblique).heat, question);
+    check_heat(&still, answer(&still).heat, question);
 }
 
 static void test_same_place(void)
@@ -318,10 +311,10 @@ static void test_same_place(void)
                            .a = {{1.0, 2.0, 3.0}, {1.0, 0.0, 0.0}},
                            .b = {{1.0, 2.0, 3.0}, {0.0, 1.0, 5.0}}};
     const struct pair q = {.c = 2.0};
-    (void)(check_pair(&p, question) &&
-           check_heat(&p, answer(&p).heat, question) &&
-           check_pair(&q, question) &&
-           check_heat(&q, answer(&q).heat, question));
+    check_pair(&p, question);
+    check_heat(&p, answer(&p).heat, question);
+    check_pair(&q, question);
+    check_heat(&q, answer(&q).heat, question);
 }
 
 /* Whole numbers whose squares add up to a square, from any four: a vector
@@ -372,9 +365,8 @@ static void test_drawn(void)
 {
     for (int i = 0; i < 40; ++i) {
         const struct pair p = draw_pair();
-        if (!check_pair(&p, "Any direction, any velocities: is the force c "
-                            "times the rate of the length, along it?"))
-            return;
+        check_pair(&p, "Any direction, any velocities: is the force c "
+                       "times the rate of the length, along it?");
     }
 }
 
@@ -382,10 +374,9 @@ static void test_drawn_heat(void)
 {
     for (int i = 0; i < 40; ++i) {
         const struct pair p = draw_pair();
-        if (!check_heat(&p, answer(&p).heat,
-                        "The force times the rate at which the length "
-                        "changes: is this what you return?"))
-            return;
+        check_heat(&p, answer(&p).heat,
+                   "The force times the rate at which the length changes: "
+                   "is this what you return?");
     }
 }
 

@@ -3,19 +3,18 @@
 #include "examiner/check.h"
 #include "call.h"
 
-static bool check(const struct oscillator *o, double t, double got,
+static void check(const struct oscillator *o, double t, double got,
                   double expected, double tolerance, const char *quantity)
 {
-    return CHECK_NEAR(
-        got, .quantity = quantity,
-        .input =
-            check_text("m = %g kg, c = %.17g kg/s, D = %.17g N/m, at "
-                       "first x = %.17g m, v = %.17g m/s, t = %g s",
-                       o->mass, o->damping, o->stiffness, o->x, o->v, t),
-        .expected = expected, .tolerance = tolerance,
-        .because = "some 1e-12 of the largest that can be expected",
-        .question = "The same oscillator, in another way. Does it come to "
-                    "the same place?");
+    CHECK_NEAR(got, .quantity = quantity,
+               .input = check_text(
+                   "m = %g kg, c = %.17g kg/s, D = %.17g N/m, at first x = "
+                   "%.17g m, v = %.17g m/s, t = %g s",
+                   o->mass, o->damping, o->stiffness, o->x, o->v, t),
+               .expected = expected, .tolerance = tolerance,
+               .because = "some 1e-12 of the largest that can be expected",
+               .question = "The same oscillator, in another way. Does it "
+                           "come to the same place?");
 }
 
 /* Damping of any kind, in units of the critical one. */
@@ -52,11 +51,10 @@ static void test_halfway(void)
         halfway.x = oscillate(&o, t, &halfway.v);
         const double x = oscillate(&halfway, late, &v);
         const double at_once = oscillate(&o, t + late, &both);
-        if (!check(&o, t + late, x, at_once, 4e-12 * size,
-                   "place, by way of a state halfway, in m") ||
-            !check(&o, t + late, v, both, 4e-12 * w * size,
-                   "velocity, by way of a state halfway, in m/s"))
-            return;
+        check(&o, t + late, x, at_once, 4e-12 * size,
+              "place, by way of a state halfway, in m");
+        check(&o, t + late, v, both, 4e-12 * w * size,
+              "velocity, by way of a state halfway, in m/s");
     }
 }
 
@@ -83,9 +81,8 @@ static void test_energy(void)
         const double start = o.mass * v * v + o.stiffness * x * x;
         x = oscillate(&o, 100 * step, &v);
         const double end = o.mass * v * v + o.stiffness * x * x;
-        if (!check(&o, 100 * step, end + 2.0 * lost, start, 4e-9 * start,
-                   "twice the energy, with what was lost, in J"))
-            return;
+        check(&o, 100 * step, end + 2.0 * lost, start, 4e-9 * start,
+              "twice the energy, with what was lost, in J");
     }
 }
 
@@ -106,11 +103,10 @@ static void test_units(void)
         double v = NAN, again = NAN;
         const double x = oscillate(&o, t, &v);
         const double there = oscillate(&other, t * s, &again);
-        if (!check(&other, t * s, there / m, x, 2e-12 * size,
-                   "place, in this unit") ||
-            !check(&other, t * s, again / m * s, v, 2e-12 * w * size,
-                   "velocity, in this unit"))
-            return;
+        check(&other, t * s, there / m, x, 2e-12 * size,
+              "place, in this unit");
+        check(&other, t * s, again / m * s, v, 2e-12 * w * size,
+              "velocity, in this unit");
     }
 }
 

@@ -3,10 +3,10 @@
 #include "examiner/check.h"
 #include "call.h"
 
-static bool check(const struct sphere s[2], double got, double expected,
+static void check(const struct sphere s[2], double got, double expected,
                   double tolerance, const char *quantity)
 {
-    return CHECK_NEAR(
+    CHECK_NEAR(
         got, .quantity = quantity, .unit = "m",
         .input = check_text("a: %g kg, radius %g m, at (%g, %g, %g) m; b: "
                             "%g kg, radius %g m, at (%g, %g, %g) m",
@@ -46,17 +46,14 @@ static double tolerance(const struct sphere s[2])
     return 16.0 * DBL_EPSILON * most;
 }
 
-static bool check_same(const struct sphere before[2],
+static void check_same(const struct sphere before[2],
                        const struct sphere *got,
                        const struct sphere *expected, double unit,
                        const char *name)
 {
     for (int k = 0; k < 3; ++k)
-        if (!check(before, got->x[k] / unit, expected->x[k],
-                   tolerance(before),
-                   check_text("%s, along %c", name, "xyz"[k])))
-            return false;
-    return true;
+        check(before, got->x[k] / unit, expected->x[k], tolerance(before),
+              check_text("%s, along %c", name, "xyz"[k]));
 }
 
 /* Once pushed, they touch: there is nothing left to do but rounding. */
@@ -70,13 +67,12 @@ static void test_again(void)
         (void)part_spheres(&once[0], &once[1]);
         struct sphere twice[2] = {once[0], once[1]};
         const double depth = part_spheres(&twice[0], &twice[1]);
-        if (!check(s, depth, 0.0, tolerance(s),
-                   "depth of what is left of the overlap") ||
-            !check_same(s, &twice[0], &once[0], 1.0,
-                        "centre of a after a second push") ||
-            !check_same(s, &twice[1], &once[1], 1.0,
-                        "centre of b after a second push"))
-            return;
+        check(s, depth, 0.0, tolerance(s),
+              "depth of what is left of the overlap");
+        check_same(s, &twice[0], &once[0], 1.0,
+                   "centre of a after a second push");
+        check_same(s, &twice[1], &once[1], 1.0,
+                   "centre of b after a second push");
     }
 }
 
@@ -88,13 +84,12 @@ static void test_names(void)
         struct sphere one[2] = {s[0], s[1]}, other[2] = {s[0], s[1]};
         const double depth = part_spheres(&one[0], &one[1]);
         const double again = part_spheres(&other[1], &other[0]);
-        if (!check(s, again, depth, tolerance(s),
-                   "depth, with the names exchanged") ||
-            !check_same(s, &other[0], &one[0], 1.0,
-                        "centre of a, with the names exchanged") ||
-            !check_same(s, &other[1], &one[1], 1.0,
-                        "centre of b, with the names exchanged"))
-            return;
+        check(s, again, depth, tolerance(s),
+              "depth, with the names exchanged");
+        check_same(s, &other[0], &one[0], 1.0,
+                   "centre of a, with the names exchanged");
+        check_same(s, &other[1], &one[1], 1.0,
+                   "centre of b, with the names exchanged");
     }
 }
 
@@ -110,11 +105,10 @@ static void test_heavy(void)
         never[heavy].mass = INFINITY;
         (void)part_spheres(&very[0], &very[1]);
         (void)part_spheres(&never[0], &never[1]);
-        if (!check_same(s, &very[0], &never[0], 1.0,
-                        "centre of a, against one that is immovable") ||
-            !check_same(s, &very[1], &never[1], 1.0,
-                        "centre of b, against one that is immovable"))
-            return;
+        check_same(s, &very[0], &never[0], 1.0,
+                   "centre of a, against one that is immovable");
+        check_same(s, &very[1], &never[1], 1.0,
+                   "centre of b, against one that is immovable");
     }
 }
 
@@ -134,14 +128,12 @@ static void test_units(void)
         }
         const double depth = part_spheres(&one[0], &one[1]);
         const double there = part_spheres(&other[0], &other[1]);
-        if (!check(s, there / unit, depth, tolerance(s),
-                   check_text("depth, in units of %g m and %g kg", unit,
-                              kg)) ||
-            !check_same(s, &other[0], &one[0], unit,
-                        "centre of a, in other units") ||
-            !check_same(s, &other[1], &one[1], unit,
-                        "centre of b, in other units"))
-            return;
+        check(s, there / unit, depth, tolerance(s),
+              check_text("depth, in units of %g m and %g kg", unit, kg));
+        check_same(s, &other[0], &one[0], unit,
+                   "centre of a, in other units");
+        check_same(s, &other[1], &one[1], unit,
+                   "centre of b, in other units");
     }
 }
 

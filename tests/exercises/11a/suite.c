@@ -47,7 +47,7 @@ static const char because[] =
 
 /* Coordinate k of one of the two, with its mass and radius and those of the
    other. */
-static bool check_centre(const struct pair *p, bool first, double got,
+static void check_centre(const struct pair *p, bool first, double got,
                          int k, const char *question)
 {
     const struct sphere *own = first ? &p->a : &p->b;
@@ -58,7 +58,7 @@ static bool check_centre(const struct pair *p, bool first, double got,
         (first ? p->b_after[k] : p->a_after[k]) - other->x[k];
     const double whole = way - opposite;
     const double reach = own->radius + other->radius;
-    return CHECK_NEAR(
+    CHECK_NEAR(
         got,
         .quantity =
             check_text("%s->x[%d], the centre of %s along %c",
@@ -93,11 +93,11 @@ static bool check_centre(const struct pair *p, bool first, double got,
 }
 
 /* What should have stayed as it is. */
-static bool check_kept(const struct pair *p, bool first, double got, int k,
+static void check_kept(const struct pair *p, bool first, double got, int k,
                        const char *question)
 {
     const double right = first ? p->a.x[k] : p->b.x[k];
-    return CHECK_NEAR(
+    CHECK_NEAR(
         got,
         .quantity =
             check_text("%s->x[%d], the centre of %s along %c",
@@ -111,14 +111,14 @@ static bool is_finite(const struct sphere *s)
     return isfinite(s->x[0]) && isfinite(s->x[1]) && isfinite(s->x[2]);
 }
 
-static bool check_finite(const struct pair *p, const struct answer *r)
+static void check_finite(const struct pair *p, const struct answer *r)
 {
     bool line = false;
     for (int k = 0; k < 3; ++k)
         line |= p->a.x[k] != p->b.x[k];
     const bool good = is_finite(&r->a) && is_finite(&r->b);
     const double no = good ? 0.0 : 1.0;
-    return CHECK_NEAR(
+    CHECK_NEAR(
         no,
         .quantity =
             "is there a coordinate that is no number? (1 yes, 0 no)",
@@ -135,30 +135,26 @@ static bool check_finite(const struct pair *p, const struct answer *r)
                       "larger and larger: what become the two shares?"}});
 }
 
-static bool check_pair(const struct pair *p, const char *question)
+static void check_pair(const struct pair *p, const char *question)
 {
     const struct answer r = answer(p);
-    if (!check_finite(p, &r))
-        return false;
+    check_finite(p, &r);
     for (int k = 0; k < 3; ++k)
-        if (!check_centre(p, true, r.a.x[k], k, question))
-            return false;
+        check_centre(p, true, r.a.x[k], k, question);
     for (int k = 0; k < 3; ++k)
-        if (!check_centre(p, false, r.b.x[k], k, question))
-            return false;
-    return true;
+        check_centre(p, false, r.b.x[k], k, question);
 }
 
-static bool check_depth(const struct pair *p, const char *question)
+static void check_depth(const struct pair *p, const char *question)
 {
     const double right = p->depth, sum = p->a.mass + p->b.mass;
-    return CHECK_NEAR(
-        answer(p).depth, .quantity = "depth of the overlap", .unit = "m",
-        .input = input(p), .expected = right, .tolerance = tolerance(p),
-        .because = because, .question = question,
-        .mistakes = {{"share-for-the-depth", right * p->b.mass / sum,
-                      "This is the way of one of the two. How deep was the "
-                      "overlap?"}});
+    CHECK_NEAR(answer(p).depth, .quantity = "depth of the overlap",
+               .unit = "m", .input = input(p), .expected = right,
+               .tolerance = tolerance(p), .because = because,
+               .question = question,
+               .mistakes = {{"share-for-the-depth", right * p->b.mass / sum,
+                             "This is the way of one of the two. How deep "
+                             "was the overlap?"}});
 }
 
 /* On the axis k, with the centres 1.5 m apart and 3 m from one to the other
@@ -185,8 +181,8 @@ static void test_equal(void)
         const struct pair q = on_axis(k, -1.0, 2.0, 2.0);
         static const char question[] =
             "Two equal masses: how far must each go, and to which side?";
-        if (!(check_pair(&p, question) && check_pair(&q, question)))
-            return;
+        check_pair(&p, question);
+        check_pair(&q, question);
     }
 }
 
@@ -200,8 +196,8 @@ static void test_masses(void)
             static const char question[] =
                 "A heavy one and a light one: which of them goes further, "
                 "so that the centre of mass stays?";
-            if (!(check_pair(&p, question) && check_pair(&q, question)))
-                return;
+            check_pair(&p, question);
+            check_pair(&q, question);
         }
 }
 
@@ -220,7 +216,8 @@ static void test_radii(void)
                                 .a_after = {-2.0, 0.0, 0.0},
                                 .b_after = {2.5, 0.0, 0.0},
                                 .depth = 4.0};
-    (void)(check_pair(&p, question) && check_pair(&inside, question));
+    check_pair(&p, question);
+    check_pair(&inside, question);
 }
 
 /* 3, 4 and 5 make a right angle; 2, 3, 6 and 7 make squares. */
@@ -239,7 +236,8 @@ static void test_oblique(void)
                            .a_after = {3.0, 4.5, 9.0},
                            .b_after = {-1.0, -1.5, -3.0},
                            .depth = 7.0};
-    (void)(check_pair(&p, question) && check_pair(&q, question));
+    check_pair(&p, question);
+    check_pair(&q, question);
 }
 
 /* Whatever the formula: they touch, and the centre of mass stays. */
@@ -252,47 +250,41 @@ static void test_touch(void)
     for (int k = 0; k < 3; ++k) {
         const double d = r.b.x[k] - r.a.x[k];
         square += d * d;
-        if (!CHECK_NEAR(
-                (1.5 * r.a.x[k] + 4.0 * r.b.x[k]) / 5.5,
-                .quantity =
-                    check_text("the centre of mass along %c", "xyz"[k]),
-                .unit = "m", .input = input(&p),
-                .expected = (1.5 * p.a.x[k] + 4.0 * p.b.x[k]) / 5.5,
-                .tolerance = tolerance(&p), .because = because,
-                .question = "By how much is m1 x1 + m2 x2 changed by one "
-                            "of the two ways, and by the other?"))
-            return;
+        CHECK_NEAR((1.5 * r.a.x[k] + 4.0 * r.b.x[k]) / 5.5,
+                   .quantity =
+                       check_text("the centre of mass along %c", "xyz"[k]),
+                   .unit = "m", .input = input(&p),
+                   .expected = (1.5 * p.a.x[k] + 4.0 * p.b.x[k]) / 5.5,
+                   .tolerance = tolerance(&p), .because = because,
+                   .question = "By how much is m1 x1 + m2 x2 changed by "
+                               "one of the two ways, and by the other?");
     }
-    (void)CHECK_NEAR(sqrt(square), .quantity = "distance of the centres",
-                     .unit = "m", .input = input(&p), .expected = 1.75,
-                     .tolerance = tolerance(&p), .because = because,
-                     .question =
-                         "How far are two spheres apart that touch?");
+    CHECK_NEAR(sqrt(square), .quantity = "distance of the centres",
+               .unit = "m", .input = input(&p), .expected = 1.75,
+               .tolerance = tolerance(&p), .because = because,
+               .question = "How far are two spheres apart that touch?");
 }
 
-static bool check_unchanged(const struct pair *p, double gap)
+static void check_unchanged(const struct pair *p, double gap)
 {
     static const char question[] =
         "These two do not overlap. Who has moved them?";
     const struct answer r = answer(p);
     const bool moved = r.a.x[0] != p->a.x[0] || r.b.x[0] != p->b.x[0];
-    if (!CHECK_NEAR(
-            r.depth, .quantity = "depth of the overlap", .unit = "m",
-            .input = input(p), .expected = 0.0, .tolerance = 0.0,
-            .because = "there is none", .question = question,
-            .mistakes = {
-                {"pulled-together", moved ? r.depth : 0.0,
-                 "These two are apart, and have been pulled together. What "
-                 "is to be done when nothing overlaps?"},
-                {"depth-below-zero", moved ? 0.0 : gap,
-                 "The gap is taken for a negative depth. How deep is an "
-                 "overlap of spheres that are apart?"}}))
-        return false;
-    for (int k = 0; k < 3; ++k)
-        if (!check_kept(p, true, r.a.x[k], k, question) ||
-            !check_kept(p, false, r.b.x[k], k, question))
-            return false;
-    return true;
+    CHECK_NEAR(
+        r.depth, .quantity = "depth of the overlap", .unit = "m",
+        .input = input(p), .expected = 0.0, .tolerance = 0.0,
+        .because = "there is none", .question = question,
+        .mistakes = {{"pulled-together", moved ? r.depth : 0.0,
+                      "These two are apart, and have been pulled together. "
+                      "What is to be done when nothing overlaps?"},
+                     {"depth-below-zero", moved ? 0.0 : gap,
+                      "The gap is taken for a negative depth. How deep is "
+                      "an overlap of spheres that are apart?"}});
+    for (int k = 0; k < 3; ++k) {
+        check_kept(p, true, r.a.x[k], k, question);
+        check_kept(p, false, r.b.x[k], k, question);
+    }
 }
 
 static void test_apart(void)
@@ -303,8 +295,9 @@ static void test_apart(void)
                                .b = {3.0, 5.0, {2.0, -3.0, 6.0}}};
     const struct pair points = {.a = {1.0, 0.0, {0.7, 0.0, 0.0}},
                                 .b = {3.0, 0.0, {0.7, 0.0, 0.0}}};
-    (void)(check_unchanged(&apart, 0.75 - 5.0) &&
-           check_unchanged(&touch, 0.0) && check_unchanged(&points, 0.0));
+    check_unchanged(&apart, 0.75 - 5.0);
+    check_unchanged(&touch, 0.0);
+    check_unchanged(&points, 0.0);
 }
 
 /* limit: 1e-100 m (and the very same place) */
@@ -322,11 +315,11 @@ static void test_same_place(void)
                               .a_after = {0.0, 0.0, -1.5},
                               .b_after = {0.0, 0.0, 0.5},
                               .depth = 2.0};
-    (void)(check_pair(&p, question) && check_depth(&p, question) &&
-           check_pair(
-               &near,
+    check_pair(&p, question);
+    check_depth(&p, question);
+    check_pair(&near,
                "The centres are very near each other, and still there is a "
-               "line from one to the other. What do you compare with 0?"));
+               "line from one to the other. What do you compare with 0?");
 }
 
 static void test_immovable(void)
@@ -347,14 +340,14 @@ static void test_immovable(void)
                               .a_after = {0.1, 0.7, 0.3},
                               .b_after = {2.1, 0.7, 0.3},
                               .depth = 2.0};
-    if (!check_pair(&heavy_a, question) ||
-        !check_pair(&heavy_b, question) || !check_pair(&both, question))
-        return;
+    check_pair(&heavy_a, question);
+    check_pair(&heavy_b, question);
+    check_pair(&both, question);
     const struct answer a = answer(&heavy_a), b = answer(&heavy_b);
-    for (int k = 0; k < 3; ++k)
-        if (!check_kept(&heavy_a, true, a.a.x[k], k, question) ||
-            !check_kept(&heavy_b, false, b.b.x[k], k, question))
-            return;
+    for (int k = 0; k < 3; ++k) {
+        check_kept(&heavy_a, true, a.a.x[k], k, question);
+        check_kept(&heavy_b, false, b.b.x[k], k, question);
+    }
 }
 
 static void test_depth(void)
@@ -368,8 +361,9 @@ static void test_depth(void)
     const struct pair heavy = {.a = {INFINITY, 3.0, {0.0, 0.0, 0.0}},
                                .b = {2.0, 0.5, {0.0, 3.0, 0.0}},
                                .depth = 0.5};
-    (void)(check_depth(&p, question) && check_depth(&q, question) &&
-           check_depth(&heavy, question));
+    check_depth(&p, question);
+    check_depth(&q, question);
+    check_depth(&heavy, question);
 }
 
 /* Whole numbers whose squares add up to a square, from any four; returns
@@ -420,11 +414,9 @@ static void test_drawn(void)
 {
     for (int i = 0; i < 40; ++i) {
         const struct pair p = draw_pair(check_draw(1.01, 5.0));
-        if (!check_pair(&p,
-                        "Any two that overlap: do they touch afterwards, "
-                        "with the centre of mass in its place?") ||
-            !check_depth(&p, "How deep was it?"))
-            return;
+        check_pair(&p, "Any two that overlap: do they touch afterwards, "
+                       "with the centre of mass in its place?");
+        check_depth(&p, "How deep was it?");
     }
 }
 
@@ -432,8 +424,7 @@ static void test_drawn_apart(void)
 {
     for (int i = 0; i < 20; ++i) {
         const struct pair p = draw_pair(check_draw(0.1, 0.99));
-        if (!check_unchanged(&p, p.depth))
-            return;
+        check_unchanged(&p, p.depth);
     }
 }
 

@@ -5,16 +5,17 @@
 
 enum { LONG = 100 };
 
-static bool check(size_t n, const char *row, double got, double expected,
+static void check(size_t n, const char *row, double got, double expected,
                   double tolerance, const char *quantity)
 {
-    return CHECK_NEAR(got, .quantity = quantity,
-                      .input = check_text("%zu balls, %s", n, row),
-                      .expected = expected, .tolerance = tolerance,
-                      .because = "1e-11 of the largest that there is, or a "
-                                 "number that is exact",
-                      .question = "A row of balls does not depend on who "
-                                  "looks at it. Does yours?");
+    CHECK_NEAR(
+        got, .quantity = quantity,
+        .input = check_text("%zu balls, %s", n, row), .expected = expected,
+        .tolerance = tolerance,
+        .because =
+            "1e-11 of the largest that there is, or a number that is exact",
+        .question = "A row of balls does not depend on who looks at it. "
+                    "Does yours?");
 }
 
 /* check_draw has four digits, so that two pairs might meet at the same time
@@ -55,13 +56,12 @@ static void test_long(void)
             if (i > 0)
                 closest = fmin(closest, v[i] - v[i - 1]);
         }
-        if (!check(n, "drawn", after[0], before[0], 1e-11 * most,
-                   "momentum at the end, in kg m/s") ||
-            !check(n, "drawn", after[1], before[1], 1e-11 * before[1],
-                   "twice the energy at the end, in J") ||
-            !check(n, "drawn", fmin(closest + 3e-9, 0.0), 0.0, 0.0,
-                   "speed of the fastest approach at the end, in m/s"))
-            return;
+        check(n, "drawn", after[0], before[0], 1e-11 * most,
+              "momentum at the end, in kg m/s");
+        check(n, "drawn", after[1], before[1], 1e-11 * before[1],
+              "twice the energy at the end, in J");
+        check(n, "drawn", fmin(closest + 3e-9, 0.0), 0.0, 0.0,
+              "speed of the fastest approach at the end, in m/s");
     }
 }
 
@@ -75,13 +75,12 @@ static void test_most(void)
         v[0] = check_draw(0.5, 3.0);
         const double in = v[0];
         const size_t count = cradle(n, mass, v);
-        if (!check(n, "equal", v[n - 1], in, 1e-11 * in,
-                   "velocity of the last one, in m/s") ||
-            !check(n, "equal", v[0], 0.0, 1e-11 * in,
-                   "velocity of the first one, in m/s") ||
-            !check(n, "equal", (double)count, n - 1.0, 0.0,
-                   "number of collisions"))
-            return;
+        check(n, "equal", v[n - 1], in, 1e-11 * in,
+              "velocity of the last one, in m/s");
+        check(n, "equal", v[0], 0.0, 1e-11 * in,
+              "velocity of the first one, in m/s");
+        check(n, "equal", (double)count, n - 1.0, 0.0,
+              "number of collisions");
     }
 }
 
@@ -99,12 +98,10 @@ static void test_mirror(void)
         const size_t count = cradle(n, mass[0], v[0]);
         const size_t again = cradle(n, mass[1], v[1]);
         for (size_t i = 0; i < n; ++i)
-            if (!check(n, "drawn, and seen in a mirror", -v[1][n - 1 - i],
-                       v[0][i], 3e-11, "velocity of a ball, in m/s"))
-                return;
-        if (!check(n, "drawn, and seen in a mirror", (double)again,
-                   (double)count, 0.0, "number of collisions"))
-            return;
+            check(n, "drawn, and seen in a mirror", -v[1][n - 1 - i],
+                  v[0][i], 3e-11, "velocity of a ball, in m/s");
+        check(n, "drawn, and seen in a mirror", (double)again,
+              (double)count, 0.0, "number of collisions");
     }
 }
 
@@ -125,14 +122,11 @@ static void test_walk(void)
         const size_t count = cradle(n, mass[0], v[0]);
         const size_t again = cradle(n, mass[1], v[1]);
         for (size_t i = 0; i < n; ++i)
-            if (!check(n, "drawn, and seen by somebody who walks",
-                       v[1][i] / unit + walk, v[0][i], 8e-11,
-                       "velocity of a ball, in m/s"))
-                return;
-        if (!check(n, "drawn, and seen by somebody who walks",
-                   (double)again, (double)count, 0.0,
-                   "number of collisions"))
-            return;
+            check(n, "drawn, and seen by somebody who walks",
+                  v[1][i] / unit + walk, v[0][i], 8e-11,
+                  "velocity of a ball, in m/s");
+        check(n, "drawn, and seen by somebody who walks", (double)again,
+              (double)count, 0.0, "number of collisions");
     }
 }
 

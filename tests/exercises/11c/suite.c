@@ -83,7 +83,7 @@ static double slack(const struct made *m)
     return 64.0 * DBL_EPSILON * size / along;
 }
 
-static bool check_time(const struct made *m, double got,
+static void check_time(const struct made *m, double got,
                        const char *question)
 {
     double d[3], u[3], out[3];
@@ -92,7 +92,7 @@ static bool check_time(const struct made *m, double got,
     minus(m->touching.b.x, m->touching.a.x, out);
     const double u2 = dot(u, u), in = dot(out, u);
     const double now = sqrt(dot(d, d)), far = m->now.a.r + m->now.b.r;
-    return CHECK_NEAR(
+    CHECK_NEAR(
         got, .quantity = "how long ago they touched", .unit = "s",
         .input = input(&m->now), .expected = m->ago, .tolerance = slack(m),
         .because =
@@ -123,7 +123,7 @@ static double number(const struct pair *p, int at)
     return at % 6 < 3 ? s->x[at % 3] : s->v[at % 3];
 }
 
-static bool check_number(const struct made *m, const struct pair *got,
+static void check_number(const struct made *m, const struct pair *got,
                          int at, const char *question)
 {
     double d[3];
@@ -149,7 +149,7 @@ static bool check_number(const struct made *m, const struct pair *got,
                         sqrt(dot(m->now.b.v, m->now.b.v));
     const double far = m->now.a.r + m->now.b.r;
     const double off = slack(m) * fast;
-    return CHECK_NEAR(
+    CHECK_NEAR(
         number(got, at),
         .quantity = check_text("%s's %s[%d]", at < 6 ? "a" : "b",
                                at % 6 < 3 ? "x" : "v", at % 3),
@@ -178,19 +178,16 @@ static bool check_number(const struct made *m, const struct pair *got,
              "The same number as before. Did they collide?"}});
 }
 
-static bool check_made(struct made *m, double ago, const char *question)
+static void check_made(struct made *m, double ago, const char *question)
 {
     make(m, ago);
     struct pair p = m->now;
     const double got = go_back(&p.a, &p.b, p.dt);
-    if (!check_time(m, got, question))
-        return false;
+    check_time(m, got, question);
     for (int k = 0; k < 12; ++k) { /* velocities before places */
         const int at = k / 6 * 6 + (k + 3) % 6;
-        if (!check_number(m, &p, at, question))
-            return false;
+        check_number(m, &p, at, question);
     }
-    return true;
 }
 
 static void test_head_on(void)
@@ -263,14 +260,13 @@ static void test_drawn(void)
     for (int i = 0; i < 40; ++i) {
         struct made m = {0};
         draw(&m);
-        if (!check_made(&m, check_draw(0.01, 0.9) * m.touching.dt,
-                        "Two spheres in space, made from where they touch. "
-                        "Which of the three axes is treated otherwise?"))
-            return;
+        check_made(&m, check_draw(0.01, 0.9) * m.touching.dt,
+                   "Two spheres in space, made from where they touch. "
+                   "Which of the three axes is treated otherwise?");
     }
 }
 
-static bool check_left(const struct pair *p, const char *mistake,
+static void check_left(const struct pair *p, const char *mistake,
                        const char *question)
 {
     struct pair q = *p;
@@ -278,27 +274,26 @@ static bool check_left(const struct pair *p, const char *mistake,
     double changed = 0.0;
     for (int at = 0; at < 12; ++at)
         changed += number(&q, at) != number(p, at);
-    return CHECK_NEAR(got, .quantity = "what is returned", .unit = "s",
-                      .input = input(p), .expected = -1.0, .tolerance = 0.0,
-                      .because = "-1 is exact", .question = question,
-                      .mistakes = {{mistake, got, question}}) &&
-           CHECK_NEAR(changed,
-                      .quantity =
-                          "how many numbers of the spheres have changed",
-                      .input = input(p), .expected = 0.0, .tolerance = 0.0,
-                      .because = "none should",
-                      .question = "You say that nothing is to be done, and "
-                                  "do something. In which order?",
-                      .mistakes = {{"changed-anyway", changed,
-                                    "You say that nothing is to be done, "
-                                    "and do something. In which order?"}});
+    CHECK_NEAR(got, .quantity = "what is returned", .unit = "s",
+               .input = input(p), .expected = -1.0, .tolerance = 0.0,
+               .because = "-1 is exact", .question = question,
+               .mistakes = {{mistake, got, question}});
+    CHECK_NEAR(changed,
+               .quantity = "how many numbers of the spheres have changed",
+               .input = input(p), .expected = 0.0, .tolerance = 0.0,
+               .because = "none should",
+               .question = "You say that nothing is to be done, and do "
+                           "something. In which order?",
+               .mistakes = {{"changed-anyway", changed,
+                             "You say that nothing is to be done, and do "
+                             "something. In which order?"}});
 }
 
 /* limit: dt (more than that is too long ago; dt itself is not) */
 /* Numbers that are whole parts of powers of two, so that no way of
    computing this rounds: the two touched just dt ago, a hair less, and a
    hair more. */
-static bool check_just_then(void)
+static void check_just_then(void)
 {
     struct made m = {.touching = {{1.0, 0.25, {0.0}, {1.0, 0.0, 0.0}},
                                   {0.5, 0.75, {1.0}, {-3.0, 0.0, 0.0}},
@@ -310,27 +305,24 @@ static bool check_just_then(void)
     make(&m, 0.0625);
     struct pair p = m.now;
     const double got = go_back(&p.a, &p.b, p.dt);
-    if (!CHECK_NEAR(got, .quantity = "how long ago they touched",
-                    .unit = "s", .input = input(&m.now), .expected = m.ago,
-                    .tolerance = slack(&m),
-                    .because = "64 epsilons of places and radii, over the "
-                               "speed of approach",
-                    .question = question,
-                    .mistakes = {{"dt-itself-refused", -1.0, question}}))
-        return false;
+    CHECK_NEAR(
+        got, .quantity = "how long ago they touched", .unit = "s",
+        .input = input(&m.now), .expected = m.ago, .tolerance = slack(&m),
+        .because =
+            "64 epsilons of places and radii, over the speed of approach",
+        .question = question,
+        .mistakes = {{"dt-itself-refused", -1.0, question}});
     m.touching.dt = 0.0625 * (1.0 + 1e-6);
-    if (!check_made(&m, 0.0625, question))
-        return false;
+    check_made(&m, 0.0625, question);
     m.now.dt = 0.0625 * (1.0 - 1e-6);
-    return check_left(&m.now, "longer-than-the-step",
-                      "These touched a millionth of a step before it "
-                      "began. Did they come to where they are by flying?");
+    check_left(&m.now, "longer-than-the-step",
+               "These touched a millionth of a step before it began. Did "
+               "they come to where they are by flying?");
 }
 
 static void test_left(void)
 {
-    if (!check_just_then())
-        return;
+    check_just_then();
     for (int i = 0; i < 20; ++i) {
         struct made m = {0};
         draw(&m);
@@ -343,16 +335,15 @@ static void test_left(void)
         parting.dt = 100.0; /* when they came in does not matter */
         fly(&apart, -0.25 * apart.dt);
         old.dt = 0.4 * m.touching.dt;
-        if (!(check_left(&apart, "apart-treated",
-                         "These do not overlap. What is there to be done "
-                         "about them?") &&
-              check_left(&parting, "parting-treated",
-                         "These part already. What would a collision do to "
-                         "them?") &&
-              check_left(&old, "longer-than-the-step",
-                         "These touched before the step began. Did they "
-                         "come to where they are by flying?")))
-            return;
+        check_left(
+            &apart, "apart-treated",
+            "These do not overlap. What is there to be done about them?");
+        check_left(
+            &parting, "parting-treated",
+            "These part already. What would a collision do to them?");
+        check_left(&old, "longer-than-the-step",
+                   "These touched before the step began. Did they come to "
+                   "where they are by flying?");
     }
 }
 

@@ -15,16 +15,15 @@ static size_t draw_choices(struct choice choice[])
     return n;
 }
 
-static bool check(size_t n, const char *what, double got, double expected,
+static void check(size_t n, const char *what, double got, double expected,
                   const char *quantity)
 {
-    return CHECK_NEAR(
-        got, .quantity = quantity,
-        .input = check_text("%zu choices, %s", n, what),
-        .expected = expected, .tolerance = 0.0,
-        .because = "a number of things is exact",
-        .question = "Is there anything in your program that knows more of "
-                    "two choices than which is less?");
+    CHECK_NEAR(got, .quantity = quantity,
+               .input = check_text("%zu choices, %s", n, what),
+               .expected = expected, .tolerance = 0.0,
+               .because = "a number of things is exact",
+               .question = "Is there anything in your program that knows "
+                           "more of two choices than which is less?");
 }
 
 /* The same front as before, from the other end. */
@@ -38,16 +37,14 @@ static void test_exchanged(void)
             other[k] = (struct choice){choice[k].error, choice[k].cost};
         const size_t count = pareto_front(n, choice, front);
         const size_t again = pareto_front(n, other, back);
-        if (!check(n, "cost and error exchanged", (double)again,
-                   (double)count, "how many are on the front") ||
-            !check(n, "drawn", count >= 1 && count <= n, 1.0,
-                   "is that from 1 to n? (1 yes, 0 no)"))
-            return;
+        check(n, "cost and error exchanged", (double)again, (double)count,
+              "how many are on the front");
+        check(n, "drawn", count >= 1 && count <= n, 1.0,
+              "is that from 1 to n? (1 yes, 0 no)");
         for (size_t k = 0; k < count; ++k)
-            if (!check(n, "cost and error exchanged",
-                       (double)back[count - 1 - k], (double)front[k],
-                       "a place of the front"))
-                return;
+            check(n, "cost and error exchanged",
+                  (double)back[count - 1 - k], (double)front[k],
+                  "a place of the front");
     }
 }
 
@@ -64,13 +61,11 @@ static void test_units(void)
                 (struct choice){s * choice[k].cost, m * choice[k].error};
         const size_t count = pareto_front(n, choice, front);
         const size_t again = pareto_front(n, other, same);
-        if (!check(n, "in other units", (double)again, (double)count,
-                   "how many are on the front"))
-            return;
+        check(n, "in other units", (double)again, (double)count,
+              "how many are on the front");
         for (size_t k = 0; k < count && k < n; ++k)
-            if (!check(n, "in other units", (double)same[k],
-                       (double)front[k], "a place of the front"))
-                return;
+            check(n, "in other units", (double)same[k], (double)front[k],
+                  "a place of the front");
     }
 }
 
@@ -90,14 +85,12 @@ static void test_many(void)
             choice[i].error = 1.0 / k;
     }
     const size_t count = pareto_front(MOST, choice, front);
-    if (!check(MOST, "a third of them beaten", (double)count,
-               MOST - (MOST + 1) / 3, "how many are on the front"))
-        return;
+    check(MOST, "a third of them beaten", (double)count,
+          MOST - (MOST + 1) / 3, "how many are on the front");
     for (size_t k = 0, j = 0; k < MOST; ++k)
-        if (k % 3 != 1 &&
-            !check(MOST, "a third of them beaten", (double)front[j++],
-                   (double)(k * stride % MOST), "a place of the front"))
-            return;
+        if (k % 3 != 1)
+            check(MOST, "a third of them beaten", (double)front[j++],
+                  (double)(k * stride % MOST), "a place of the front");
 }
 
 const struct check_test check_hidden[] = {

@@ -41,14 +41,15 @@ static void test_hill(void)
         end_of(on_a_hill, w, 150, &far);
         last += far / 10;
     }
-    CHECK_NEAR(log(last / first),
-               .quantity = "logarithm of how much the distance grows",
-               .input = "a hill with k near -1 /s^2, from 50 to 150 steps "
-                        "of 0.1 s",
-               .expected = 10.0, .tolerance = 3.0,
-               .because = "chance is a factor of 20 at most",
-               .question = "On a hill a rounding grows as everything else. "
-                           "Does your second run go through all steps?");
+    CHECK_NEAR(
+        log(last / first),
+        .quantity = "logarithm of how much the distance grows",
+        .input =
+            "a hill with k near -1 /s^2, from 50 to 150 steps of 0.1 s",
+        .expected = 10.0, .tolerance = 3.0,
+        .because = "chance is a factor of 20 at most",
+        .question = "On a hill a rounding grows as everything else. Does "
+                    "your second run go through all steps?");
 }
 
 static void test_negative(void)
@@ -57,14 +58,11 @@ static void test_negative(void)
         const struct world w = {check_draw(-2.0, 2.0), check_draw(0.0, 2.0),
                                 0.0};
         double far, end = end_of(on_a_hill, w, 100, &far);
-        if (!CHECK_NEAR(
-                far, .quantity = "how far the two runs are apart",
-                .unit = "m", .input = "a spring and a weight, drawn",
-                .expected = 0.0, .tolerance = 1e-11 * (1.0 + fabs(end)),
-                .because = "far more than rounding can do",
-                .question = "Which number was left in the old "
-                            "units?"))
-            return;
+        CHECK_NEAR(far, .quantity = "how far the two runs are apart",
+                   .unit = "m", .input = "a spring and a weight, drawn",
+                   .expected = 0.0, .tolerance = 1e-11 * (1.0 + fabs(end)),
+                   .because = "far more than rounding can do",
+                   .question = "Which number was left in the old units?");
     }
 }
 

@@ -16,14 +16,14 @@ static double bound_of(double push, double stretch, double time)
     return bound;
 }
 
-static bool check(double got, double expected, double tolerance,
+static void check(double got, double expected, double tolerance,
                   const char *quantity, const char *input,
                   const char *question)
 {
-    return CHECK_NEAR(got, .quantity = quantity, .input = input,
-                      .expected = expected, .tolerance = tolerance,
-                      .because = "what was asked for, twice",
-                      .question = question);
+    CHECK_NEAR(got, .quantity = quantity, .input = input,
+               .expected = expected, .tolerance = tolerance,
+               .because = "what was asked for, twice",
+               .question = question);
 }
 
 /* cosh(2 x) - 1 = 2 (cosh(x) - 1) (cosh(x) + 1). */
@@ -36,11 +36,10 @@ static void test_twice(void)
         const double once = bound_of(push, stretch, time);
         const double expected =
             2.0 * once * (2.0 + stretch * stretch * once / push);
-        if (!check(bound_of(push, stretch, 2.0 * time), expected,
-                   3e-12 * expected, "*bound after twice the time, in m",
-                   text_of(push, stretch, time),
-                   "Does your formula hold for any time?"))
-            return;
+        check(bound_of(push, stretch, 2.0 * time), expected,
+              3e-12 * expected, "*bound after twice the time, in m",
+              text_of(push, stretch, time),
+              "Does your formula hold for any time?");
     }
 }
 
@@ -64,16 +63,14 @@ static void test_units(void)
         const char *input = text_of(push, stretch, time);
         static const char question[] =
             "Is there a number with a unit in your program?";
-        if (!check(may, share > 1.0, 0.0, "may it go? (1 yes, 0 no)", input,
-                   "Is the bound more than the budget?") ||
-            !check(too, may, 0.0,
-                   "may it go, in other units? (1 yes, 0 no)", input,
-                   question) ||
-            !check(other / m, bound, 2e-12 * bound,
-                   "*bound, in other units", input, question) ||
-            !check(rest / m, budget, 1e-11 * bound,
-                   "*budget, in other units", input, question))
-            return;
+        check(may, share > 1.0, 0.0, "may it go? (1 yes, 0 no)", input,
+              "Is the bound more than the budget?");
+        check(too, may, 0.0, "may it go, in other units? (1 yes, 0 no)",
+              input, question);
+        check(other / m, bound, 2e-12 * bound, "*bound, in other units",
+              input, question);
+        check(rest / m, budget, 1e-11 * bound, "*budget, in other units",
+              input, question);
     }
 }
 
@@ -89,21 +86,19 @@ static void test_happens(void)
         const double damped = push * (t + expm1(-w * t) / w) / w;
         const double held = bound_of(push, w, t);
         const double free = bound_of(push, 0.0, t);
-        if (!check(held >= 2.0 * push * swing * swing, 1.0, 0.0,
-                   "is the bound at least what happens? (1 yes, 0 no)",
-                   check_text("an oscillator of %g rad/s: %s", w,
-                              text_of(push, w, t)),
-                   "How can a bound be less than what happens?") ||
-            !check(free >= damped, 1.0, 0.0,
-                   "is the bound at least what happens? (1 yes, 0 no)",
-                   check_text("friction of c/m = %g/s: %s", w,
-                              text_of(push, 0.0, t)),
-                   "How can a bound be less than what happens?") ||
-            !check(held >= free, 1.0, 0.0,
-                   "is the bound larger with stretch? (1 yes, 0 no)",
-                   text_of(push, w, t),
-                   "What does stretch do to what strays?"))
-            return;
+        check(held >= 2.0 * push * swing * swing, 1.0, 0.0,
+              "is the bound at least what happens? (1 yes, 0 no)",
+              check_text("an oscillator of %g rad/s: %s", w,
+                         text_of(push, w, t)),
+              "How can a bound be less than what happens?");
+        check(free >= damped, 1.0, 0.0,
+              "is the bound at least what happens? (1 yes, 0 no)",
+              check_text("friction of c/m = %g/s: %s", w,
+                         text_of(push, 0.0, t)),
+              "How can a bound be less than what happens?");
+        check(held >= free, 1.0, 0.0,
+              "is the bound larger with stretch? (1 yes, 0 no)",
+              text_of(push, w, t), "What does stretch do to what strays?");
     }
 }
 

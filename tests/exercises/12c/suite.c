@@ -55,7 +55,7 @@ static struct check_mistake no_number(const struct force *f)
 }
 
 /* A bound that has lost its digits, or is another one. */
-static bool check_bound(const struct force *f, double got, double expected,
+static void check_bound(const struct force *f, double got, double expected,
                         const char *question)
 {
     const double s = f->stretch, t = f->time, x = s * t;
@@ -104,45 +104,45 @@ static bool check_bound(const struct force *f, double got, double expected,
                                 : near(got, all[i].value, 1e-9) &&
                                       !near(expected, all[i].value, 1e-12))
             c.mistakes[used++] = all[i];
-    return check_near(__FILE__, __LINE__, got, c);
+    check_near(__FILE__, __LINE__, got, c);
 }
 
 /* Only the bound is looked at. */
-static bool check_force(double push, double stretch, double time,
+static void check_force(double push, double stretch, double time,
                         double expected, const char *question)
 {
     const struct force f = {push, stretch, time, 1.0};
-    return check_bound(&f, asked(&f).bound, expected, question);
+    check_bound(&f, asked(&f).bound, expected, question);
 }
 
 /* The time after which exp(stretch t) is 1 + d: then cosh(stretch t) - 1 is
    d^2/(2 + 2 d). */
-static bool check_growth(double push, double stretch, double d,
+static void check_growth(double push, double stretch, double d,
                          const char *question)
 {
     const double share = d / stretch;
-    return check_force(push, stretch, log1p(d) / stretch,
-                       0.5 * push * share * share / (1.0 + d), question);
+    check_force(push, stretch, log1p(d) / stretch,
+                0.5 * push * share * share / (1.0 + d), question);
 }
 
 /* ---- the verdict and the budget ---- */
 
-static bool check_may(const struct force *f, const struct answer *a,
+static void check_may(const struct force *f, const struct answer *a,
                       bool expected, struct check_mistake mistake,
                       const char *question)
 {
-    return CHECK_NEAR(
-        a->may, .quantity = "may the force go? (1 yes, 0 no)",
-        .input = input(f), .expected = expected, .tolerance = 0.0,
-        .because = "it may go if its bound is not more than the budget",
-        .question = question, .mistakes = {mistake});
+    CHECK_NEAR(a->may, .quantity = "may the force go? (1 yes, 0 no)",
+               .input = input(f), .expected = expected, .tolerance = 0.0,
+               .because =
+                   "it may go if its bound is not more than the budget",
+               .question = question, .mistakes = {mistake});
 }
 
-static bool check_budget(const struct force *f, const struct answer *a,
+static void check_budget(const struct force *f, const struct answer *a,
                          double expected, const char *question)
 {
     const double whole = f->budget;
-    return CHECK_NEAR(
+    CHECK_NEAR(
         a->budget, .quantity = "*budget, afterwards", .unit = "m",
         .input = input(f), .expected = expected, .tolerance = 2e-12 * whole,
         .because = "1e-12 of the bound, and rounding", .question = question,
@@ -159,20 +159,18 @@ static bool check_budget(const struct force *f, const struct answer *a,
 static const struct check_mistake nothing = {NULL, 0.0, NULL};
 
 /* The whole answer, for a force of this bound. */
-static bool check_all(const struct force *f, double bound,
+static void check_all(const struct force *f, double bound,
                       const char *question)
 {
     const struct answer a = asked(f);
     const bool may = bound <= f->budget;
-    return check_bound(f, a.bound, bound, question) &&
-           check_may(f, &a, may,
-                     (struct check_mistake){
-                         "the-other-way-round", !may,
-                         "Should a force go whose bound is small, or one "
-                         "whose bound is large?"},
-                     question) &&
-           check_budget(f, &a, may ? f->budget - bound : f->budget,
-                        question);
+    check_bound(f, a.bound, bound, question);
+    check_may(f, &a, may,
+              (struct check_mistake){"the-other-way-round", !may,
+                                     "Should a force go whose bound is "
+                                     "small, or one whose bound is large?"},
+              question);
+    check_budget(f, &a, may ? f->budget - bound : f->budget, question);
 }
 
 /* ---- the tests ---- */
@@ -182,10 +180,10 @@ static const char fall_question[] = "Nothing stretches here: d\" is the "
 
 static void test_push(void)
 {
-    (void)(check_force(0.25, 0.0, 3.0, 1.125, fall_question) &&
-           check_force(2.0, 0.0, 1.0, 1.0, fall_question) &&
-           check_force(9.81, 0.0, 1e-3, 4.905e-6, fall_question) &&
-           check_force(1e-12, 0.0, 1e4, 5e-5, fall_question));
+    check_force(0.25, 0.0, 3.0, 1.125, fall_question);
+    check_force(2.0, 0.0, 1.0, 1.0, fall_question);
+    check_force(9.81, 0.0, 1e-3, 4.905e-6, fall_question);
+    check_force(1e-12, 0.0, 1e4, 5e-5, fall_question);
 }
 
 /* After ln 2/stretch the cosine is 5/4, after ln 3/stretch 5/3. */
@@ -194,11 +192,11 @@ static void test_pencil(void)
     static const char question[] =
         "A pencil on its tip, and somebody pushes it: which function has "
         "itself, and a constant, for its second derivative?";
-    (void)(check_growth(1.0, 1.0, 1.0, question) &&
-           check_growth(3.0, 1.0, 2.0, question) &&
-           check_growth(2.0, 0.25, 1.0, question) &&
-           check_growth(0.7, 5.0, 9.0, question) &&
-           check_growth(0.7, 5.0, 1e6, question));
+    check_growth(1.0, 1.0, 1.0, question);
+    check_growth(3.0, 1.0, 2.0, question);
+    check_growth(2.0, 0.25, 1.0, question);
+    check_growth(0.7, 5.0, 9.0, question);
+    check_growth(0.7, 5.0, 1e6, question);
 }
 
 /* limit: 1e-9 (stretch times time; from 1e-12 to 0.1) */
@@ -210,11 +208,10 @@ static void test_little(void)
         "left when x is small?";
     for (int i = 12; i > 0; --i) {
         const double x = pow(10.0, -i), q = x * x;
-        if (!check_force(2.0, x, 1.0,
-                         1.0 + q / 12.0 * (1.0 + q / 30.0 * (1.0 + q / 56)),
-                         question) ||
-            !check_growth(2.0, 1.0, x, question))
-            return;
+        check_force(2.0, x, 1.0,
+                    1.0 + q / 12.0 * (1.0 + q / 30.0 * (1.0 + q / 56)),
+                    question);
+        check_growth(2.0, 1.0, x, question);
     }
 }
 
@@ -222,11 +219,11 @@ static void test_nothing(void)
 {
     static const char question[] =
         "No force, or no time: how far does anything go?";
-    (void)(check_force(0.0, 0.0, 5.0, 0.0, question) &&
-           check_force(0.0, 2.0, 5.0, 0.0, question) &&
-           check_force(3.0, 2.0, 0.0, 0.0, question) &&
-           check_force(3.0, 0.0, 0.0, 0.0, question) &&
-           check_force(0.0, 2.0, 5000.0, 0.0, question));
+    check_force(0.0, 0.0, 5.0, 0.0, question);
+    check_force(0.0, 2.0, 5.0, 0.0, question);
+    check_force(3.0, 2.0, 0.0, 0.0, question);
+    check_force(3.0, 0.0, 0.0, 0.0, question);
+    check_force(0.0, 2.0, 5000.0, 0.0, question);
 }
 
 /* limit: 1000 (stretch times time) */
@@ -235,11 +232,11 @@ static void test_much(void)
     static const char question[] =
         "Here d grows by a factor of e in each 1/stretch, and there are "
         "many of these. How large can a number be?";
-    (void)(check_growth(1e-9, 2.0, 1e12, question) &&
-           check_growth(1e-9, 2.0, 1e100, question) &&
-           check_force(1e-9, 2.0, 500.0, INFINITY, question) &&
-           check_force(1e-9, 1.0, 2000.0, INFINITY, question) &&
-           check_force(5.0, 100.0, 1e6, INFINITY, question));
+    check_growth(1e-9, 2.0, 1e12, question);
+    check_growth(1e-9, 2.0, 1e100, question);
+    check_force(1e-9, 2.0, 500.0, INFINITY, question);
+    check_force(1e-9, 1.0, 2000.0, INFINITY, question);
+    check_force(5.0, 100.0, 1e6, INFINITY, question);
 }
 
 /* A bound of 1 m, and budgets above, below, and just that. */
@@ -258,14 +255,13 @@ static void test_verdict(void)
     const struct force none = {0.0, 3.0, 1.0, 0.0};
     const struct force never = {1e-9, 3.0, 1000.0, 1e9};
     const struct answer a = asked(&just), b = asked(&none);
-    (void)(check_all(&above, 1.0, question) &&
-           check_all(&below, 1.0, question) &&
-           check_may(&just, &a, true, strict, question) &&
-           check_budget(&just, &a, 0.0, question) &&
-           check_may(&none, &b, true, strict,
-                     "There is no force: may it go?") &&
-           check_all(&never, INFINITY,
-                     "The bound is beyond all numbers. May the force go?"));
+    check_all(&above, 1.0, question);
+    check_all(&below, 1.0, question);
+    check_may(&just, &a, true, strict, question);
+    check_budget(&just, &a, 0.0, question);
+    check_may(&none, &b, true, strict, "There is no force: may it go?");
+    check_all(&never, INFINITY,
+              "The bound is beyond all numbers. May the force go?");
 }
 
 /* One budget for all: the second would fit alone, and the fourth is as
@@ -282,10 +278,9 @@ static void test_budget(void)
             "The forces are left out one after the other, and bounds add. "
             "How much is left of the budget for this one?";
         budget = may[i] ? budget - 0.5 * push[i] : budget;
-        if (!check_bound(&f, a.bound, 0.5 * push[i], question) ||
-            !check_may(&f, &a, may[i], nothing, question) ||
-            !check_budget(&f, &a, budget, question))
-            return;
+        check_bound(&f, a.bound, 0.5 * push[i], question);
+        check_may(&f, &a, may[i], nothing, question);
+        check_budget(&f, &a, budget, question);
     }
 }
 
@@ -297,19 +292,17 @@ static void test_friction(void)
         const double k = pow(10.0, -i), v = 3.0, t = 2.0;
         const struct force f = {k * v, 0.0, t, 1.0};
         const double behind = v * (t + expm1(-k * t) / k);
-        if (!CHECK_NEAR(
-                asked(&f).bound / behind,
-                .quantity = "*bound, in units of what friction does",
-                .input = check_text("a body of 3 m/s, for 2 s, with a "
-                                    "friction of c/m = %g/s: %s",
-                                    k, input(&f)),
-                .expected = 1.0 + k * t / 3.0,
-                .tolerance = k * k * t * t + 1e-15 / (k * t),
-                .because = "the next term of a series, and rounding of "
-                           "what friction does",
-                .question = "The bound must not be less than what happens, "
-                            "and not much more. Which is it?"))
-            return;
+        CHECK_NEAR(asked(&f).bound / behind,
+                   .quantity = "*bound, in units of what friction does",
+                   .input = check_text("a body of 3 m/s, for 2 s, with a "
+                                       "friction of c/m = %g/s: %s",
+                                       k, input(&f)),
+                   .expected = 1.0 + k * t / 3.0,
+                   .tolerance = k * k * t * t + 1e-15 / (k * t),
+                   .because = "the next term of a series, and rounding of "
+                              "what friction does",
+                   .question = "The bound must not be less than what "
+                               "happens, and not much more. Which is it?");
     }
 }
 
@@ -321,10 +314,9 @@ static void test_drawn_bound(void)
         const double push = pow(10.0, check_draw(-12.0, 2.0));
         const double stretch = pow(10.0, check_draw(-3.0, 3.0));
         const double d = pow(10.0, check_draw(-9.0, 9.0));
-        if (!check_growth(push, stretch, d,
-                          "Does your formula keep its digits for any "
-                          "stretch and any time?"))
-            return;
+        check_growth(push, stretch, d,
+                     "Does your formula keep its digits for any stretch "
+                     "and any time?");
     }
 }
 
@@ -343,10 +335,9 @@ static void test_drawn_budget(void)
             const double bound = f.budget * (go ? check_draw(0.01, 0.8)
                                                 : check_draw(1.01, 3.0));
             f.push = bound / unit;
-            if (!check_all(&f, bound,
-                           "What is left of the budget, and is it enough "
-                           "for this force?"))
-                return;
+            check_all(&f, bound,
+                      "What is left of the budget, and is it enough for "
+                      "this force?");
             f.budget -= go ? bound : 0.0;
         }
     }

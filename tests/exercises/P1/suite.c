@@ -212,12 +212,12 @@ static const char root_again[] =
     "equation. Which of the two roots is the bounce to come? "
     "[root-zero-again]";
 
-static bool check_form(const struct scene *s, const struct run *r,
+static void check_form(const struct scene *s, const struct run *r,
                        const char *input)
 {
-    return project_form(r, input, (size_t)s->rows + 1, 2 + 2 * (size_t)s->n,
-                        "A row is t, E, and x and v of each bead. Which of "
-                        "them is missing, or what is there besides?");
+    project_form(r, input, (size_t)s->rows + 1, 2 + 2 * (size_t)s->n,
+                 "A row is t, E, and x and v of each bead. Which of them "
+                 "is missing, or what is there besides?");
 }
 
 /* Whether a bead alone comes back from its stop with less than it had. */
@@ -304,7 +304,7 @@ static void mistakes(struct check *w, const struct scene *s,
 }
 
 /* Compares row by row; the energy, which is made of the others, last. */
-static bool check_rows(const struct scene *s, const struct table *t,
+static void check_rows(const struct scene *s, const struct table *t,
                        const struct run *r, const char *input, double slack,
                        const char *question)
 {
@@ -351,23 +351,22 @@ static bool check_rows(const struct scene *s, const struct table *t,
                                   "energy made of?",
             };
             mistakes(&check, s, t, r, k, c);
-            return check_near(__FILE__, __LINE__, got, check);
+            check_near(__FILE__, __LINE__, got, check);
         }
-    return true;
 }
 
-static bool check_remark(const struct run *r, const char *input,
+static void check_remark(const struct run *r, const char *input,
                          const char *words, double want,
                          const char *question)
 {
     const double got = project_remark(r, words, &question);
-    return CHECK_NEAR(got, .quantity = words, .input = input,
-                      .expected = want, .tolerance = 0.0,
-                      .equation = "eq:gap-time", .question = question);
+    CHECK_NEAR(got, .quantity = words, .input = input, .expected = want,
+               .tolerance = 0.0, .equation = "eq:gap-time",
+               .question = question);
 }
 
 /* Runs a scene and compares all of it. */
-static bool check_scene(const struct scene *s, double slack, bool counts,
+static void check_scene(const struct scene *s, double slack, bool counts,
                         const char *question)
 {
     static struct table t;
@@ -376,15 +375,16 @@ static bool check_scene(const struct scene *s, double slack, bool counts,
     const char *input = run_text(o);
     const struct run *r = run_program(o);
     simulate(s, NONE, &t);
-    return check_form(s, r, input) &&
-           check_rows(s, &t, r, input, slack, question) &&
-           (!counts ||
-            (check_remark(r, input, "# collisions", (double)t.collisions,
-                          "The rows are right. What do you count as a "
-                          "collision: pairs, and nothing else?") &&
-             check_remark(r, input, "# bounces", (double)t.bounces,
-                          "The rows are right. What do you count as a "
-                          "bounce: both stops?")));
+    check_form(s, r, input);
+    check_rows(s, &t, r, input, slack, question);
+    if (counts) {
+        check_remark(r, input, "# collisions", (double)t.collisions,
+                     "The rows are right. What do you count as a "
+                     "collision: pairs, and nothing else?");
+        check_remark(r, input, "# bounces", (double)t.bounces,
+                     "The rows are right. What do you count as a bounce: "
+                     "both stops?");
+    }
 }
 
 /* A bead in each n-th of the wire, in another place each year. */
@@ -420,17 +420,16 @@ static void stage_special(void)
 {
     const struct scene one = draw_apart(1, draw(1.0, 3.0), 0.0, true, 60);
     const struct scene five = draw_apart(5, draw(2.0, 4.0), 0.0, true, 60);
-    if (check_scene(&one, 1e-10, false,
-                    "A bead alone goes to and fro. When is it at a stop, "
-                    "and what does the stop change?"))
-        check_scene(
-            &five, 1e-10, true,
-            "Beads of equal mass pass through each other, if nobody looks "
-            "at their numbers. Where would they be then?");
+    check_scene(&one, 1e-10, false,
+                "A bead alone goes to and fro. When is it at a stop, and "
+                "what does the stop change?");
+    check_scene(&five, 1e-10, true,
+                "Beads of equal mass pass through each other, if nobody "
+                "looks at their numbers. Where would they be then?");
 }
 
 /* Beads that lie where the contract lets them lie, as their file has it. */
-static bool check_read(const struct scene *s, const char *beads)
+static void check_read(const struct scene *s, const char *beads)
 {
     static struct table t;
     struct run_order o = *order(s, 0, for_ever);
@@ -438,24 +437,23 @@ static bool check_read(const struct scene *s, const char *beads)
     const char *input = run_text(&o);
     const struct run *r = run_program(&o);
     simulate(s, NONE, &t);
-    return CHECK_NEAR(
-               r->status, .quantity = "the status with which it ended",
-               .input = input, .expected = 0.0, .tolerance = 0.0,
-               .question = "What did it complain about? There is nothing "
-                           "wrong with this input.",
-               .mistakes =
-                   {{"input-refused", 2.0,
-                     "A remark may fill a line, a line may be empty, a "
-                     "bead may lie on a stop, and two may share a place. "
-                     "Which of these does your program refuse?"}}) &&
-           check_form(s, r, input) &&
-           check_rows(s, &t, r, input, 1e-9,
-                      "Two beads in one place meet only if they come "
-                      "nearer. Which velocities say so?");
+    CHECK_NEAR(
+        r->status, .quantity = "the status with which it ended",
+        .input = input, .expected = 0.0, .tolerance = 0.0,
+        .question = "What did it complain about? There is nothing wrong "
+                    "with this input.",
+        .mistakes = {{"input-refused", 2.0,
+                      "A remark may fill a line, a line may be empty, a "
+                      "bead may lie on a stop, and two may share a place. "
+                      "Which of these does your program refuse?"}});
+    check_form(s, r, input);
+    check_rows(s, &t, r, input, 1e-9,
+               "Two beads in one place meet only if they come nearer. "
+               "Which velocities say so?");
 }
 
 /* Two in one place, two at the stops, remarks and an empty line. */
-static bool check_places(void)
+static void check_places(void)
 {
     const struct scene s = {.n = 4,
                             .m = {1.0, 2.0, 3.0, 4.0},
@@ -464,13 +462,12 @@ static bool check_places(void)
                             .length = 1.0,
                             .tc = 0.07,
                             .rows = 20};
-    return check_read(&s, "# m x v\n\n1 0 1 # on its stop\n"
-                          "2 0.5 -0.5\n  # and another there\n"
-                          "3 0.5 0.25\n4 1 -1\n");
+    check_read(&s, "# m x v\n\n1 0 1 # on its stop\n2 0.5 -0.5\n  # and "
+                   "another there\n3 0.5 0.25\n4 1 -1\n");
 }
 
 /* Two that fly as one: only one of them can be first at a stop. */
-static bool check_abreast(void)
+static void check_abreast(void)
 {
     struct scene s = {.n = 2,
                       .m = {1.0, 2.0},
@@ -479,15 +476,14 @@ static bool check_abreast(void)
                       .length = 1.0,
                       .tc = 0.07,
                       .rows = 10};
-    if (!check_read(&s, "1 0.5 1\n2 0.5 1\n"))
-        return false;
+    check_read(&s, "1 0.5 1\n2 0.5 1\n");
     s.v[0] = s.v[1] = -1.0;
-    return check_read(&s, "1 0.5 -1\n2 0.5 -1\n");
+    check_read(&s, "1 0.5 -1\n2 0.5 -1\n");
 }
 
 /* limit: 64 beads */
 /* As many beads as there may be. */
-static bool check_crowd(void)
+static void check_crowd(void)
 {
     enum { CROWD = 64 };
     static char beads[64 * CROWD];
@@ -501,7 +497,7 @@ static bool check_crowd(void)
     o.files[0].text = beads;
     memcpy(o.arguments + 1, words, sizeof words);
     const char *input = run_text(&o);
-    return check_form(&s, run_program(&o), input);
+    check_form(&s, run_program(&o), input);
 }
 
 /* An input that makes no sense: beads, or one of the words behind them. */
@@ -511,7 +507,7 @@ struct nonsense {
     const char *word; /* NULL: all words are fine */
 };
 
-static bool check_refused(const struct nonsense *bad)
+static void check_refused(const struct nonsense *bad)
 {
     const char *words[] = {"1", "0", "0.1", "3"};
     if (bad->word)
@@ -521,10 +517,10 @@ static bool check_refused(const struct nonsense *bad)
         .files = {{bad->beads ? "beads.txt" : NULL, bad->beads}},
         .late = for_ever,
     };
-    return project_refuses(&o, bad->what);
+    project_refuses(&o, bad->what);
 }
 
-static bool check_inputs(void)
+static void check_inputs(void)
 {
     static const char one[] = "1 0.5 1\n";
     static const struct nonsense all[] = {
@@ -554,13 +550,11 @@ static bool check_inputs(void)
         {"a G that is an empty word", one, G, ""},
         {"a file that is not there", NULL, 0, NULL}};
     for (size_t k = 0; k < sizeof all / sizeof *all; ++k)
-        if (!check_refused(&all[k]))
-            return false;
-    return true;
+        check_refused(&all[k]);
 }
 
 /* Too long to be compared: nothing may be lost, and nobody may pass. */
-static bool check_long(void)
+static void check_long(void)
 {
     struct scene s = draw_scene(MOST, draw(1.0, 2.0), 0.0, false);
     s.tc = 0.5;
@@ -568,49 +562,44 @@ static bool check_long(void)
     const struct run_order *o = order(&s, 0, for_ever);
     const char *input = run_text(o);
     const struct run *r = run_program(o);
-    if (!check_form(&s, r, input))
-        return false;
+    check_form(&s, r, input);
     for (size_t k = 0; k < r->rows; ++k) {
         const double *row = r->numbers + k * r->columns;
         double last = 0.0, energy = 0.0;
         for (int i = 0; i < s.n; ++i) {
             const double here = row[2 + 2 * i];
             energy += s.m[i] * row[3 + 2 * i] * row[3 + 2 * i] / 2.0;
-            if (!CHECK_NEAR(here < last - 1e-9 ? here - last : 0.0,
-                            .quantity = check_text(
-                                "how far bead %d has passed its neighbour "
-                                "or its stop in row %zu",
-                                i + 1, k),
-                            .unit = "m", .input = input, .expected = 0.0,
-                            .tolerance = 0.0, .equation = "eq:gap-time",
-                            .question = "Which collision was missed?"))
-                return false;
+            CHECK_NEAR(here < last - 1e-9 ? here - last : 0.0,
+                       .quantity =
+                           check_text("how far bead %d has passed its "
+                                      "neighbour or its stop in row %zu",
+                                      i + 1, k),
+                       .unit = "m", .input = input, .expected = 0.0,
+                       .tolerance = 0.0, .equation = "eq:gap-time",
+                       .question = "Which collision was missed?");
             last = here;
         }
         const double off = last > s.length + 1e-9 ? last - s.length : 0.0;
-        if (!CHECK_NEAR(
-                off,
-                .quantity = check_text(
-                    "how far the last bead is outside in row %zu", k),
-                .unit = "m", .input = input, .expected = 0.0,
-                .tolerance = 0.0, .equation = "eq:gap-time",
-                .question = "Which bounce was missed?") ||
-            !CHECK_NEAR(
-                energy,
-                .quantity = check_text(
-                    "the energy of the velocities in row %zu", k),
-                .unit = "J", .input = input, .expected = r->numbers[1],
-                .tolerance = 1e-9 * fabs(r->numbers[1]),
-                .because = "rounding in each of the collisions",
-                .equation = "eq:energy",
-                .question =
-                    "Which event changes the energy? Print it after each."))
-            return false;
+        CHECK_NEAR(off,
+                   .quantity = check_text(
+                       "how far the last bead is outside in row %zu", k),
+                   .unit = "m", .input = input, .expected = 0.0,
+                   .tolerance = 0.0, .equation = "eq:gap-time",
+                   .question = "Which bounce was missed?");
+        CHECK_NEAR(
+            energy,
+            .quantity =
+                check_text("the energy of the velocities in row %zu", k),
+            .unit = "J", .input = input, .expected = r->numbers[1],
+            .tolerance = 1e-9 * fabs(r->numbers[1]),
+            .because = "rounding in each of the collisions",
+            .equation = "eq:energy",
+            .question =
+                "Which event changes the energy? Print it after each.");
     }
-    return true;
 }
 
-static bool check_galperin(void)
+static void check_galperin(void)
 {
     const struct scene s = {.n = 2,
                             .m = {1.0, 10000.0},
@@ -623,29 +612,31 @@ static bool check_galperin(void)
     const char *input = run_text(o);
     const struct run *r = run_program(o);
     double pairs = NAN, stops = NAN;
-    if (!check_form(&s, r, input))
-        return false;
+    check_form(&s, r, input);
     run_remark(r, "# collisions", &pairs, 1);
     run_remark(r, "# bounces", &stops, 1);
-    return CHECK_NEAR(
-        pairs + stops, .quantity = "collisions and bounces", .input = input,
-        .expected = 314.0, .tolerance = 0.0,
-        .because = "they can be counted on paper",
-        .equation = "eq:galperin",
-        .question = "Behind # collisions and # bounces stand their "
-                    "numbers. Is every pair, and every stop, counted once? "
-                    "And if LENGTH is inf, where is the upper stop?");
+    CHECK_NEAR(pairs + stops, .quantity = "collisions and bounces",
+               .input = input, .expected = 314.0, .tolerance = 0.0,
+               .because = "they can be counted on paper",
+               .equation = "eq:galperin",
+               .question =
+                   "Behind # collisions and # bounces stand their numbers. "
+                   "Is every pair, and every stop, counted once? And if "
+                   "LENGTH is inf, where is the upper stop?");
 }
 
 static void stage_general(void)
 {
     const struct scene s = draw_apart(6, draw(1.5, 3.0), 0.0, false, 30);
-    if (check_scene(&s, 1e-7, true,
-                    "One bead alone and equal masses are right. Which "
-                    "event comes first, and who takes part in it?") &&
-        check_galperin() && check_long() && check_places() &&
-        check_abreast() && check_crowd())
-        check_inputs();
+    check_scene(&s, 1e-7, true,
+                "One bead alone and equal masses are right. Which event "
+                "comes first, and who takes part in it?");
+    check_galperin();
+    check_long();
+    check_places();
+    check_abreast();
+    check_crowd();
+    check_inputs();
 }
 
 /* Whether all times are k TC with 15 digits, or with so many behind the
@@ -672,40 +663,34 @@ static void stage_clock(void)
     const struct run_order *o = order(&s, 0, for_ever);
     const char *input = run_text(o);
     const struct run *r = run_program(o);
-    if (!check_form(&s, r, input))
-        return;
+    check_form(&s, r, input);
     const bool cut = short_times(r, s.tc, ROWS);
     double sum = 0.0;
     for (int k = 0; k <= ROWS; ++k, sum += s.tc)
-        if (!CHECK_NEAR(
-                r->numbers[4 * k] - k * s.tc,
-                .quantity = check_text("t in row %d, less %d TC", k, k),
-                .unit = "s", .input = input, .expected = 0.0,
-                .tolerance = 0.0, .because = "k TC is one multiplication",
-                .equation = "eq:clock",
-                .question = "How does the program know what time it is in "
-                            "this row?",
-                .mistakes = {{"printed-short",
-                              cut ? r->numbers[4 * k] - k * s.tc : 0.0,
-                              "The last digits of the times are cut off. "
-                              "Do you print with %.17g?"},
-                             {"clock-adds-up", sum - k * s.tc,
-                              "Each addition of TC is rounded, and the "
-                              "clock drifts. How do you get the time of "
-                              "row k with one rounding?"}}))
-            return;
+        CHECK_NEAR(
+            r->numbers[4 * k] - k * s.tc,
+            .quantity = check_text("t in row %d, less %d TC", k, k),
+            .unit = "s", .input = input, .expected = 0.0, .tolerance = 0.0,
+            .because = "k TC is one multiplication", .equation = "eq:clock",
+            .question =
+                "How does the program know what time it is in this row?",
+            .mistakes = {
+                {"printed-short", cut ? r->numbers[4 * k] - k * s.tc : 0.0,
+                 "The last digits of the times are cut off. Do you print "
+                 "with %.17g?"},
+                {"clock-adds-up", sum - k * s.tc,
+                 "Each addition of TC is rounded, and the clock drifts. "
+                 "How do you get the time of row k with one rounding?"}});
     for (int k = 0; k <= ROWS; k += 100) {
         const double way = s.x[0] + s.v[0] * (k * s.tc);
         const double off = fabs(remainder(way, 2.0 * s.length));
-        if (!CHECK_NEAR(r->numbers[4 * k + 2],
-                        .quantity = check_text("x1 in row %d", k),
-                        .unit = "m", .input = input, .expected = off,
-                        .tolerance = 1e-8,
-                        .because = "ten thousand bounces, each rounded",
-                        .equation = "eq:clock",
-                        .question = "The times are right. From which time "
-                                    "on has this bead been flying?"))
-            return;
+        CHECK_NEAR(r->numbers[4 * k + 2],
+                   .quantity = check_text("x1 in row %d", k), .unit = "m",
+                   .input = input, .expected = off, .tolerance = 1e-8,
+                   .because = "ten thousand bounces, each rounded",
+                   .equation = "eq:clock",
+                   .question = "The times are right. From which time on "
+                               "has this bead been flying?");
     }
 }
 
@@ -752,7 +737,7 @@ static struct check_mistake misjudged(bool right, int law)
         "light?"};
 }
 
-static bool check_law(const struct scene *s, int law)
+static void check_law(const struct scene *s, int law)
 {
     static const char *const laws[LAWS] = {
         "is the header's",
@@ -771,17 +756,15 @@ static bool check_law(const struct scene *s, int law)
     const char *input = check_text("a collide that %.60s, and %.390s",
                                    laws[law], run_text(o));
     const struct run *r = run_program(o);
-    return CHECK_NEAR(r->status,
-                      .quantity = "the status with which it ended",
-                      .input = input, .expected = right ? 0.0 : 1.0,
-                      .tolerance = 0.0, .equation = "eq:difference",
-                      .question = "With which status does your program end "
-                                  "when it finds something wrong?",
-                      .mistakes = {misjudged(right, law)}) &&
-           CHECK_NEAR(*r->complaint != '\0', .quantity = "a line on stderr",
-                      .input = input, .expected = !right, .tolerance = 0.0,
-                      .question =
-                          "It should say what broke, and only then.");
+    CHECK_NEAR(r->status, .quantity = "the status with which it ended",
+               .input = input, .expected = right ? 0.0 : 1.0,
+               .tolerance = 0.0, .equation = "eq:difference",
+               .question = "With which status does your program end when "
+                           "it finds something wrong?",
+               .mistakes = {misjudged(right, law)});
+    CHECK_NEAR(*r->complaint != '\0', .quantity = "a line on stderr",
+               .input = input, .expected = !right, .tolerance = 0.0,
+               .question = "It should say what broke, and only then.");
 }
 
 static void stage_check(void)
@@ -807,13 +790,16 @@ static void stage_check(void)
     for (int i = 0; i < LAWS; ++i) {
         const int law = turn[i];
         const bool right = law == 0 || law == LAWS - 1;
-        if ((right && !(check_law(&pairs, law) && check_law(&s, law) &&
-                        check_law(&fast, law))) ||
-            (!right && !check_law(law == SLIGHT  ? &light
-                                  : law == TURNS ? &slow
-                                                 : &s,
-                                  law)))
-            return;
+        if (right) {
+            check_law(&pairs, law);
+            check_law(&s, law);
+            check_law(&fast, law);
+        }
+        if (!right)
+            check_law(law == SLIGHT  ? &light
+                      : law == TURNS ? &slow
+                                     : &s,
+                      law);
     }
 }
 
@@ -860,23 +846,22 @@ static void stage_upright(void)
     const struct scene weak =
         draw_apart(4, draw(1.0, 2.0), 1e-6, false, 30);
     struct scene flat = draw_apart(4, draw(1.0, 2.0), 0.0, false, 30);
-    if (!check_scene(&one, 1e-10, true, fall) ||
-        !check_scene(&low, 1e-9, true,
-                     "Here the bead reaches the upper stop, too. Which "
-                     "root is it there?") ||
-        !check_scene(&five, 1e-8, true,
-                     "Equal masses pass through each other, upright as "
-                     "well. What changes in the time of a pair?") ||
-        !check_scene(&any, 1e-6, true, fall) ||
-        !check_scene(&rare, 1e-8, true,
-                     "The bead flies more than once between two rows. When "
-                     "does a bead that goes up come down?"))
-        return;
+    check_scene(&one, 1e-10, true, fall);
+    check_scene(&low, 1e-9, true,
+                "Here the bead reaches the upper stop, too. Which root is "
+                "it there?");
+    check_scene(&five, 1e-8, true,
+                "Equal masses pass through each other, upright as well. "
+                "What changes in the time of a pair?");
+    check_scene(&any, 1e-6, true, fall);
+    check_scene(&rare, 1e-8, true,
+                "The bead flies more than once between two rows. When does "
+                "a bead that goes up come down?");
     static const double hardly[] = {1e-12, 1e-16, 1e-30};
-    bool well = check_scene(&weak, 1e-7, true, fall);
-    for (int i = 0; well && i < 3; ++i) {
+    check_scene(&weak, 1e-7, true, fall);
+    for (int i = 0; i < 3; ++i) {
         flat.g = hardly[i];
-        well = check_scene(
+        check_scene(
             &flat, 1e-7, true,
             "With hardly any gravity everything is as on a flat wire. "
             "Which difference of two nearly equal numbers do you take?");
@@ -935,60 +920,54 @@ static double of_rows(const struct run *r, int column, double *error)
     return sqrt(two);
 }
 
-static bool check_numbers(const char *name, const char *input, bool upright,
+static void check_numbers(const char *name, const char *input, bool upright,
                           const double got[3], double theory, double run,
                           double naive, double spread)
 {
     const double error = got[1] / (theory * spread);
-    return CHECK_NEAR(
-               got[2], .quantity = check_text("the theory of %s", name),
-               .input = input, .expected = theory,
-               .tolerance = 1e-6 * theory,
-               .because = "the digits of the masses",
+    CHECK_NEAR(
+        got[2], .quantity = check_text("the theory of %s", name),
+        .input = input, .expected = theory, .tolerance = 1e-6 * theory,
+        .because = "the digits of the masses",
+        .equation = "eq:equipartition",
+        .question = *name == 'r' ? "Is it lightest over heaviest?"
+                    : upright ? "How many squares are there in the energy? "
+                                "A height is no square: what is its share?"
+                              : "How many squares are there in the energy, "
+                                "and which share of it has each?");
+    CHECK_NEAR(got[0], .quantity = check_text("the run of %s", name),
+               .input = input, .expected = run, .tolerance = 1e-3 * run,
+               .because = "it was computed again from the rows",
                .equation = "eq:equipartition",
-               .question =
-                   *name == 'r' ? "Is it lightest over heaviest?"
-                   : upright ? "How many squares are there in the energy? "
-                               "A height is no square: what is its share?"
-                             : "How many squares are there in the energy, "
-                               "and which share of it has each?") &&
-           CHECK_NEAR(got[0], .quantity = check_text("the run of %s", name),
-                      .input = input, .expected = run,
-                      .tolerance = 1e-3 * run,
-                      .because = "it was computed again from the rows",
-                      .equation = "eq:equipartition",
-                      .question = "The root of the mean of the squares: of "
-                                  "which bead, and over which rows?") &&
-           CHECK_NEAR(
-               error,
-               .quantity = check_text(
-                   "the error of %s, in units of the true one", name),
-               .input = input, .expected = 1.0,
-               .tolerance = error < 1.0 ? 0.42 : 0.6,
-               .because = "found from 250 runs; an error has an error",
-               .equation = "eq:block",
-               .question = "How long are your blocks, and how many? And is "
-                           "it the error of the root, or of the square?",
-               .mistakes = {{"rows-as-if-independent",
-                             naive / (theory * spread),
-                             "One row knows the row before it. How often "
-                             "does a bead forget, and what do means over "
-                             "long blocks say?"}}) &&
-           CHECK_NEAR(
-               (got[0] - theory) / got[1],
-               .quantity =
-                   check_text("%s: run less theory, in errors", name),
-               .input = input, .expected = 0.0, .tolerance = 5.0,
-               .because =
-                   "beyond lies less than one run in a hundred thousand",
-               .equation = "eq:equipartition",
-               .question = "Theory and run do not agree. Which of them do "
-                           "you believe, and why?");
+               .question = "The root of the mean of the squares: of which "
+                           "bead, and over which rows?");
+    CHECK_NEAR(
+        error,
+        .quantity =
+            check_text("the error of %s, in units of the true one", name),
+        .input = input, .expected = 1.0,
+        .tolerance = error < 1.0 ? 0.42 : 0.6,
+        .because = "found from 250 runs; an error has an error",
+        .equation = "eq:block",
+        .question = "How long are your blocks, and how many? And is it the "
+                    "error of the root, or of the square?",
+        .mistakes = {
+            {"rows-as-if-independent", naive / (theory * spread),
+             "One row knows the row before it. How often does a bead "
+             "forget, and what do means over long blocks say?"}});
+    CHECK_NEAR(
+        (got[0] - theory) / got[1],
+        .quantity = check_text("%s: run less theory, in errors", name),
+        .input = input, .expected = 0.0, .tolerance = 5.0,
+        .because = "beyond lies less than one run in a hundred thousand",
+        .equation = "eq:equipartition",
+        .question = "Theory and run do not agree. Which of them do you "
+                    "believe, and why?");
 }
 
 /* limit: 1000 rows */
 /* With 1000 rows, and of equals the lowest; with 999 nothing. */
-static bool check_thousand(void)
+static void check_thousand(void)
 {
     struct scene s = draw_apart(2, draw(1.0, 2.0), 0.0, true, 999);
     for (; s.rows <= 1000; ++s.rows) {
@@ -996,32 +975,27 @@ static bool check_thousand(void)
         const char *input = run_text(o);
         const struct run *r = run_program(o);
         double got[3] = {0.0}, naive;
-        if (!check_form(&s, r, input))
-            return false;
+        check_form(&s, r, input);
         const int count = run_remark(r, "# lightest", got, 3);
-        if (!CHECK_NEAR(count, .quantity = "numbers behind # lightest",
-                        .input = input,
-                        .expected = s.rows < 1000 ? 0.0 : 3.0,
-                        .tolerance = 0.0,
-                        .question = "From how many ROWS on does the "
-                                    "contract ask for them?"))
-            return false;
+        CHECK_NEAR(
+            count, .quantity = "numbers behind # lightest", .input = input,
+            .expected = s.rows < 1000 ? 0.0 : 3.0, .tolerance = 0.0,
+            .question =
+                "From how many ROWS on does the contract ask for them?");
         const double run = of_rows(r, 3, &naive);
-        if (count == 3 &&
-            !CHECK_NEAR(got[0], .quantity = "the run of lightest",
-                        .input = input, .expected = run,
-                        .tolerance = 1e-3 * run,
-                        .because = "it was computed again from the rows",
-                        .question = "Both weigh the same: which of them "
-                                    "does the contract take?"))
-            return false;
+        if (count == 3)
+            CHECK_NEAR(got[0], .quantity = "the run of lightest",
+                       .input = input, .expected = run,
+                       .tolerance = 1e-3 * run,
+                       .because = "it was computed again from the rows",
+                       .question = "Both weigh the same: which of them "
+                                   "does the contract take?");
     }
-    return true;
 }
 
 /* Which beads are the lightest and the heaviest, if neither is the first or
    the last. */
-static bool check_among(void)
+static void check_among(void)
 {
     static const char *const names[] = {"# lightest", "# heaviest"};
     struct scene s = draw_apart(4, draw(1.0, 2.0), 0.0, false, 1000);
@@ -1031,43 +1005,40 @@ static bool check_among(void)
     const struct run_order *o = order(&s, 0, for_ever);
     const char *input = run_text(o);
     const struct run *r = run_program(o);
-    if (!check_form(&s, r, input))
-        return false;
+    check_form(&s, r, input);
     for (int k = 0; k < 2; ++k) {
         double got[3] = {NAN, NAN, NAN}, naive;
         const int bead = k ? heavy : 3 - heavy;
         const double run = of_rows(r, 3 + 2 * bead, &naive);
         run_remark(r, names[k], got, 3);
-        if (!CHECK_NEAR(
-                got[0], .quantity = check_text("the run of %s", names[k]),
-                .input = input, .expected = run, .tolerance = 1e-3 * run,
-                .because = "it was computed again from the rows",
-                .question = "Which of these beads is it?"))
-            return false;
+        CHECK_NEAR(got[0],
+                   .quantity = check_text("the run of %s", names[k]),
+                   .input = input, .expected = run, .tolerance = 1e-3 * run,
+                   .because = "it was computed again from the rows",
+                   .question = "Which of these beads is it?");
     }
-    return true;
 }
 
 /* Six errors know more together than each: of a hundred blocks the mean of
    their logarithms scatters by 0.05. */
-static bool check_errors(double mean_log, const char *input)
+static void check_errors(double mean_log, const char *input)
 {
-    return CHECK_NEAR(
-        exp(mean_log),
-        .quantity = "the six errors together, in units of the true ones",
-        .input = input, .expected = 1.0, .tolerance = 0.25,
-        .because = "found from 250 runs; and an error has an error",
-        .equation = "eq:block",
-        .question = "Each error alone could be chance, all of them "
-                    "together are not. What is the error of a root, when "
-                    "that of the square is known?");
+    CHECK_NEAR(exp(mean_log),
+               .quantity =
+                   "the six errors together, in units of the true ones",
+               .input = input, .expected = 1.0, .tolerance = 0.25,
+               .because = "found from 250 runs; and an error has an error",
+               .equation = "eq:block",
+               .question = "Each error alone could be chance, all of them "
+                           "together are not. What is the error of a root, "
+                           "when that of the square is known?");
 }
 
 static void stage_theory(void)
 {
     double mean_log = 0.0;
-    if (!check_thousand() || !check_among())
-        return;
+    check_thousand();
+    check_among();
     for (int upright = 0; upright < 2; ++upright) {
         const struct scene s = draw_shared(upright);
         const double *spread = true_errors[upright];
@@ -1075,8 +1046,7 @@ static void stage_theory(void)
         const struct run_order *o = order(&s, 0, for_ever);
         const char *input = run_text(o);
         const struct run *r = run_program(o);
-        if (!check_form(&s, r, input))
-            return;
+        check_form(&s, r, input);
         for (int i = 0; i < s.n; ++i)
             energy += s.m[i] * (s.v[i] * s.v[i] / 2.0 + s.g * s.x[i]);
         const double share = energy / s.n * (upright ? 2.0 / 3.0 : 2.0);
@@ -1092,21 +1062,18 @@ static void stage_theory(void)
         for (int i = 0; i < 3; ++i) {
             const char *words = check_text("# %s", names[i]);
             const int count = run_remark(r, words, got[i], 3);
-            if (!CHECK_NEAR(
-                    count,
-                    .quantity = check_text("numbers behind %s", words),
-                    .input = input, .expected = 3.0, .tolerance = 0.0,
-                    .equation = "eq:equipartition",
-                    .question =
-                        "The contract asks for the run, its standard "
-                        "error, and the theory, when ROWS >= 1000.") ||
-                !check_numbers(names[i], input, upright, got[i], theory[i],
-                               run[i], naive[i], spread[i]))
-                return;
+            CHECK_NEAR(
+                count, .quantity = check_text("numbers behind %s", words),
+                .input = input, .expected = 3.0, .tolerance = 0.0,
+                .equation = "eq:equipartition",
+                .question = "The contract asks for the run, its standard "
+                            "error, and the theory, when ROWS >= 1000.");
+            check_numbers(names[i], input, upright, got[i], theory[i],
+                          run[i], naive[i], spread[i]);
             mean_log += log(got[i][1] / (theory[i] * spread[i])) / 6.0;
         }
-        if (upright && !check_errors(mean_log, input))
-            return;
+        if (upright)
+            check_errors(mean_log, input);
     }
 }
 

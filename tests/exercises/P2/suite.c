@@ -244,18 +244,18 @@ static const struct run_order *order(const char *what,
     return &o;
 }
 
-static bool check_count(const struct run *r, const char *input,
+static void check_count(const struct run *r, const char *input,
                         const char *words, long want, long both)
 {
     const char *question =
         "Which events have been counted, and up to which time?";
     const double got = project_remark(r, words, &question);
-    return CHECK_NEAR(got, .quantity = words, .input = input,
-                      .expected = (double)want, .tolerance = 0.0,
-                      .question = question,
-                      .mistakes = {{"all-events", (double)both,
-                                    "That is the number of all events. "
-                                    "Which of them belong here?"}});
+    CHECK_NEAR(got, .quantity = words, .input = input,
+               .expected = (double)want, .tolerance = 0.0,
+               .question = question,
+               .mistakes = {{"all-events", (double)both,
+                             "That is the number of all events. Which of "
+                             "them belong here?"}});
 }
 
 /* The mistake whose rows are these for the longest time. */
@@ -283,7 +283,7 @@ static enum fault likeness(const struct scene *s, const struct run *r)
 }
 
 /* The first number that is not right, or a check that all are. */
-static bool check_rows(const struct scene *s, const struct table *want,
+static void check_rows(const struct scene *s, const struct table *want,
                        const struct run *r, const char *input)
 {
     static const char *const names[] = {"x", "y", "vx", "vy"};
@@ -330,21 +330,22 @@ static bool check_rows(const struct scene *s, const struct table *want,
                 project_mistake(&check, faults[like].name,
                                 other.row[k][c] - late, faults[like].hint);
             }
-            return check_near(__FILE__, __LINE__, got, check);
+            check_near(__FILE__, __LINE__, got, check);
         }
-    return CHECK_NEAR(0.0, .quantity = "rows that differ", .input = input,
-                      .expected = 0.0, .tolerance = 0.0) &&
-           (want->torn[s->rows] ||
-            (check_count(r, input, "# pairs", want->pairs,
-                         want->pairs + want->walls) &&
-             check_count(r, input, "# walls", want->walls,
-                         want->pairs + want->walls)));
+    CHECK_NEAR(0.0, .quantity = "rows that differ", .input = input,
+               .expected = 0.0, .tolerance = 0.0);
+    if (!want->torn[s->rows]) {
+        check_count(r, input, "# pairs", want->pairs,
+                    want->pairs + want->walls);
+        check_count(r, input, "# walls", want->walls,
+                    want->pairs + want->walls);
+    }
 }
 
 /* Compares as many rows as can be known: a change of the start by 1e-12
    grows to 1e-8 at most, and so rounding, of 1e-16, to a ten thousandth of
    what is allowed. */
-static bool check_flight(struct scene s)
+static void check_flight(struct scene s)
 {
     static struct table want, near;
     simulate(&s, NONE, 0.0, &want);
@@ -357,11 +358,10 @@ static bool check_flight(struct scene s)
     const struct run_order *o = order("fly", &s);
     const char *input = run_text(o);
     const struct run *r = run_program(o);
-    return project_form(
-               r, input, (size_t)s.rows + 1, 1 + PER_DISK * (size_t)s.n,
-               "A row is t, and x, y, vx and vy of each disk. Which of "
-               "them is missing, or what is there besides?") &&
-           check_rows(&s, &want, r, input);
+    project_form(r, input, (size_t)s.rows + 1, 1 + PER_DISK * (size_t)s.n,
+                 "A row is t, and x, y, vx and vy of each disk. Which of "
+                 "them is missing, or what is there besides?");
+    check_rows(&s, &want, r, input);
 }
 
 static struct scene draw_disks(int n)
@@ -381,7 +381,7 @@ static struct scene draw_disks(int n)
 
 /* limit: 16 disks */
 /* As many as there may be, in four rows: only the last one moves. */
-static bool check_crowd(void)
+static void check_crowd(void)
 {
     enum { ALL = 16, WIDTH = 1 + PER_DISK * ALL };
     static char disks[40 * ALL];
@@ -398,14 +398,14 @@ static bool check_crowd(void)
     const struct run *r = run_program(&o);
     static const char question[] = "There are 16 disks, and so many are "
                                    "allowed. How many do your arrays hold?";
-    return project_form(r, input, 3, WIDTH, question) &&
-           CHECK_NEAR(r->numbers[2 * WIDTH + 1 + PER_DISK * (ALL - 1)],
-                      .quantity = "x of disk 16 in row 2", .unit = "m",
-                      .input = input, .expected = 0.925, .tolerance = 1e-9,
-                      .because = "it meets nobody", .question = question);
+    project_form(r, input, 3, WIDTH, question);
+    CHECK_NEAR(r->numbers[2 * WIDTH + 1 + PER_DISK * (ALL - 1)],
+               .quantity = "x of disk 16 in row 2", .unit = "m",
+               .input = input, .expected = 0.925, .tolerance = 1e-9,
+               .because = "it meets nobody", .question = question);
 }
 
-static bool check_inputs(void)
+static void check_inputs(void)
 {
     static const char one[] = "0.5 0.5 1 0.3\n";
     static const struct {
@@ -432,52 +432,49 @@ static bool check_inputs(void)
             .files = {{"disks.txt", all[i].disks}},
             .late = for_ever,
         };
-        if (!project_refuses(&o, all[i].what))
-            return false;
+        project_refuses(&o, all[i].what);
     }
-    return project_refuses(
-        &(struct run_order){
-            .arguments = {"fly", "other.txt", "0.1", "0.1", "1"},
-            .late = for_ever},
-        "a file that is not there");
+    project_refuses(&(struct run_order){.arguments = {"fly", "other.txt",
+                                                      "0.1", "0.1", "1"},
+                                        .late = for_ever},
+                    "a file that is not there");
 }
 
-static bool check_read(void)
+static void check_read(void)
 {
     struct scene s = {.n = 1, .r = 0.1, .tc = 0.5, .rows = 2};
     struct run_order o = *order("fly", &s);
     o.files[0].text = "# x y vx vy\n\n\t.5 0.25   0.5 1e-1 # alone";
     const char *input = run_text(&o);
     const struct run *r = run_program(&o);
-    return CHECK_NEAR(
-               r->status, .quantity = "the status with which it ended",
+    CHECK_NEAR(r->status, .quantity = "the status with which it ended",
                .input = input, .expected = 0.0, .tolerance = 0.0,
                .question = "What did it complain about? There is nothing "
                            "wrong with this input.",
                .mistakes = {{"input-refused", 2.0,
                              "A remark may fill a line, a line may be "
                              "empty, and the last line need not end. Which "
-                             "of these does your program refuse?"}}) &&
-           project_form(r, input, 3, 5, "One disk: t and four numbers.");
+                             "of these does your program refuse?"}});
+    project_form(r, input, 3, 5, "One disk: t and four numbers.");
 }
 
 /* To touch is not to overlap. */
-static bool check_touching(void)
+static void check_touching(void)
 {
     struct scene s = {.n = 2, .r = 0.125, .tc = 0.5, .rows = 2};
     struct run_order o = *order("fly", &s);
     o.files[0].text = "0.125 0.5 -0.3 0.2\n0.375 0.5 0.1 0\n";
     const char *input = run_text(&o);
     const struct run *r = run_program(&o);
-    return CHECK_NEAR(
-               r->status, .quantity = "the status with which it ended",
-               .input = input, .expected = 0.0, .tolerance = 0.0,
-               .question = "There is nothing wrong with this input.",
-               .mistakes = {{"touching-refused", 2.0,
-                             "One of these touches a wall, and they touch "
-                             "each other. Is one of them not wholly "
-                             "inside, and do they overlap?"}}) &&
-           project_form(r, input, 3, 9, "Two disks: nine numbers.");
+    CHECK_NEAR(
+        r->status, .quantity = "the status with which it ended",
+        .input = input, .expected = 0.0, .tolerance = 0.0,
+        .question = "There is nothing wrong with this input.",
+        .mistakes = {
+            {"touching-refused", 2.0,
+             "One of these touches a wall, and they touch each other. Is "
+             "one of them not wholly inside, and do they overlap?"}});
+    project_form(r, input, 3, 9, "Two disks: nine numbers.");
 }
 
 static void stage_special(void)
@@ -499,9 +496,12 @@ static void stage_special(void)
     past.start[3] = past.start[6] = past.start[7] = 0.0;
     past.tc = draw(0.05, 0.1);
     past.rows = 20;
-    if (check_read() && check_touching() && check_flight(one) &&
-        check_flight(two) && check_flight(past))
-        check_inputs();
+    check_read();
+    check_touching();
+    check_flight(one);
+    check_flight(two);
+    check_flight(past);
+    check_inputs();
 }
 
 /* ---- stage 2 ---- */
@@ -532,7 +532,7 @@ static double depth(const double row[], int n, double r)
 }
 
 /* Beyond what can be known: energy and room. */
-static bool check_long(void)
+static void check_long(void)
 {
     struct scene s = draw_disks(4);
     s.tc = draw(0.2, 0.3);
@@ -540,8 +540,7 @@ static bool check_long(void)
     const struct run_order *o = order("fly", &s);
     const char *input = run_text(o);
     const struct run *r = run_program(o);
-    if (!project_form(r, input, 2001, 17, "Four disks: 17 numbers."))
-        return false;
+    project_form(r, input, 2001, 17, "Four disks: 17 numbers.");
     double change = 0.0, deepest = 0.0;
     for (int k = 0; k <= s.rows; ++k) {
         const double *row = r->numbers + 17 * k;
@@ -549,16 +548,17 @@ static bool check_long(void)
                       fabs(energy(row, 4) / energy(r->numbers, 4) - 1.0));
         deepest = fmax(deepest, depth(row, 4, s.r));
     }
-    return CHECK_NEAR(change, .quantity = "largest change of the energy",
-                      .input = input, .expected = 0.0, .tolerance = 1e-9,
-                      .because = "rounding of some thousand collisions",
-                      .question = "Which event changes the energy?") &&
-           CHECK_NEAR(deepest, .quantity = "deepest overlap", .unit = "m",
-                      .input = input, .expected = 0.0, .tolerance = 1e-9,
-                      .because = "rounding", .equation = "eq:pair-time",
-                      .question = "Two disks, or a disk and a wall, are in "
-                                  "each other. Which event was not seen: "
-                                  "one that comes at once after another?");
+    CHECK_NEAR(change, .quantity = "largest change of the energy",
+               .input = input, .expected = 0.0, .tolerance = 1e-9,
+               .because = "rounding of some thousand collisions",
+               .question = "Which event changes the energy?");
+    CHECK_NEAR(
+        deepest, .quantity = "deepest overlap", .unit = "m", .input = input,
+        .expected = 0.0, .tolerance = 1e-9, .because = "rounding",
+        .equation = "eq:pair-time",
+        .question =
+            "Two disks, or a disk and a wall, are in each other. Which "
+            "event was not seen: one that comes at once after another?");
 }
 
 static void stage_general(void)
@@ -567,10 +567,10 @@ static void stage_general(void)
         struct scene s = draw_disks(n);
         s.tc = draw(0.05, 0.08);
         s.rows = 30;
-        if (!check_flight(s))
-            return;
+        check_flight(s);
     }
-    (void)(check_crowd() && check_long());
+    check_crowd();
+    check_long();
 }
 
 /* ---- stage 3 ---- */
@@ -585,8 +585,9 @@ static void stage_clock(void)
     busy.rows = 4;
     far.tc = draw(0.1, 0.2);
     far.rows = LONGEST;
-    if (check_flight(slow) && check_flight(busy))
-        check_flight(far);
+    check_flight(slow);
+    check_flight(busy);
+    check_flight(far);
 }
 
 /* ---- what throws must give ---- */
@@ -671,27 +672,24 @@ struct counted {
     double ratio, its_error, looks;
 };
 
-static bool count(const struct run_order *o, double r, struct counted *h)
+static void count(const struct run_order *o, double r, struct counted *h)
 {
     h->input = run_text(o);
     const struct run *run = run_program(o);
-    if (!project_form(run, h->input, SLICES, 3,
-                      "A row is the middle of a slice, the density in it "
-                      "and its error."))
-        return false;
+    project_form(
+        run, h->input, SLICES, 3,
+        "A row is the middle of a slice, the density in it and its error.");
     double all = 0.0, remark[2] = {NAN, NAN};
     for (int i = 0; i < SLICES; ++i) {
         const double *row = run->numbers + 3 * i;
         h->density[i] = row[1];
         h->error[i] = row[2];
         all += row[1] * (1.0 - 2.0 * r) / SLICES;
-        if (!CHECK_NEAR(
-                row[0],
-                .quantity = check_text("the middle of slice %d", i + 1),
-                .unit = "m", .input = h->input,
-                .expected = r + (i + 0.5) * (1.0 - 2.0 * r) / SLICES,
-                .tolerance = 1e-9, .question = "Where can a centre be?"))
-            return false;
+        CHECK_NEAR(row[0],
+                   .quantity = check_text("the middle of slice %d", i + 1),
+                   .unit = "m", .input = h->input,
+                   .expected = r + (i + 0.5) * (1.0 - 2.0 * r) / SLICES,
+                   .tolerance = 1e-9, .question = "Where can a centre be?");
     }
     const int numbers = run_remark(run, "# ratio", remark, 2);
     const double q = (h->density[0] + h->density[SLICES - 1]) /
@@ -701,43 +699,38 @@ static bool count(const struct run_order *o, double r, struct counted *h)
     h->ratio = remark[0];
     h->its_error = remark[1];
     h->looks = project_remark(run, "# looks", &question);
-    return CHECK_NEAR(all, .quantity = "the whole of the density",
-                      .input = h->input, .expected = 1.0, .tolerance = 1e-6,
-                      .because = "each centre is somewhere",
-                      .question = "By what do you divide a count to get "
-                                  "the density of one coordinate?",
-                      .mistakes = {{"counts-of-all", 2.0,
-                                    "Together that is twice too much. How "
-                                    "many coordinates has a disk?"}}) &&
-           CHECK_NEAR(numbers, .quantity = "numbers behind # ratio",
-                      .input = h->input, .expected = 2.0, .tolerance = 0.0,
-                      .question =
-                          "The ratio and its error are asked for.") &&
-           CHECK_NEAR(
-               h->ratio, .quantity = "the ratio", .input = h->input,
-               .expected = q, .tolerance = 1e-6 * q,
-               .because = "it was computed again from the table",
-               .question =
-                   "Which slices are at a wall, and which in the middle?",
-               .mistakes =
-                   {{"one-wall", q / 2.0,
-                     "That is half of the ratio. How many slices are in "
-                     "the middle, and how many at a wall?"}}) &&
-           CHECK_NEAR(h->looks > 0.0 || h->looks == 0.0,
-                      .quantity = "1 if # looks has a number",
-                      .input = h->input, .expected = 1.0, .tolerance = 0.0,
-                      .question = question);
+    CHECK_NEAR(all, .quantity = "the whole of the density",
+               .input = h->input, .expected = 1.0, .tolerance = 1e-6,
+               .because = "each centre is somewhere",
+               .question = "By what do you divide a count to get the "
+                           "density of one coordinate?",
+               .mistakes = {{"counts-of-all", 2.0,
+                             "Together that is twice too much. How many "
+                             "coordinates has a disk?"}});
+    CHECK_NEAR(numbers, .quantity = "numbers behind # ratio",
+               .input = h->input, .expected = 2.0, .tolerance = 0.0,
+               .question = "The ratio and its error are asked for.");
+    CHECK_NEAR(
+        h->ratio, .quantity = "the ratio", .input = h->input, .expected = q,
+        .tolerance = 1e-6 * q,
+        .because = "it was computed again from the table",
+        .question = "Which slices are at a wall, and which in the middle?",
+        .mistakes = {{"one-wall", q / 2.0,
+                      "That is half of the ratio. How many slices are in "
+                      "the middle, and how many at a wall?"}});
+    CHECK_NEAR(h->looks > 0.0 || h->looks == 0.0,
+               .quantity = "1 if # looks has a number", .input = h->input,
+               .expected = 1.0, .tolerance = 0.0, .question = question);
 }
 
-static bool check_thrown(int n, double r, int seed, int samples)
+static void check_thrown(int n, double r, int seed, int samples)
 {
     const struct run_order *o = order_throw(n, r, seed, samples);
     const char *question =
         "Does every throw count, also the one that is thrown away?";
     const double a = 1.0 - 2.0 * r, width = a / SLICES;
     struct counted h;
-    if (!count(o, r, &h))
-        return false;
+    count(o, r, &h);
     const struct run *run = run_program(o);
     const double alpha = n == 1 ? 1.0 : fit(a, 2.0 * r);
     const double thrown = project_remark(run, "# thrown", &question);
@@ -775,46 +768,43 @@ static bool check_thrown(int n, double r, int seed, int samples)
         const double word = h.error[i] / spread;
         const double of_one =
             fabs(word / sqrt(samples) - 1.0) < 0.35 ? word : NAN;
-        if (!check_near(__FILE__, __LINE__, h.density[i], check) ||
-            !CHECK_NEAR(
-                word,
-                .quantity = check_text("the error of slice %d, in units of "
-                                       "that of independent places",
-                                       i + 1),
-                .input = h.input, .expected = 1.0, .tolerance = 0.35,
-                .because = "places of one throw are not quite independent",
-                .question = "How many places does a throw bring, and how "
-                            "far do two such runs differ?",
-                .mistakes = {{"spread-of-one-throw", of_one,
-                              "That is how far one throw differs from the "
-                              "next. How sure is a mean of so many?"}}))
-            return false;
+        check_near(__FILE__, __LINE__, h.density[i], check);
+        CHECK_NEAR(
+            word,
+            .quantity = check_text("the error of slice %d, in units of "
+                                   "that of independent places",
+                                   i + 1),
+            .input = h.input, .expected = 1.0, .tolerance = 0.35,
+            .because = "places of one throw are not quite independent",
+            .question = "How many places does a throw bring, and how far "
+                        "do two such runs differ?",
+            .mistakes = {{"spread-of-one-throw", of_one,
+                          "That is how far one throw differs from the "
+                          "next. How sure is a mean of so many?"}});
     }
-    return CHECK_NEAR(
-        thrown, .quantity = "# thrown", .input = h.input,
-        .expected = samples / alpha,
-        .tolerance = 6.0 * sqrt(samples * (1.0 - alpha)) / alpha + 1e-6,
-        .because = "six of its errors", .equation = "eq:two-disks",
-        .question = question);
+    CHECK_NEAR(thrown, .quantity = "# thrown", .input = h.input,
+               .expected = samples / alpha,
+               .tolerance =
+                   6.0 * sqrt(samples * (1.0 - alpha)) / alpha + 1e-6,
+               .because = "six of its errors", .equation = "eq:two-disks",
+               .question = question);
 }
 
-static bool check_seeds(double r)
+static void check_seeds(double r)
 {
     struct counted a, b, again;
-    if (!count(order_throw(2, r, 1, 1000), r, &a) ||
-        !count(order_throw(2, r, 2, 1000), r, &b) ||
-        !count(order_throw(2, r, 1, 1000), r, &again))
-        return false;
+    count(order_throw(2, r, 1, 1000), r, &a);
+    count(order_throw(2, r, 2, 1000), r, &b);
+    count(order_throw(2, r, 1, 1000), r, &again);
     const bool same = !memcmp(a.density, b.density, sizeof a.density);
-    return CHECK_NEAR(same,
-                      .quantity = "1 if the seeds 1 and 2 give the same",
-                      .input = b.input, .expected = 0.0, .tolerance = 0.0,
-                      .question = "What does your program do with SEED?",
-                      .mistakes = {{"seed-ignored", 1.0,
-                                    "Two seeds have given one table. Where "
-                                    "does SEED come in?"}}) &&
-           CHECK_NEAR(
-               memcmp(a.density, again.density, sizeof a.density),
+    CHECK_NEAR(
+        same, .quantity = "1 if the seeds 1 and 2 give the same",
+        .input = b.input, .expected = 0.0, .tolerance = 0.0,
+        .question = "What does your program do with SEED?",
+        .mistakes = {
+            {"seed-ignored", 1.0,
+             "Two seeds have given one table. Where does SEED come in?"}});
+    CHECK_NEAR(memcmp(a.density, again.density, sizeof a.density),
                .quantity = "0 if a seed gives the same table twice",
                .input = again.input, .expected = 0.0, .tolerance = 0.0,
                .question =
@@ -825,7 +815,7 @@ static bool check_seeds(double r)
 struct nonsense {
     const char *what, *disks, *words[6];
 };
-static bool check_refusals(const struct nonsense all[])
+static void check_refusals(const struct nonsense all[])
 {
     for (; all->what; ++all) {
         struct run_order o = {
@@ -835,23 +825,21 @@ static bool check_refusals(const struct nonsense all[])
             o.arguments[i] = all->words[i];
         if (all->disks)
             o.files[0] = (struct run_file){"disks.txt", all->disks};
-        if (!project_refuses(&o, all->what))
-            return false;
+        project_refuses(&o, all->what);
     }
-    return true;
 }
 
 /* limit: 2 samples */
 /* Of so few, the table says nothing; but they are allowed. */
-static bool check_least(void)
+static void check_least(void)
 {
     const struct run_order *o = order_throw(1, 0.1, 1, 2);
     const char *input = run_text(o);
-    return CHECK_NEAR(run_program(o)->status,
-                      .quantity = "the status with which it ended",
-                      .input = input, .expected = 0.0, .tolerance = 0.0,
-                      .question = "Two samples are few, and enough. Who "
-                                  "refuses them, or what breaks?");
+    CHECK_NEAR(run_program(o)->status,
+               .quantity = "the status with which it ended", .input = input,
+               .expected = 0.0, .tolerance = 0.0,
+               .question = "Two samples are few, and enough. Who refuses "
+                           "them, or what breaks?");
 }
 
 static void stage_throws(void)
@@ -871,10 +859,12 @@ static void stage_throws(void)
         {0}};
     const double r = draw(0.15, 0.2);
     struct counted most;
-    if (check_thrown(1, draw(0.1, 0.2), 3, 20000) && check_seeds(r) &&
-        check_thrown(2, r, check_draw_whole(1, 1000), 100000) &&
-        count(order_throw(16, 0.02, 1, 1000), 0.02, &most) && check_least())
-        check_refusals(all);
+    check_thrown(1, draw(0.1, 0.2), 3, 20000);
+    check_seeds(r);
+    check_thrown(2, r, check_draw_whole(1, 1000), 100000);
+    count(order_throw(16, 0.02, 1, 1000), 0.02, &most);
+    check_least();
+    check_refusals(all);
 }
 
 /* ---- stage 5 ---- */
@@ -913,7 +903,7 @@ static const double flown = 0.0145;
    per cent from run to run. */
 static const double flown_slice = 0.0142, slice_alone = 0.0057;
 
-static bool check_remarks(const struct run_order *o,
+static void check_remarks(const struct run_order *o,
                           const struct counted *h)
 {
     const char *question = "An error falls as the root of the work. How "
@@ -922,30 +912,29 @@ static bool check_remarks(const struct run_order *o,
     const double part = 100.0 * h->its_error / h->ratio;
     const double want = h->looks * part * part;
     const double got = project_remark(run, "# price", &question);
-    return CHECK_NEAR(
-        got, .quantity = "the price of one per cent", .input = h->input,
-        .expected = want, .tolerance = 1e-6 * want,
-        .because = "from the ratio, its error and the looks",
-        .question = question,
-        .mistakes = {{"price-without-square", h->looks * part,
-                      "Twice the work does not halve an error. With which "
-                      "power of the work does it fall?"}});
+    CHECK_NEAR(got, .quantity = "the price of one per cent",
+               .input = h->input, .expected = want,
+               .tolerance = 1e-6 * want,
+               .because = "from the ratio, its error and the looks",
+               .question = question,
+               .mistakes = {{"price-without-square", h->looks * part,
+                             "Twice the work does not halve an error. With "
+                             "which power of the work does it fall?"}});
 }
 
-static bool check_ratio(const struct counted *h, double want, double error)
+static void check_ratio(const struct counted *h, double want, double error)
 {
-    return CHECK_NEAR(h->ratio, .quantity = "wall over middle",
-                      .input = h->input, .expected = want,
-                      .tolerance = 6.5 * error,
-                      .because = "6.5 of the true errors of such a run",
-                      .equation = "eq:throw",
-                      .question = "Are these states of the clock, or "
-                                  "throws of all four at once?");
+    CHECK_NEAR(h->ratio, .quantity = "wall over middle", .input = h->input,
+               .expected = want, .tolerance = 6.5 * error,
+               .because = "6.5 of the true errors of such a run",
+               .equation = "eq:throw",
+               .question = "Are these states of the clock, or throws of "
+                           "all four at once?");
 }
 
 /* word: the mean logarithm of what four runs state, in units of the true
    error; the mistakes likewise, 0 where there is none, and as near. */
-static bool check_word(const char *input, const char *what, double word,
+static void check_word(const char *input, const char *what, double word,
                        double slack, double coordinates, double rows,
                        double one)
 {
@@ -979,13 +968,13 @@ static bool check_word(const char *input, const char *what, double word,
         project_mistake(&check, "size-for-spread", exp(word),
                         "Do your blocks differ so much, or are they so "
                         "large? From where is a spread measured?");
-    return check_near(__FILE__, __LINE__, exp(fabs(word)), check);
+    check_near(__FILE__, __LINE__, exp(fabs(word)), check);
 }
 
 /* How many looks at pairs there must have been at least, and are not. */
-static bool check_looks(const struct counted *h, double least, double kept)
+static void check_looks(const struct counted *h, double least, double kept)
 {
-    return CHECK_NEAR(
+    CHECK_NEAR(
         fmax(0.0, least - h->looks),
         .quantity = "looks at a pair that are not counted",
         .input = h->input, .expected = 0.0, .tolerance = 0.0,
@@ -1000,7 +989,7 @@ static bool check_looks(const struct counted *h, double least, double kept)
 
 /* The same for a flight: a disk that has met another or a wall flies on
    another way, and meets the others at other times. */
-static bool check_flight_looks(const struct scene *s,
+static void check_flight_looks(const struct scene *s,
                                const struct counted *h)
 {
     struct engine e = {.s = s};
@@ -1014,7 +1003,7 @@ static bool check_flight_looks(const struct scene *s,
         collide(&e);
     }
     const double each = round(h->looks / (double)e.pairs);
-    return CHECK_NEAR(
+    CHECK_NEAR(
         fmax(0.0, 3.0 - each),
         .quantity = "looks that are missing, for each two that have met",
         .input = h->input, .expected = 0.0, .tolerance = 0.0,
@@ -1030,7 +1019,7 @@ static bool check_flight_looks(const struct scene *s,
 }
 
 /* A disk alone is where it must be in each row, and so are the counts. */
-static bool check_watched(void)
+static void check_watched(void)
 {
     static struct table want;
     struct scene s = draw_disks(1);
@@ -1049,8 +1038,7 @@ static bool check_watched(void)
             in[2][i] += s.rows / (s.rows + 1.0);
             unsure[i] += fabs(at - round(at)) < 1e-6;
         }
-    if (!count(order("watch", &s), s.r, &h))
-        return false;
+    count(order("watch", &s), s.r, &h);
     for (int i = 0; i < SLICES; ++i) {
         struct check check = {
             .quantity = check_text("the density in slice %d", i + 1),
@@ -1069,10 +1057,8 @@ static bool check_watched(void)
                     &check, "row-0-counted", in[k][i] * one,
                     "The start was chosen, and has not come about. Which "
                     "row is the first to be counted, and which the last?");
-        if (!check_near(__FILE__, __LINE__, h.density[i], check))
-            return false;
+        check_near(__FILE__, __LINE__, h.density[i], check);
     }
-    return true;
 }
 
 static struct scene draw_unit_speeds(double r)
@@ -1105,17 +1091,16 @@ static void stage_ratio(void)
     const char *question = "How many throws did it take?";
     struct counted h[2];
     double word = 0.0, slices = 0.0;
-    if (!check_watched() || !check_refusals(few_rows))
-        return;
+    check_watched();
+    check_refusals(few_rows);
     for (int k = 0; k < RUNS; ++k) {
         const struct run_order *o = order_throw(4, r, seed + k, SAMPLES);
-        if (!count(o, r, &h[0]) || !check_ratio(&h[0], q, q * thrown) ||
-            !check_remarks(o, &h[0]))
-            return;
+        count(o, r, &h[0]);
+        check_ratio(&h[0], q, q * thrown);
+        check_remarks(o, &h[0]);
         const double all =
             project_remark(run_program(o), "# thrown", &question);
-        if (!check_looks(&h[0], 5.0 * SAMPLES + all, 6.0 * SAMPLES))
-            return;
+        check_looks(&h[0], 5.0 * SAMPLES + all, 6.0 * SAMPLES);
         word += log(h[0].its_error / h[0].ratio / thrown) / RUNS;
     }
     /* What it would be if a count were as sure as that of so many throws
@@ -1123,40 +1108,36 @@ static void stage_ratio(void)
     const double in_middle = 2.0 / SLICES * 0.75, at_wall = q * in_middle;
     const double coins =
         sqrt((1.0 / at_wall + 1.0 / in_middle) / (8.0 * SAMPLES));
-    if (!check_word(h[0].input, "the ratio", word, 0.12,
-                    log(coins / thrown), 0.0, log(SAMPLES) / 2.0))
-        return;
+    check_word(h[0].input, "the ratio", word, 0.12, log(coins / thrown),
+               0.0, log(SAMPLES) / 2.0);
     word = 0.0;
     for (int k = 0; k < RUNS; ++k) {
         const struct scene s = draw_unit_speeds(r);
         const struct run_order *o = order("watch", &s);
-        if (!count(o, r, &h[1]) || !check_ratio(&h[1], q, q * flown) ||
-            !check_remarks(o, &h[1]) || !check_flight_looks(&s, &h[1]))
-            return;
+        count(o, r, &h[1]);
+        check_ratio(&h[1], q, q * flown);
+        check_remarks(o, &h[1]);
+        check_flight_looks(&s, &h[1]);
         word += log(h[1].its_error / h[1].ratio / flown) / RUNS;
         for (int i = 0; i < SLICES; ++i)
             slices += log(h[1].error[i] / h[1].density[i] / flown_slice) /
                       SLICES / RUNS;
     }
-    if (!check_word(h[1].input, "the ratio", word, 0.36, 0.0,
-                    log(between(spreads, r) / sqrt(50000.0) / flown),
-                    0.0) ||
-        !check_word(h[1].input, "the densities", slices, 0.36, 0.0,
-                    log(slice_alone / flown_slice), 0.0))
-        return;
+    check_word(h[1].input, "the ratio", word, 0.36, 0.0,
+               log(between(spreads, r) / sqrt(50000.0) / flown), 0.0);
+    check_word(h[1].input, "the densities", slices, 0.36, 0.0,
+               log(slice_alone / flown_slice), 0.0);
     for (int i = 0; i < SLICES; ++i)
-        if (!CHECK_NEAR(
-                h[1].density[i],
-                .quantity =
-                    check_text("the density of flight in slice %d", i + 1),
-                .unit = "1/m", .input = h[1].input,
-                .expected = h[0].density[i],
-                .tolerance = 7.0 * hypot(h[0].error[i], h[1].error[i]),
-                .because = "seven of your errors, from that of your throws",
-                .equation = "eq:throw",
-                .question = "Which of the two is wrong at a wall: which "
-                            "states are counted?"))
-            return;
+        CHECK_NEAR(
+            h[1].density[i],
+            .quantity =
+                check_text("the density of flight in slice %d", i + 1),
+            .unit = "1/m", .input = h[1].input, .expected = h[0].density[i],
+            .tolerance = 7.0 * hypot(h[0].error[i], h[1].error[i]),
+            .because = "seven of your errors, from that of your throws",
+            .equation = "eq:throw",
+            .question = "Which of the two is wrong at a wall: which states "
+                        "are counted?");
 }
 
 /* ---- stage 6 ---- */
@@ -1188,7 +1169,7 @@ static double of_ring(int i, double r, int n, double reach, bool power,
     return mine / all / width;
 }
 
-static bool check_pair(int n, double r, double small)
+static void check_pair(int n, double r, double small)
 {
     enum { SAMPLES = 16000 };
     const double width = (0.5 - 2.0 * r) / RINGS;
@@ -1206,10 +1187,9 @@ static bool check_pair(int n, double r, double small)
     };
     const char *input = run_text(&o);
     const struct run *run = run_program(&o);
-    if (!project_form(
-            run, input, RINGS, 5,
-            "A row is the ends of a slice, density, error and theory."))
-        return false;
+    project_form(
+        run, input, RINGS, 5,
+        "A row is the ends of a slice, density, error and theory.");
     for (int i = 0; i < RINGS; ++i) {
         const double *row = run->numbers + 5 * i;
         const double low = 2.0 * r + i * width;
@@ -1259,29 +1239,25 @@ static bool check_pair(int n, double r, double small)
                 "All distances are as likely as without small ones. If one "
                 "does not fit, what must be thrown again: that one, or "
                 "all, the big ones too?");
-        if (!CHECK_NEAR(
-                fmax(fabs(row[0] - low), fabs(row[1] - low - width)),
-                .quantity = check_text(
-                    "how far the ends of slice %d are off", i + 1),
-                .unit = "m", .input = input, .expected = 0.0,
-                .tolerance = 1e-9,
-                .question =
-                    "From which distance to which do the ten slices go?") ||
-            !check_near(__FILE__, __LINE__, row[4], theory) ||
-            !check_near(__FILE__, __LINE__, row[2], run_of_it) ||
-            !CHECK_NEAR(
-                row[3] / spread,
-                .quantity = check_text(
-                    "the error in slice %d, in units of the true one",
-                    i + 1),
-                .input = input, .expected = 1.0, .tolerance = 0.25,
-                .because = "it follows from the number of samples",
-                .question = "SAMPLES are kept: from how many does this "
-                            "table come? Each of them is in this slice or "
-                            "not, and knows nothing of the others."))
-            return false;
+        CHECK_NEAR(
+            fmax(fabs(row[0] - low), fabs(row[1] - low - width)),
+            .quantity =
+                check_text("how far the ends of slice %d are off", i + 1),
+            .unit = "m", .input = input, .expected = 0.0, .tolerance = 1e-9,
+            .question =
+                "From which distance to which do the ten slices go?");
+        check_near(__FILE__, __LINE__, row[4], theory);
+        check_near(__FILE__, __LINE__, row[2], run_of_it);
+        CHECK_NEAR(
+            row[3] / spread,
+            .quantity = check_text(
+                "the error in slice %d, in units of the true one", i + 1),
+            .input = input, .expected = 1.0, .tolerance = 0.25,
+            .because = "it follows from the number of samples",
+            .question = "SAMPLES are kept: from how many does this table "
+                        "come? Each of them is in this slice or not, and "
+                        "knows nothing of the others.");
     }
-    return true;
 }
 
 static void stage_pair(void)
@@ -1294,9 +1270,9 @@ static void stage_pair(void)
         {"a SMALL below 0", NULL, {"pair", "3", "0.1", "-0.1", "1", "10"}},
         {0}};
     const double r = draw(0.09, 0.1), small = draw(0.07, 0.08);
-    if (check_pair(0, r, small) &&
-        check_pair(check_draw_whole(18, 22), r, small))
-        check_refusals(all);
+    check_pair(0, r, small);
+    check_pair(check_draw_whole(18, 22), r, small);
+    check_refusals(all);
 }
 
 const struct check_suite check_suite = {

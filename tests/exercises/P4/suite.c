@@ -324,47 +324,42 @@ static const char wasteful[] =
     "is it clear that a method will not win?";
 
 /* Whether there is an answer that can be read. */
-static bool answered(const struct request *q, struct answer *a)
+static void answered(const struct request *q, struct answer *a)
 {
     const struct run_order *o = order_of(q);
     a->input = check_text("%s, and %.440s", law_names[q->law], run_text(o));
     const struct run *r = a->run = run_program(o);
-    if (q->most > 0.0 &&
-        !CHECK_NEAR(
-            r->calls, .quantity = "all calls of force, counted",
-            .input = a->input, .expected = fmin(r->calls, q->most),
-            .tolerance = 0.0,
-            .because = "60 times the cheapest known; more are not answered",
-            .equation = "eq:choose-cost", .question = wasteful))
-        return false;
+    if (q->most > 0.0)
+        CHECK_NEAR(r->calls, .quantity = "all calls of force, counted",
+                   .input = a->input, .expected = fmin(r->calls, q->most),
+                   .tolerance = 0.0,
+                   .because =
+                       "60 times the cheapest known; more are not answered",
+                   .equation = "eq:choose-cost", .question = wasteful);
     double pick[3] = {NAN, NAN, NAN};
-    if (!CHECK_NEAR(
-            r->status, .quantity = "the status with which it ended",
-            .input = a->input, .expected = 0.0, .tolerance = 0.0,
-            .question =
-                "What did it complain about? This request can be held.",
-            .mistakes =
-                {{"refused-in-vain", 1.0,
-                  "This request can be held with 50000 steps. After which "
-                  "of its runs does your program give up, and why?"}}) ||
-        !project_form(
-            r, a->input, 1, 1 + 4 * (size_t)q->n,
-            "The row is t, and x, y, vx and vy of each body at the end. "
-            "Which of them is missing, or what is there besides?"))
-        return false;
+    CHECK_NEAR(
+        r->status, .quantity = "the status with which it ended",
+        .input = a->input, .expected = 0.0, .tolerance = 0.0,
+        .question = "What did it complain about? This request can be held.",
+        .mistakes = {
+            {"refused-in-vain", 1.0,
+             "This request can be held with 50000 steps. After which of "
+             "its runs does your program give up, and why?"}});
+    project_form(
+        r, a->input, 1, 1 + 4 * (size_t)q->n,
+        "The row is t, and x, y, vx and vy of each body at the end. Which "
+        "of them is missing, or what is there besides?");
     const int count = run_remark(r, "# pick", pick, 3);
-    if (!CHECK_NEAR(count, .quantity = "numbers behind # pick",
-                    .input = a->input, .expected = 3.0, .tolerance = 0.0,
-                    .question = what_pick) ||
-        !CHECK_NEAR(pick[0] == 1.0 || pick[0] == 2.0 || pick[0] == 4.0,
-                    .quantity = "1 if the order is 1, 2 or 4",
-                    .input = a->input, .expected = 1.0, .tolerance = 0.0,
-                    .question = what_pick) ||
-        !CHECK_NEAR(pick[1] >= 1.0 && pick[1] <= MOST_STEPS,
-                    .quantity = "1 if the steps are 1 to 50000",
-                    .input = a->input, .expected = 1.0, .tolerance = 0.0,
-                    .question = what_pick))
-        return false;
+    CHECK_NEAR(count, .quantity = "numbers behind # pick",
+               .input = a->input, .expected = 3.0, .tolerance = 0.0,
+               .question = what_pick);
+    CHECK_NEAR(pick[0] == 1.0 || pick[0] == 2.0 || pick[0] == 4.0,
+               .quantity = "1 if the order is 1, 2 or 4", .input = a->input,
+               .expected = 1.0, .tolerance = 0.0, .question = what_pick);
+    CHECK_NEAR(pick[1] >= 1.0 && pick[1] <= MOST_STEPS,
+               .quantity = "1 if the steps are 1 to 50000",
+               .input = a->input, .expected = 1.0, .tolerance = 0.0,
+               .question = what_pick);
     a->order = (int)pick[0];
     a->steps = (long)pick[1];
     a->calls = pick[2];
@@ -373,23 +368,21 @@ static bool answered(const struct request *q, struct answer *a)
         a->end.v[c] = r->numbers[3 + 4 * (c / 2) + c % 2];
     }
     const long least = cost(a->order, a->steps);
-    return CHECK_NEAR(
-               r->calls, .quantity = "1 if force was called at all",
+    CHECK_NEAR(r->calls, .quantity = "1 if force was called at all",
                .input = a->input, .expected = fmax(r->calls, 1.0),
                .tolerance = 0.0,
                .question = "Which forces did this run take?",
                .mistakes = {{"own-force", 0.0,
                              "Your program has not asked the header's "
-                             "force. Which law can it know by itself?"}}) &&
-           CHECK_NEAR(r->calls, .quantity = "calls of force, counted",
-                      .input = check_text("order %d with %ld steps; %.440s",
-                                          a->order, a->steps, a->input),
-                      .expected = fmax(r->calls, (double)least),
-                      .tolerance = 0.0, .because = "the pick needs so many",
-                      .equation = "eq:choose-cost",
-                      .question =
-                          "This method needs more calls for so many steps. "
-                          "Where do the other forces come from?");
+                             "force. Which law can it know by itself?"}});
+    CHECK_NEAR(r->calls, .quantity = "calls of force, counted",
+               .input = check_text("order %d with %ld steps; %.440s",
+                                   a->order, a->steps, a->input),
+               .expected = fmax(r->calls, (double)least), .tolerance = 0.0,
+               .because = "the pick needs so many",
+               .equation = "eq:choose-cost",
+               .question = "This method needs more calls for so many "
+                           "steps. Where do the other forces come from?");
 }
 
 /* How far velocities are apart at most, in units of the largest: those of
@@ -408,7 +401,7 @@ static double late(const struct request *q, const struct answer *a,
     return most / size;
 }
 
-static bool check_velocities(const struct request *q,
+static void check_velocities(const struct request *q,
                              const struct answer *a,
                              const struct state *own)
 {
@@ -433,11 +426,11 @@ static bool check_velocities(const struct request *q,
             &check, "last-kick-forgotten", got,
             "The last half kick is missing. If two half kicks are made "
             "into one, what is left to do at the end?");
-    return check_near(__FILE__, __LINE__, got, check);
+    check_near(__FILE__, __LINE__, got, check);
 }
 
 /* Whether the end is within the tolerance, and that of the pick. */
-static bool held(const struct request *q, const struct answer *a,
+static void held(const struct request *q, const struct answer *a,
                  const struct state *truth)
 {
     const double error = apart(q, &a->end, truth) / q->tol;
@@ -460,14 +453,13 @@ static bool held(const struct request *q, const struct answer *a,
         project_mistake(&check, "row-of-the-other-run", all,
                         "This row is that of twice the steps. Which run "
                         "have you picked, and which one printed?");
-    return CHECK_NEAR(a->run->numbers[0], .quantity = "t", .unit = "s",
-                      .input = a->input, .expected = q->t,
-                      .tolerance = 1e-9 * q->t, .because = "it is T",
-                      .question = "At which time is the row?") &&
-           check_near(__FILE__, __LINE__, other, check) &&
-           check_velocities(q, a, &own) &&
-           CHECK_NEAR(
-               error > 1.0 ? error : 1.0,
+    CHECK_NEAR(a->run->numbers[0], .quantity = "t", .unit = "s",
+               .input = a->input, .expected = q->t,
+               .tolerance = 1e-9 * q->t, .because = "it is T",
+               .question = "At which time is the row?");
+    check_near(__FILE__, __LINE__, other, check);
+    check_velocities(q, a, &own);
+    CHECK_NEAR(error > 1.0 ? error : 1.0,
                .quantity = "the error of the worst place, in TOL",
                .input = a->input, .expected = 1.0, .tolerance = 1e-9,
                .because = "what was asked for", .equation = "eq:order",
@@ -479,7 +471,7 @@ static bool held(const struct request *q, const struct answer *a,
 
 /* ---- stages ---- */
 
-static bool check_read(void)
+static void check_read(void)
 {
     const struct request q = {.n = 2,
                               .m = {2.0, 1.0},
@@ -493,22 +485,21 @@ static bool check_read(void)
         "# m x y vx vy\n\n\t2 1   2 0.5 -0.25 # below\n1 1 3 0.5 0";
     const char *input = run_text(&o);
     const struct run *r = run_program(&o);
-    return CHECK_NEAR(
-               r->status, .quantity = "the status with which it ended",
-               .input = input, .expected = 0.0, .tolerance = 0.0,
-               .question = "What did it complain about? There is nothing "
-                           "wrong with this input.",
-               .mistakes =
-                   {{"input-refused", 2.0,
-                     "A remark may fill a line, a line may be empty, two "
-                     "bodies may have one x, and the last line need not "
-                     "end. Which of these does your program refuse?"}}) &&
-           project_form(r, input, 1, 9, "Two bodies: nine numbers.");
+    CHECK_NEAR(
+        r->status, .quantity = "the status with which it ended",
+        .input = input, .expected = 0.0, .tolerance = 0.0,
+        .question = "What did it complain about? There is nothing wrong "
+                    "with this input.",
+        .mistakes = {{"input-refused", 2.0,
+                      "A remark may fill a line, a line may be empty, two "
+                      "bodies may have one x, and the last line need not "
+                      "end. Which of these does your program refuse?"}});
+    project_form(r, input, 1, 9, "Two bodies: nine numbers.");
 }
 
 /* limit: 8 bodies */
 /* As many as there may be, which do nothing to each other. */
-static bool check_crowd(void)
+static void check_crowd(void)
 {
     enum { ALL = 8, PER_BODY = 4, WIDTH = 1 + PER_BODY * ALL };
     static char bodies[40 * ALL];
@@ -527,15 +518,14 @@ static bool check_crowd(void)
     const struct run *r = run_program(&o);
     static const char question[] = "There are 8 bodies, and so many are "
                                    "allowed. How many do your arrays hold?";
-    return project_form(r, input, 1, WIDTH, question) &&
-           CHECK_NEAR(r->numbers[1 + PER_BODY * (ALL - 1)],
-                      .quantity = "x of body 8", .unit = "m",
-                      .input = input, .expected = ALL - 1 + 0.25 * q.t,
-                      .tolerance = q.tol, .because = "nothing pulls",
-                      .question = question);
+    project_form(r, input, 1, WIDTH, question);
+    CHECK_NEAR(r->numbers[1 + PER_BODY * (ALL - 1)],
+               .quantity = "x of body 8", .unit = "m", .input = input,
+               .expected = ALL - 1 + 0.25 * q.t, .tolerance = q.tol,
+               .because = "nothing pulls", .question = question);
 }
 
-static bool check_inputs(void)
+static void check_inputs(void)
 {
     static const char one[] = "1 0 0 1 0\n";
     static const struct {
@@ -564,10 +554,8 @@ static bool check_inputs(void)
             .arguments = {"bodies.txt", all[k].t, all[k].tol},
             .files = {{all[k].bodies ? "bodies.txt" : NULL, all[k].bodies}},
             .late = for_ever};
-        if (!project_refuses(&o, all[k].what))
-            return false;
+        project_refuses(&o, all[k].what);
     }
-    return true;
 }
 
 static void stage_special(void)
@@ -579,21 +567,21 @@ static void stage_special(void)
     const struct request *const both[] = {&flight, &swing};
     for (int i = 0; i < 2; ++i) {
         const struct state truth = truth_of(both[i]);
-        if (!answered(both[i], &a) || !held(both[i], &a, &truth))
-            return;
-        if (i == 0 &&
-            !CHECK_NEAR(
+        answered(both[i], &a);
+        held(both[i], &a, &truth);
+        if (i == 0)
+            CHECK_NEAR(
                 (double)cost(a.order, a.steps),
                 .quantity = "forces of the pick", .input = a.input,
                 .expected = 1.0, .tolerance = 3.0,
                 .because = "one step is exact, by any method",
                 .question =
                     "Nothing pulls. How many steps does a straight line "
-                    "need, and what keeps your program from seeing it?"))
-            return;
+                    "need, and what keeps your program from seeing it?");
     }
-    if (check_read() && check_crowd())
-        check_inputs();
+    check_read();
+    check_crowd();
+    check_inputs();
 }
 
 static void stage_hold(void)
@@ -603,29 +591,27 @@ static void stage_hold(void)
     draw_requests(q);
     for (int i = 0; i < REQUESTS; ++i) {
         const struct state truth = truth_of(&q[i]);
-        if (!answered(&q[i], &a) || !held(&q[i], &a, &truth))
-            return;
+        answered(&q[i], &a);
+        held(&q[i], &a, &truth);
     }
     for (int i = 0; i < 2; ++i) {
         const struct request chance = draw_chance(i ? 80 : 64);
         const struct state truth = truth_of(&chance);
-        if (!answered(&chance, &a))
-            return;
+        answered(&chance, &a);
         const double error = apart(&chance, &a.end, &truth) / chance.tol;
-        if (!CHECK_NEAR(
-                error > 1.0 ? error : 1.0,
-                .quantity = "the error of the worst place, in TOL",
-                .input = a.input, .expected = 1.0, .tolerance = 1e-9,
-                .because = "what was asked for", .equation = "eq:order",
-                .question = "From which of your runs do you know the error "
-                            "of this one?",
-                .mistakes =
-                    {{"agreed-by-chance", error > 10.0 ? error : NAN,
-                      "With few steps there are two runs here that agree, "
-                      "and both are wrong. Which third run would not have "
-                      "agreed? Does the error fall as it should?"}}) ||
-            !held(&chance, &a, &truth))
-            return;
+        CHECK_NEAR(
+            error > 1.0 ? error : 1.0,
+            .quantity = "the error of the worst place, in TOL",
+            .input = a.input, .expected = 1.0, .tolerance = 1e-9,
+            .because = "what was asked for", .equation = "eq:order",
+            .question = "From which of your runs do you know the error of "
+                        "this one?",
+            .mistakes = {
+                {"agreed-by-chance", error > 10.0 ? error : NAN,
+                 "With few steps there are two runs here that agree, and "
+                 "both are wrong. Which third run would not have agreed? "
+                 "Does the error fall as it should?"}});
+        held(&chance, &a, &truth);
     }
 }
 
@@ -637,8 +623,8 @@ static void check_picks(double most, const char *question)
     draw_requests(q);
     for (int i = 0; i < REQUESTS; ++i) {
         const struct state truth = truth_of(&q[i]);
-        if (!answered(&q[i], &a) || !held(&q[i], &a, &truth))
-            return;
+        answered(&q[i], &a);
+        held(&q[i], &a, &truth);
         const struct known k = look(&q[i], &truth);
         const double times = (double)cost(a.order, a.steps) / k.cheapest;
         struct check check = {
@@ -660,8 +646,7 @@ static void check_picks(double most, const char *question)
             project_mistake(&check, "fourth-order-is-cheaper", times,
                             "Here a method of order 4 needs fewer forces. "
                             "Has your program tried it?");
-        if (!check_near(__FILE__, __LINE__, times, check))
-            return;
+        check_near(__FILE__, __LINE__, times, check);
     }
 }
 
@@ -699,24 +684,22 @@ static void stage_search(void)
         const struct state truth = truth_of(&q[i]);
         const struct known k = look(&q[i], &truth);
         q[i].most = i == 2 || i == 4 ? 60.0 * (double)k.cheapest : 0.0;
-        if (!answered(&q[i], &a) || !held(&q[i], &a, &truth))
-            return;
-        if (!CHECK_NEAR(a.calls, .quantity = "CALLS", .input = a.input,
-                        .expected = a.run->calls, .tolerance = 0.0,
-                        .because = "it was counted",
-                        .question = "Where does your program count, and is "
-                                    "there a call that it does not?",
-                        .mistakes = {{"calls-of-the-pick",
-                                      (double)cost(a.order, a.steps),
-                                      "That is what the pick costs. What "
-                                      "did it cost to find it?"}}) ||
-            !CHECK_NEAR(a.run->calls / (double)k.cheapest,
-                        .quantity = "all calls, over the cheapest known",
-                        .input = a.input, .expected = 1.0,
-                        .tolerance = 59.0,
-                        .because = "60 times the cheapest known",
-                        .equation = "eq:choose-cost", .question = wasteful))
-            return;
+        answered(&q[i], &a);
+        held(&q[i], &a, &truth);
+        CHECK_NEAR(a.calls, .quantity = "CALLS", .input = a.input,
+                   .expected = a.run->calls, .tolerance = 0.0,
+                   .because = "it was counted",
+                   .question = "Where does your program count, and is "
+                               "there a call that it does not?",
+                   .mistakes = {{"calls-of-the-pick",
+                                 (double)cost(a.order, a.steps),
+                                 "That is what the pick costs. What did it "
+                                 "cost to find it?"}});
+        CHECK_NEAR(a.run->calls / (double)k.cheapest,
+                   .quantity = "all calls, over the cheapest known",
+                   .input = a.input, .expected = 1.0, .tolerance = 59.0,
+                   .because = "60 times the cheapest known",
+                   .equation = "eq:choose-cost", .question = wasteful);
     }
 }
 
@@ -732,26 +715,24 @@ static void stage_horizon(void)
     const char *input =
         check_text("%s, and %.440s", law_names[far.law], run_text(o));
     const struct run *r = run_program(o);
-    if (!CHECK_NEAR(
-            r->status, .quantity = "the status with which it ended",
-            .input = input, .expected = 1.0, .tolerance = 0.0,
-            .equation = "eq:order",
-            .question =
-                "No run of 50000 steps knows where these bodies are.",
-            .mistakes = {{"beyond-the-horizon", 0.0,
-                          "No run of 50000 steps knows where these bodies "
-                          "are. What do two of your runs say of each "
-                          "other, with steps of different length?"}}) ||
-        !CHECK_NEAR((double)r->rows, .quantity = "rows", .input = input,
-                    .expected = 0.0, .tolerance = 0.0,
-                    .question = "What is refused has no row.") ||
-        !CHECK_NEAR(*r->complaint != '\0', .quantity = "a line on stderr",
-                    .input = input, .expected = 1.0, .tolerance = 0.0,
-                    .question = "It should say why it gives up."))
-        return;
+    CHECK_NEAR(
+        r->status, .quantity = "the status with which it ended",
+        .input = input, .expected = 1.0, .tolerance = 0.0,
+        .equation = "eq:order",
+        .question = "No run of 50000 steps knows where these bodies are.",
+        .mistakes = {{"beyond-the-horizon", 0.0,
+                      "No run of 50000 steps knows where these bodies are. "
+                      "What do two of your runs say of each other, with "
+                      "steps of different length?"}});
+    CHECK_NEAR((double)r->rows, .quantity = "rows", .input = input,
+               .expected = 0.0, .tolerance = 0.0,
+               .question = "What is refused has no row.");
+    CHECK_NEAR(*r->complaint != '\0', .quantity = "a line on stderr",
+               .input = input, .expected = 1.0, .tolerance = 0.0,
+               .question = "It should say why it gives up.");
     const struct state truth = truth_of(&long_way);
-    if (answered(&long_way, &a))
-        held(&long_way, &a, &truth);
+    answered(&long_way, &a);
+    held(&long_way, &a, &truth);
 }
 
 const struct check_suite check_suite = {

@@ -186,8 +186,23 @@ static const char *ask_of_nan(double got)
                  "value yet?";
 }
 
-/* Reports a failed check. If the answer shows a known mistake, prints its
-   hint instead of the question, which would distract from the mistake. */
+static const char *asked;
+static char about[512];
+
+void check_ask(const char *question)
+{
+    asked = question;
+}
+
+const char *check_about(const char *input)
+{
+    if (input)
+        snprintf(about, sizeof about, "%s", input);
+    return about;
+}
+
+/* Reports a failed check. If the answer is a known mistake, prints the hint
+   instead of the question, which would lead away from the mistake. */
 static void say_failure(double got, const struct check *c)
 {
     char wanted[64], found[64];
@@ -197,7 +212,7 @@ static void say_failure(double got, const struct check *c)
     const struct check_mistake *mistake = mistake_behind(got, c);
     number_pair(wanted, found, sizeof wanted, c->expected, got);
     say("quantity", c->quantity);
-    say("input", c->input);
+    say("input", c->input ? c->input : about);
     say("expected", check_text("%s%s%s", wanted, space, unit));
     say("got", check_text("%s%s%s", found, space, unit));
     say("tolerance", check_text("%.3g%s%s%s%s", c->tolerance, space, unit,
@@ -207,7 +222,8 @@ static void say_failure(double got, const struct check *c)
         say("hint", check_text("%s [%s]", mistake->hint, mistake->name));
     else
         say("question", isnan(got) && !isnan(c->expected) ? ask_of_nan(got)
-                                                          : c->question);
+                        : c->question                     ? c->question
+                                                          : asked);
 }
 
 /* Reports that the test has failed, and ends its process. */

@@ -37,12 +37,12 @@ struct check_mistake {
 struct check {
     const char *quantity; /* the name of the quantity compared */
     const char *unit;     /* "m/s"; NULL or "" for a pure number */
-    const char *input;    /* the arguments, with units */
+    const char *input;    /* the arguments; NULL: those of check_about */
     double expected;
-    double tolerance;     /* largest |got - expected| that passes */
+    double tolerance;     /* largest |got - expected|; left out: exact */
     const char *because;  /* reason for the tolerance */
     const char *equation; /* label in the book; NULL: that of the suite */
-    const char *question; /* a question that helps the student */
+    const char *question; /* helps the student; NULL: that of check_ask */
     struct check_mistake mistakes[12]; /* unused entries have no name */
 };
 /* A test. Its name is a true statement, such as "momentum is conserved".
@@ -98,6 +98,11 @@ void check_near(const char *file, int line, double got, struct check c);
    the first are fields of a struct check: CHECK_NEAR(v, .expected = 1). */
 #define CHECK_NEAR(got, ...)                                               \
     check_near(__FILE__, __LINE__, (got), (struct check){__VA_ARGS__})
+
+/* Set the question and the input of all further checks of the test that
+   have none. check_about returns the input; NULL does not change it. */
+void check_ask(const char *question);
+const char *check_about(const char *input);
 
 /* Returns a text formatted like printf. The buffer stays valid for the next
    20 calls. Longer texts are cut after 511 characters. */

@@ -20,22 +20,25 @@ double project_cut(const char *format, double x)
     return strtod(text, NULL);
 }
 
-void project_form(const struct run *r, const char *input, size_t rows,
-                  size_t columns, const char *question)
+void project_reads(const struct run *r, const char *hint)
 {
-    const char *line =
-        *r->broken && !r->glued
-            ? check_text("%s; it printed the line: %s", input, r->broken)
-            : input;
-    CHECK_NEAR(r->flooded ? 1.0 : 0.0, .quantity = "output beyond 16 MB",
-               .input = input, .expected = 0.0, .tolerance = 0.0,
-               .question = "How many rows were asked for?");
     CHECK_NEAR(r->status, .quantity = "the status with which it ended",
-               .input = input, .expected = 0.0, .tolerance = 0.0,
                .question = "What did it complain about? There is nothing "
-                           "wrong with this input.");
+                           "wrong with this input.",
+               .mistakes = {{hint ? "input-refused" : NULL, 2.0, hint}});
+}
+
+void project_form(const struct run *r, size_t rows, size_t columns,
+                  const char *question)
+{
+    CHECK_NEAR(r->flooded, .quantity = "output beyond 16 MB",
+               .question = "How many rows were asked for?");
+    project_reads(r, NULL);
+    if (*r->broken && !r->glued)
+        check_about(check_text("%s; it printed the line: %s",
+                               check_about(NULL), r->broken));
     CHECK_NEAR((double)r->rows, .quantity = "rows in the table",
-               .input = line, .expected = (double)rows, .tolerance = 0.0,
+               .expected = (double)rows,
                .question =
                    r->glued ? check_text("Columns run together in row %zu: "
                                          "found `%.*s`, "
@@ -50,22 +53,20 @@ void project_form(const struct run *r, const char *input, size_t rows,
                                 : "How many rows does the contract ask "
                                   "for, and when is one printed?");
     CHECK_NEAR((double)r->columns, .quantity = "numbers in a row",
-               .input = line, .expected = (double)columns, .tolerance = 0.0,
-               .question = question);
+               .expected = (double)columns, .question = question);
 }
 
 void project_refuses(const struct run_order *order, const char *what)
 {
-    const char *input = run_text(order);
     const struct run *r = run_program(order);
     CHECK_NEAR(
         r->status, .quantity = check_text("the status, for %s", what),
-        .input = input, .expected = 2.0, .tolerance = 0.0,
+        .expected = 2.0,
         .question = "Status 2 is for input that makes no sense. Where do "
                     "you read this, and what do you ask of it?");
     CHECK_NEAR(*r->complaint != '\0',
                .quantity = check_text("lines of complaint about %s", what),
-               .input = input, .expected = 1.0, .tolerance = 0.0,
+               .expected = 1.0,
                .question = "Who has made the mistake wants to know which. "
                            "Is it written to stderr?");
 }

@@ -5,14 +5,32 @@
 #include "examiner/check.h"
 #include "examiner/run.h"
 
+#ifndef PROJECT_YEAR
+#define PROJECT_YEAR 2026
+#endif
+
 /* Returns a number between low and high, drawn as by check_draw. It depends
    on the year of the course and, in the grader, on the grader's seed. */
 double project_draw(int year, double low, double high);
 
+static inline double draw(double low, double high)
+{
+    return project_draw(PROJECT_YEAR, low, high);
+}
+
+static inline double either_sign(void)
+{
+    return check_draw_whole(0, 1) ? 1.0 : -1.0;
+}
+
+/* Checks that the program ended with status 0. The hint is for a program
+   that refused the input with status 2; it may be NULL. */
+void project_reads(const struct run *run, const char *hint);
+
 /* Checks that the program ended with status 0 and printed `rows` rows of
    `columns` numbers. If the number of columns is wrong, the report asks the
    student the question. */
-void project_form(const struct run *run, const char *input, size_t rows,
+void project_form(const struct run *run, size_t rows,
                   size_t columns, const char *question);
 
 /* Checks that the program refuses this input with status 2 and a line on

@@ -192,6 +192,7 @@ const struct run *run_program(const struct run_order *order)
     free(text);
     free(r.complaint);
     r = (struct run){.status = -1};
+    check_about(run_text(order));
     remote_call();
     send_order(order);
     remote_wait();

@@ -34,20 +34,19 @@ static double fastest(struct seen s)
     return fmax(fmax(fabs(s.u1), fabs(s.u2)), fmax(fabs(s.v1), fabs(s.v2)));
 }
 
-static void check_told(struct seen s, bool expected, const char *question)
+static void check_told(struct seen s, bool expected)
 {
     CHECK_NEAR(
         answer(s).told ? 1.0 : 0.0,
         .quantity =
             "what is returned: can the velocities tell? (1 true, 0 false)",
         .input = input(s), .expected = expected ? 1.0 : 0.0,
-        .tolerance = 0.0, .because = "yes or no", .question = question);
+        .because = "yes or no");
 }
 
 /* The second body's gain in velocity by the first one's loss. Each
    difference carries the rounding of the two velocities in it. */
-static void check_ratio(struct seen s, double expected,
-                        const char *question)
+static void check_ratio(struct seen s, double expected)
 {
     const double loss = s.u1 - s.v1, gain = s.v2 - s.u2;
     const double in = s.u1 - s.u2, out = s.v1 - s.u2;
@@ -61,7 +60,6 @@ static void check_ratio(struct seen s, double expected,
         .because = wall ? "a velocity that has not changed is exact"
                         : "4 epsilons, times how much smaller a change of "
                           "velocity is than the velocities",
-        .question = question,
         .mistakes = {
             {"upside-down", loss / gain,
              "This is m2/m1. The body whose velocity changes less: is it "
@@ -80,8 +78,7 @@ static void check_ratio(struct seen s, double expected,
 
 /* The differences v2 - v1 and u1 - u2 are each wrong by at most an epsilon
    of the fastest velocity. */
-static void check_restitution(struct seen s, double expected,
-                              const char *question)
+static void check_restitution(struct seen s, double expected)
 {
     const double towards = s.u1 - s.u2, apart = s.v2 - s.v1;
     const double roundings = 1.0 + fastest(s) / fabs(towards);
@@ -91,7 +88,7 @@ static void check_restitution(struct seen s, double expected,
         .tolerance = 4.0 * DBL_EPSILON * (1.0 + expected) * roundings,
         .because = "4 epsilons, times how much smaller the speed of "
                    "approach is than the velocities",
-        .equation = "eq:restitution", .question = question,
+        .equation = "eq:restitution",
         .mistakes = {
             {"restitution-sign", -apart / towards,
              "The size is right. Before, the first body gains on the "
@@ -110,17 +107,18 @@ static void check_restitution(struct seen s, double expected,
 
 static void check_real(struct seen s)
 {
-    check_told(s, true,
-               "These velocities belong to a real collision. Which of your "
-               "tests turns it away?");
+    check_ask("These velocities belong to a real collision. Which of your "
+              "tests turns it away?");
+    check_told(s, true);
 }
 
 static void check_both(struct seen s, double ratio, double restitution,
                        const char *question)
 {
     check_real(s);
-    check_ratio(s, ratio, question);
-    check_restitution(s, restitution, question);
+    check_ask(question);
+    check_ratio(s, ratio);
+    check_restitution(s, restitution);
 }
 
 static void test_twins(void)
@@ -207,14 +205,14 @@ static void test_energy(void)
 
 static void check_wall(struct seen s, double ratio, double restitution)
 {
-    static const char question[] =
+    check_ask("One body is a wall here, and that can be told. Which of "
+              "your tests turns it away?");
+    check_told(s, true);
+    check_ask(
         "One velocity did not change at all. A ratio with that change in "
-        "it is 0 or infinite: which of the two, and with which sign?";
-    check_told(s, true,
-               "One body is a wall here, and that can be told. Which of "
-               "your tests turns it away?");
-    check_ratio(s, ratio, question);
-    check_restitution(s, restitution, question);
+        "it is 0 or infinite: which of the two, and with which sign?");
+    check_ratio(s, ratio);
+    check_restitution(s, restitution);
 }
 
 /* A wall moves at c, and a body comes up to it and leaves it with e times
@@ -258,8 +256,7 @@ static void check_refused(struct seen s, const char *slip, const char *why)
         answer(s).told ? 1.0 : 0.0,
         .quantity =
             "what is returned: can the velocities tell? (1 true, 0 false)",
-        .input = input(s), .expected = 0.0, .tolerance = 0.0,
-        .because = "yes or no",
+        .input = input(s), .expected = 0.0, .because = "yes or no",
         .question = "Can these four velocities belong to a collision?",
         .mistakes = {{slip, 1.0, why}});
 }
@@ -280,11 +277,12 @@ static void check_slow(void)
         answer(s).told ? 1.0 : 0.0,
         .quantity =
             "what is returned: can the velocities tell? (1 true, 0 false)",
-        .input = input(s), .expected = 1.0, .tolerance = 0.0,
-        .because = "yes or no", .question = question,
+        .input = input(s), .expected = 1.0, .because = "yes or no",
+        .question = question,
         .mistakes = {{"slow-taken-for-alike", 0.0, question}});
-    check_ratio(s, 3.0, question);
-    check_restitution(s, 0.5, question);
+    check_ask(question);
+    check_ratio(s, 3.0);
+    check_restitution(s, 0.5);
     check_refused((struct seen){unit, unit, 2.0 * unit, 0.0},
                   "never-refuses",
                   "The two moved alike before, slowly. With what speed of "

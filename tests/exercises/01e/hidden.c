@@ -63,7 +63,7 @@ static void check_all(const struct judged all[], int count)
         CHECK_NEAR(called[i] > 0 ? 1.0 : 0.0,
                    .quantity =
                        "1 if the function that you judge was called at all",
-                   .input = all[i].how, .expected = 1.0, .tolerance = 0.0,
+                   .input = all[i].how, .expected = 1.0,
                    .because = "yes or no",
                    .question = "What do you know of a function that you "
                                "have not let compute anything?");
@@ -71,7 +71,7 @@ static void check_all(const struct judged all[], int count)
             said[i],
             .quantity = "what you say of a function (1 true, 0 false)",
             .input = all[i].how, .expected = all[i].right ? 1.0 : 0.0,
-            .tolerance = 0.0, .because = "yes or no",
+            .because = "yes or no",
             .question = "Which collision would tell, and did you let it "
                         "compute that?");
     }

@@ -209,8 +209,8 @@ static void check_called(int called, const char *how)
     CHECK_NEAR(called > 0 ? 1.0 : 0.0,
                .quantity =
                    "1 if the function that you judge was called at all",
-               .input = how, .expected = 1.0, .tolerance = 0.0,
-               .because = "yes or no", .question = question,
+               .input = how, .expected = 1.0, .because = "yes or no",
+               .question = question,
                .mistakes = {{"never-called", 0.0, question}});
 }
 
@@ -221,7 +221,7 @@ static void check_said(double said, bool is_right, const struct judged *j)
         .quantity =
             is_right ? "what you say of a right function (1 true, 0 false)"
                      : "what you say of a wrong function (1 true, 0 false)",
-        .input = j->how, .expected = is_right ? 1.0 : 0.0, .tolerance = 0.0,
+        .input = j->how, .expected = is_right ? 1.0 : 0.0,
         .because = "yes or no", .question = j->question,
         .mistakes = {{j->mistake, is_right ? 0.0 : 1.0, j->question}});
 }

@@ -107,7 +107,6 @@ static void test_mirror(void)
         CHECK_NEAR((double)mirrored, .quantity = "*left in the mirror",
                    .input = input(&m, unit),
                    .expected = (double)((2 * r.n - 2 - left) % r.n),
-                   .tolerance = 0.0,
                    .because = "a number of a bead is exact",
                    .question = question);
     }

@@ -139,14 +139,13 @@ static double tolerance(const struct ring *r, size_t i, double time)
 static const char because[] =
     "the rounding of the gap and of the speed of approach, twice";
 
-static void check_time(const struct ring *r, double expected,
-                       const char *question)
+static void check_time(const struct ring *r, double expected)
 {
     CHECK_NEAR(
         answer(r).time, .quantity = "time until two beads meet",
         .unit = "s", .input = input(r), .expected = expected,
         .tolerance = tolerance(r, first_pair(r), expected),
-        .because = because, .question = question,
+        .because = because,
         .mistakes = {
             {"time-in-the-past", soonest(r, in_the_past),
              "The meeting of a pair that approaches would be in the past: "
@@ -179,8 +178,7 @@ static void check_time(const struct ring *r, double expected,
              "fast does the gap between the two shrink?"}});
 }
 
-static void check_left(const struct ring *r, size_t expected,
-                       const char *question)
+static void check_left(const struct ring *r, size_t expected)
 {
     const double time = fmax(0.0, gap(r, expected)) / approach(r, expected);
     size_t last = expected;
@@ -190,8 +188,8 @@ static void check_left(const struct ring *r, size_t expected,
             last = i;
     CHECK_NEAR(
         answer(r).left, .quantity = "*left, the left one of the two",
-        .input = input(r), .expected = (double)expected, .tolerance = 0.0,
-        .because = "a number of a bead is exact", .question = question,
+        .input = input(r), .expected = (double)expected,
+        .because = "a number of a bead is exact",
         .mistakes = {{"last-of-a-tie", (double)last,
                       "Several pairs meet at this time. Which of them was "
                       "wanted, and which one does your comparison keep?"},
@@ -200,55 +198,48 @@ static void check_left(const struct ring *r, size_t expected,
                       "one runs into its right neighbour?"}});
 }
 
-static void check_both(struct ring r, double time, size_t left,
-                       const char *question)
+static void check_both(struct ring r, double time, size_t left)
 {
-    check_time(&r, time, question);
-    check_left(&r, left, question);
+    check_time(&r, time);
+    check_left(&r, left);
 }
 
-static void check_never(struct ring r, const char *question)
+static void check_never(struct ring r)
 {
-    check_time(&r, INFINITY, question);
+    check_time(&r, INFINITY);
 }
 
 static void test_two(void)
 {
-    check_both(RING(2, 10.0, {3.0, 7.0}, {1.0, -1.0}), 2.0, 0,
-               "The beads are 4 m apart and approach at 2 m/s. What do you "
-               "do with these two numbers?");
+    check_ask("The beads are 4 m apart and approach at 2 m/s. What do you "
+              "do with these two numbers?");
+    check_both(RING(2, 10.0, {3.0, 7.0}, {1.0, -1.0}), 2.0, 0);
 }
 
 static void test_three(void)
 {
-    static const char question[] = "Every pair has its own time. Which is "
-                                   "the smallest, and whose is it?";
-    check_both(RING(3, 20.0, {1.0, 7.0, 11.0}, {1.0, 0.0, -2.0}), 2.0, 1,
-               question);
-    check_both(RING(3, 20.0, {1.0, 5.0, 11.0}, {3.0, 1.0, -1.0}), 2.0, 0,
-               question);
+    check_ask("Every pair has its own time. Which is the smallest, and "
+              "whose is it?");
+    check_both(RING(3, 20.0, {1.0, 7.0, 11.0}, {1.0, 0.0, -2.0}), 2.0, 1);
+    check_both(RING(3, 20.0, {1.0, 5.0, 11.0}, {3.0, 1.0, -1.0}), 2.0, 0);
 }
 
 static void test_never(void)
 {
-    static const char question[] =
-        "All beads move alike, so no gap ever changes. What was to be "
-        "returned then, and what came of your division?";
-    check_never(RING(3, 6.0, {0.0, 2.0, 3.0}, {0}), question);
-    check_never(RING(3, 6.0, {0.5, 2.0, 2.0}, {-3, -3, -3}), question);
-    check_never(RING(1, 6.0, {4.0}, {2.5}),
-                "A bead alone on the ring: can it run into itself?");
+    check_ask("All beads move alike, so no gap ever changes. What was to "
+              "be returned then, and what came of your division?");
+    check_never(RING(3, 6.0, {0.0, 2.0, 3.0}, {0}));
+    check_never(RING(3, 6.0, {0.5, 2.0, 2.0}, {-3, -3, -3}));
+    check_ask("A bead alone on the ring: can it run into itself?");
+    check_never(RING(1, 6.0, {4.0}, {2.5}));
 }
 
 static void test_seam(void)
 {
-    static const char question[] =
-        "The last bead runs towards the seam, and bead 0 comes up to it "
-        "from the other side. How far apart are the two?";
-    check_both(RING(3, 10.0, {1.0, 4.0, 8.0}, {-1.0, -1.5, 2.0}), 1.0, 2,
-               question);
-    check_both(RING(3, 10.0, {0.0, 1.0, 9.5}, {0, 0, 2.0}), 0.25, 2,
-               question);
+    check_ask("The last bead runs towards the seam, and bead 0 comes up to "
+              "it from the other side. How far apart are the two?");
+    check_both(RING(3, 10.0, {1.0, 4.0, 8.0}, {-1.0, -1.5, 2.0}), 1.0, 2);
+    check_both(RING(3, 10.0, {0.0, 1.0, 9.5}, {0, 0, 2.0}), 0.25, 2);
 }
 
 /* limit: 1 (bead, and two, each of which is the other's right neighbour) */
@@ -267,15 +258,14 @@ static void check_two(const char *question)
                .tolerance = tolerance(&back, 1, 5.0), .because = because,
                .question = question,
                .mistakes = {{"one-pair-of-two", INFINITY, behind}});
-    check_both(back, 5.0, 1, question);
-    check_both(RING(2, 10.0, {3.0, 3.0}, {1.0, -1.0}), 0.0, 0, question);
-    check_both(RING(2, 10.0, {3.0 + hair, 3.0}, {-1.0, 1.0}), 5.0, 1,
-               question);
-    check_both(RING(2, 10.0, {3.0 + hair, 3.0}, {2.0, -1.0}), 0.0, 0,
-               question);
-    check_both(RING(2, 10.0, {0.0, 9.5}, {-1.0, 1.0}), 0.25, 1, question);
-    check_never(RING(2, 10.0, {3.0, 3.0}, {2.0, 2.0}),
-                "The two touch and move alike. Does that make them meet?");
+    check_ask(question);
+    check_both(back, 5.0, 1);
+    check_both(RING(2, 10.0, {3.0, 3.0}, {1.0, -1.0}), 0.0, 0);
+    check_both(RING(2, 10.0, {3.0 + hair, 3.0}, {-1.0, 1.0}), 5.0, 1);
+    check_both(RING(2, 10.0, {3.0 + hair, 3.0}, {2.0, -1.0}), 0.0, 0);
+    check_both(RING(2, 10.0, {0.0, 9.5}, {-1.0, 1.0}), 0.25, 1);
+    check_ask("The two touch and move alike. Does that make them meet?");
+    check_never(RING(2, 10.0, {3.0, 3.0}, {2.0, 2.0}));
 }
 
 static void test_both_ways(void)
@@ -283,65 +273,60 @@ static void test_both_ways(void)
     static const char question[] =
         "Two beads on a ring meet between them or behind their backs. Who "
         "is whose right neighbour here?";
-    check_both(RING(2, 10.0, {2.0, 6.0}, {-1.0, 1.0}), 3.0, 1, question);
-    check_both(RING(2, 10.0, {2.0, 6.0}, {3.0, 1.0}), 2.0, 0, question);
-    check_both(RING(2, 10.0, {2.0, 6.0}, {1.0, 3.0}), 3.0, 1, question);
+    check_ask(question);
+    check_both(RING(2, 10.0, {2.0, 6.0}, {-1.0, 1.0}), 3.0, 1);
+    check_both(RING(2, 10.0, {2.0, 6.0}, {3.0, 1.0}), 2.0, 0);
+    check_both(RING(2, 10.0, {2.0, 6.0}, {1.0, 3.0}), 3.0, 1);
     check_two(question);
 }
 
 static void test_catch_up(void)
 {
-    static const char question[] =
-        "All run the same way, and only the difference of the velocities "
-        "closes a gap. Who catches up with whom?";
-    check_both(RING(3, 12.0, {1.0, 3.0, 8.0}, {4.0, 3.0, 1.0}), 2.0, 0,
-               question);
+    check_ask("All run the same way, and only the difference of the "
+              "velocities closes a gap. Who catches up with whom?");
+    check_both(RING(3, 12.0, {1.0, 3.0, 8.0}, {4.0, 3.0, 1.0}), 2.0, 0);
     check_both(RING(3, 12.0, {1.0, 3.0, 8.0}, {-1.0, -2.0, -5.0}),
-               5.0 / 3.0, 1, question);
+               5.0 / 3.0, 1);
 }
 
 static void test_parting(void)
 {
-    check_both(RING(3, 10.0, {1.0, 2.0, 6.0}, {-1.0, 2.0, 1.0}), 2.5, 2,
-               "Beads 0 and 1 are near, but they go away from each other. "
-               "Which pairs can meet at all?");
+    check_ask("Beads 0 and 1 are near, but they go away from each other. "
+              "Which pairs can meet at all?");
+    check_both(RING(3, 10.0, {1.0, 2.0, 6.0}, {-1.0, 2.0, 1.0}), 2.5, 2);
 }
 
 static void test_touching(void)
 {
-    static const char question[] =
-        "Two beads stand at the same place. Whether they meet now is a "
-        "matter of their velocities. What do these say?";
-    check_both(RING(3, 10.0, {3.0, 3.0, 7.0}, {-1.0, 1.0, 0.5}), 4.0, 2,
-               question);
-    check_both(RING(3, 10.0, {3.0, 3.0, 7.0}, {1.0, 1.0, -1.0}), 2.0, 1,
-               question);
-    check_both(RING(3, 10.0, {3.0, 3.0, 7.0}, {1.0, -1.0, -9.0}), 0.0, 0,
-               question);
+    check_ask("Two beads stand at the same place. Whether they meet now is "
+              "a matter of their velocities. What do these say?");
+    check_both(RING(3, 10.0, {3.0, 3.0, 7.0}, {-1.0, 1.0, 0.5}), 4.0, 2);
+    check_both(RING(3, 10.0, {3.0, 3.0, 7.0}, {1.0, 1.0, -1.0}), 2.0, 1);
+    check_both(RING(3, 10.0, {3.0, 3.0, 7.0}, {1.0, -1.0, -9.0}), 0.0, 0);
 }
 
 static void test_wrong_order(void)
 {
-    static const char question[] =
+    check_ask(
         "A rounding has put one bead a hair beyond its neighbour. When do "
-        "the two meet if they approach, and when if they do not?";
+        "the two meet if they approach, and when if they do not?");
     const double hair = 4.0 * DBL_EPSILON;
     check_both(RING(3, 10.0, {2.0 + hair, 2.0, 7.0}, {1.0, -1.0, -2.0}),
-               0.0, 0, question);
+               0.0, 0);
     check_both(RING(3, 10.0, {1.0, 2.0 + hair, 2.0}, {1.5, 3.0, -1.0}), 0.0,
-               1, question);
+               1);
     check_both(RING(3, 10.0, {3.0 + hair, 3.0, 7.0}, {-1.0, 1.0, 0.5}), 4.0,
-               2, question);
+               2);
 }
 
 static void test_ties(void)
 {
-    static const char question[] =
-        "Several pairs meet at the same time. Which one was to be named?";
+    check_ask(
+        "Several pairs meet at the same time. Which one was to be named?");
     check_both(RING(4, 8.0, {0.0, 2.0, 4.0, 6.0}, {1.0, -1.0, 1.0, -1.0}),
-               1.0, 0, question);
+               1.0, 0);
     check_both(RING(4, 8.0, {1.0, 3.0, 5.0, 7.0}, {-1.0, 1.0, -1.0, 1.0}),
-               1.0, 1, question);
+               1.0, 1);
 }
 
 /* All velocities larger by the same amount: the ring turns. No round
@@ -350,14 +335,14 @@ static void test_turning(void)
 {
     const struct ring still = RING(5, 7.3, {0.41, 1.13, 2.71, 5.09, 6.67},
                                    {0.37, -0.53, 0.19, -0.71, 0.83});
+    check_ask("Somebody who runs along the ring sees the same meetings. "
+              "Which of your numbers minds?");
     for (int turn = -3; turn <= 3; ++turn) {
         struct ring r = still;
         for (size_t i = 0; i < r.n; ++i)
             r.v[i] += 1.9 * turn;
         const size_t i = first_pair(&r);
-        check_both(r, gap(&r, i) / approach(&r, i), i,
-                   "Somebody who runs along the ring sees the same "
-                   "meetings. Which of your numbers minds?");
+        check_both(r, gap(&r, i) / approach(&r, i), i);
     }
 }
 
@@ -436,14 +421,15 @@ static const char film_question[] =
 /* Every third time all pairs that can meet do so at one time. */
 static void test_drawn(void)
 {
+    check_ask(film_question);
     for (int take = 0; take < 60; ++take) {
         struct film f = draw_film(check_draw_whole(1, 40) / 8.0);
         const size_t left = let_meet(&f, take % 3 == 2);
         const struct ring r = first_picture(&f);
         if (left == f.n)
-            check_never(r, film_question);
+            check_never(r);
         else
-            check_both(r, f.time, left, film_question);
+            check_both(r, f.time, left);
     }
 }
 
@@ -452,9 +438,8 @@ static void test_drawn(void)
    order by a rounding. */
 static void test_drawn_touching(void)
 {
-    static const char question[] =
-        "Several pairs touch here, or nearly. Which of them press on each "
-        "other, which part, and who meets next?";
+    check_ask("Several pairs touch here, or nearly. Which of them press on "
+              "each other, which part, and who meets next?");
     for (int take = 0; take < 60; ++take) {
         struct film f =
             draw_film(take % 2 ? 0.0 : check_draw_whole(1, 40) / 8.0);
@@ -469,9 +454,9 @@ static void test_drawn_touching(void)
                 break;
             }
         if (left == f.n)
-            check_never(r, question);
+            check_never(r);
         else
-            check_both(r, f.time, left, question);
+            check_both(r, f.time, left);
     }
 }
 

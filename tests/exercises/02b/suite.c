@@ -147,7 +147,7 @@ static const char because[] =
 
 /* Checks the sample number k, counted from 1: after k ticks. */
 static void check_sample(const struct job *j, const double x[], size_t k,
-                         double expected, const char *question)
+                         double expected)
 {
     CHECK_NEAR(
         x[k - 1],
@@ -155,7 +155,6 @@ static void check_sample(const struct job *j, const double x[], size_t k,
                                k, k == 1 ? "" : "s"),
         .unit = "m", .input = input(j), .expected = expected,
         .tolerance = tolerance(j, k), .because = because,
-        .question = question,
         .mistakes = {
             {"at-the-events", at_events(j, k),
              "This is the place of a collision. The clock asks at its own "
@@ -186,11 +185,11 @@ static void check_sample(const struct job *j, const double x[], size_t k,
              "many of them does your program let go by?"}});
 }
 
-static void check_all(struct job j, const char *question)
+static void check_all(struct job j)
 {
     const double *x = answer(&j);
     for (size_t k = 1; k <= j.samples; ++k)
-        check_sample(&j, x, k, place(&j, k), question);
+        check_sample(&j, x, k, place(&j, k));
 }
 
 static void test_several(void)
@@ -200,18 +199,18 @@ static void test_several(void)
                                         {1.25, 0.0, 2.0},
                                         {2.25, 2.0, -1.0},
                                         {3.5, 0.75, 3.0}};
-    check_all((struct job){5, path, 3.0, 1},
-              "Three collisions have taken place before the first tick. "
+    check_ask("Three collisions have taken place before the first tick. "
               "Which flight is the ball on, and since when?");
+    check_all((struct job){5, path, 3.0, 1});
 }
 
 /* limit: 1 (event) */
 static void test_no_collision(void)
 {
     static const struct event path[] = {{0.0, 2.0, -0.5}};
-    check_all((struct job){1, path, 2.0, 4},
-              "Nothing happens to this ball. Where is it after one tick, "
+    check_ask("Nothing happens to this ball. Where is it after one tick, "
               "where after two?");
+    check_all((struct job){1, path, 2.0, 4});
 }
 
 /* Two walls; the left one sends the ball off at 3 m/s, the right one at
@@ -224,34 +223,32 @@ static const struct event walls[] = {{0.0, 0.0, 3.0},
 
 static void test_many_ticks(void)
 {
-    check_all((struct job){5, walls, 0.375, 42},
-              "Many ticks fall into one flight. Which of the numbers that "
+    check_ask("Many ticks fall into one flight. Which of the numbers that "
               "you keep may change from tick to tick, and which may not?");
+    check_all((struct job){5, walls, 0.375, 42});
 }
 
 static void test_on_a_collision(void)
 {
-    check_all((struct job){5, walls, 2.0, 8},
-              "Some ticks fall on a collision. Where is the ball then, "
+    check_ask("Some ticks fall on a collision. Where is the ball then, "
               "seen from the flight before, and from the one after?");
+    check_all((struct job){5, walls, 2.0, 8});
 }
 
 static void test_after_the_last(void)
 {
-    check_all(
-        (struct job){2, walls, 1.25, 8},
+    check_ask(
         "The last event is over and the clock goes on. Does the ball stop, "
         "or does your program read an event that is not there?");
+    check_all((struct job){2, walls, 1.25, 8});
 }
 
-static void check_empty(const struct job *j, double place,
-                        const char *question)
+static void check_empty(const struct job *j, double place)
 {
     CHECK_NEAR(isnan(place) ? 0.0 : 1.0,
                .quantity = "samples more than were wanted",
-               .input = input(j), .expected = 0.0, .tolerance = 0.0,
-               .because = "a number of samples is exact",
-               .question = question);
+               .input = input(j), .expected = 0.0,
+               .because = "a number of samples is exact");
 }
 
 static void test_how_many(void)
@@ -259,17 +256,17 @@ static void test_how_many(void)
     const struct job three = {5, walls, 1.5, 3};
     const struct job none = {5, walls, 1.5, 0};
     const double *x = answer(&three);
+    check_ask("Three samples were wanted. Which?");
     for (size_t k = 1; k <= three.samples; ++k)
-        check_sample(&three, x, k, place(&three, k),
-                     "Three samples were wanted. Which?");
-    check_empty(&three, x[three.samples],
-                "Something was written behind the last sample. Where does "
-                "your loop end?");
-    check_empty(&three, x[-1],
-                "Something was written before the first sample. Where does "
-                "your loop begin?");
-    check_empty(&none, answer(&none)[0],
-                "No sample was wanted here. What did your program write?");
+        check_sample(&three, x, k, place(&three, k));
+    check_ask("Something was written behind the last sample. Where does "
+              "your loop end?");
+    check_empty(&three, x[three.samples]);
+    check_ask("Something was written before the first sample. Where does "
+              "your loop begin?");
+    check_empty(&three, x[-1]);
+    check_ask("No sample was wanted here. What did your program write?");
+    check_empty(&none, answer(&none)[0]);
 }
 
 /* A slow ball is caught between the wall at 10 m and a heavy neighbour at
@@ -386,6 +383,8 @@ static struct walk draw_walk(void)
 
 static void test_drawn(void)
 {
+    check_ask("This path was walked in small steps. At which of its events "
+              "does your ball lose the way?");
     for (int i = 0; i < 40; ++i) {
         const struct walk w = draw_walk();
         const size_t steps = (size_t)check_draw_whole(1, 90);
@@ -393,9 +392,7 @@ static void test_drawn(void)
                               (w.steps - 1) / steps};
         const double *x = answer(&j);
         for (size_t k = 1; k <= j.samples; ++k)
-            check_sample(&j, x, k, w.place[k * steps],
-                         "This path was walked in small steps. At which of "
-                         "its events does your ball lose the way?");
+            check_sample(&j, x, k, w.place[k * steps]);
     }
 }
 

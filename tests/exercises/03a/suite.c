@@ -246,12 +246,11 @@ static void check_end(const struct law *l, size_t bins, bool last,
                    .quantity = check_text("%s, minus %s", quantity,
                                           last ? "high" : "low"),
                    .input = input(l, bins), .expected = 0.0,
-                   .tolerance = 0.0, .because = because,
-                   .question = searched,
+                   .because = because, .question = searched,
                    .mistakes = {{"ends-searched-for", off, searched}});
     CHECK_NEAR(
         got, .quantity = quantity, .input = input(l, bins), .expected = end,
-        .tolerance = 0.0, .because = because,
+        .because = because,
         .question = "Where do the bins begin, and where do they end?",
         .mistakes = {
             {"left-empty", CHECK_EMPTY, check_text(empty, bins)},
@@ -266,7 +265,7 @@ static void check_end(const struct law *l, size_t bins, bool last,
    top. A function that is computed to a few epsilons of itself, not of 1,
    gives an edge near zero all its digits. */
 static void check_edge(const struct law *l, size_t bins, size_t k,
-                       double got, const char *question)
+                       double got)
 {
     const double b = (double)bins, p = (double)k / b;
     const double expected = l->place(p);
@@ -288,14 +287,13 @@ static void check_edge(const struct law *l, size_t bins, size_t k,
             off, .quantity = check_text("%s, minus its place", quantity),
             .input = input(l, bins), .expected = 0.0,
             .tolerance = tolerance, .because = because,
-            .question = question,
             .mistakes = {{"stops-early", off,
                           "Your search is on the right way and stops too "
                           "early. What makes it stop? Can it go on until "
                           "no number is left between the two ends?"}});
     CHECK_NEAR(got, .quantity = quantity, .input = input(l, bins),
                .expected = expected, .tolerance = tolerance,
-               .because = because, .question = question,
+               .because = because,
                .mistakes = {
                    {"equal-widths", l->low + (l->high - l->low) * p,
                     "These bins are equally wide. What is the probability "
@@ -312,46 +310,44 @@ static void check_edge(const struct law *l, size_t bins, size_t k,
                    {"left-empty", CHECK_EMPTY, check_text(empty, bins)}});
 }
 
-static void check_law(const struct law *l, size_t bins,
-                      const char *question)
+static void check_law(const struct law *l, size_t bins)
 {
     double edge[MOST + 1];
     answer(l, bins, edge);
     check_end(l, bins, false, edge[0]);
     check_end(l, bins, true, edge[bins]);
     for (size_t k = 1; k < bins; ++k)
-        check_edge(l, bins, k, edge[k], question);
+        check_edge(l, bins, k, edge[k]);
 }
 
 static void test_even(void)
 {
-    check_law(&even, 4,
-              "Here every piece of the same length has the same "
+    check_ask("Here every piece of the same length has the same "
               "probability. How wide is a quarter of it?");
+    check_law(&even, 4);
 }
 
 static void test_by_hand(void)
 {
-    static const char question[] =
-        "Here distribution(x) is x squared. For which x is it k/bins?";
-    check_law(&ramp, 4, question);
-    check_law(&ramp, 9, question);
+    check_ask(
+        "Here distribution(x) is x squared. For which x is it k/bins?");
+    check_law(&ramp, 4);
+    check_law(&ramp, 9);
 }
 
 static void test_arcsine(void)
 {
-    static const char question[] =
-        "Two movers are most often found near their greatest speed. Where "
-        "must the narrow bins lie, then?";
-    check_law(&arcsine, 3, question);
-    check_law(&arcsine, 12, question);
+    check_ask("Two movers are most often found near their greatest speed. "
+              "Where must the narrow bins lie, then?");
+    check_law(&arcsine, 3);
+    check_law(&arcsine, 12);
 }
 
 static void test_anywhere(void)
 {
-    check_law(&fall, 20,
-              "This law begins at 5 and has a long tail. Does your search "
+    check_ask("This law begins at 5 and has a long tail. Does your search "
               "know where the law begins and where it ends?");
+    check_law(&fall, 20);
 }
 
 static void check_shares(const struct law *l, size_t bins)
@@ -395,7 +391,8 @@ static void test_shares(void)
 /* limit: 1 (bin) */
 static void test_one_bin(void)
 {
-    check_law(&fall, 1, "How many edges has a single bin?");
+    check_ask("How many edges has a single bin?");
+    check_law(&fall, 1);
 }
 
 static void test_flat(void)
@@ -414,7 +411,6 @@ static void test_flat(void)
     for (size_t k = 0; k <= 4; k += 4)
         CHECK_NEAR(edge[k], .quantity = check_text("edge[%zu]", k),
                    .input = input(&lumps, 4), .expected = 0.25 * (double)k,
-                   .tolerance = 0.0,
                    .because = "the ends are given, not computed",
                    .question = searched,
                    .mistakes = {{"ends-searched-for", 0.25, searched},
@@ -438,11 +434,12 @@ static void test_steep(void)
         "Here an edge lies near 0, where a double has more digits behind "
         "the point than anywhere else. How does your search know when none "
         "is left?";
-    check_law(&steep, 8,
-              "Here all edges lie within a few thousand-millionths. How "
+    check_ask("Here all edges lie within a few thousand-millionths. How "
               "does your search know when it is near enough?");
-    check_law(&crowded, 2, near_zero);
-    check_law(&crowded, 3, near_zero);
+    check_law(&steep, 8);
+    check_ask(near_zero);
+    check_law(&crowded, 2);
+    check_law(&crowded, 3);
 }
 
 static void check_inside(const struct law *l, size_t bins)
@@ -450,7 +447,7 @@ static void check_inside(const struct law *l, size_t bins)
     CHECK_NEAR((double)asked_outside,
                .quantity =
                    "how often distribution() was asked outside low to high",
-               .input = input(l, bins), .expected = 0.0, .tolerance = 0.0,
+               .input = input(l, bins), .expected = 0.0,
                .because = "it is given from low to high",
                .question = "Between which two places must an edge lie, "
                            "whatever the law is?");
@@ -458,17 +455,16 @@ static void check_inside(const struct law *l, size_t bins)
 
 static void test_drawn(void)
 {
-    static const char question[] =
-        "This law rises by the same from corner to corner. In which piece "
-        "must this edge lie?";
+    check_ask("This law rises by the same from corner to corner. In which "
+              "piece must this edge lie?");
     asked_outside = 0;
     for (int i = 0; i < 5; ++i) {
         const char *name = draw_corners();
         const struct law bent = {name,         bent_below, bent_place,
                                  bent_density, corner[0],  corner[pieces]};
         const size_t many = (size_t)check_draw_whole(1, MOST / 2);
-        check_law(&bent, pieces, question);
-        check_law(&bent, many, question);
+        check_law(&bent, pieces);
+        check_law(&bent, many);
         check_inside(&bent, many);
     }
 }

@@ -158,7 +158,7 @@ static bool same(double a, double b)
    blocks know the square of an error to a part sqrt(2/19), so twenty
    series know this ratio to 0.036; blocks of n/32 miss 0.02 of it. With
    ten blocks it would be 0.053. */
-static void check_kind(enum kind kind, const char *question)
+static void check_kind(enum kind kind)
 {
     double squares = 0.0, naive = 0.0, spread = 0.0, variance = 0.0, mean;
     for (int i = 0; i < FEW; ++i) {
@@ -182,7 +182,7 @@ static void check_kind(enum kind kind, const char *question)
         .input = check_text("%d series of %s", FEW, name[kind]),
         .expected = 1.0, .tolerance = 0.2,
         .because = "with twenty blocks and more this scatters by 0.04",
-        .equation = "eq:inefficiency", .question = question,
+        .equation = "eq:inefficiency",
         .mistakes = {
             {"left-empty", CHECK_EMPTY,
              "Not a number. Has anything been put into *error?"},
@@ -221,31 +221,31 @@ static void check_kind(enum kind kind, const char *question)
 
 static void test_none(void)
 {
-    check_kind(NO_MEMORY, "These values are independent. What is the "
-                          "standard error of the mean of n of them?");
+    check_ask("These values are independent. What is the standard error of "
+              "the mean of n of them?");
+    check_kind(NO_MEMORY);
 }
 
 static void test_one(void)
 {
-    check_kind(
-        ONE_MEMORY,
+    check_ask(
         "Up to twenty values are worth one here. Does your error know?");
+    check_kind(ONE_MEMORY);
 }
 
 static void test_mixed(void)
 {
-    static const char question[] =
-        "Neighbours look almost independent, and yet there is a memory. "
-        "Over how many places do you look?";
-    check_kind(BURIED, question);
-    check_kind(TWO, question);
+    check_ask("Neighbours look almost independent, and yet there is a "
+              "memory. Over how many places do you look?");
+    check_kind(BURIED);
+    check_kind(TWO);
 }
 
 static void test_alternating(void)
 {
-    check_kind(ALTERNATING,
-               "What is too large is made up for by the next. Is the mean "
-               "known better than from independent values, or worse?");
+    check_ask("What is too large is made up for by the next. Is the mean "
+              "known better than from independent values, or worse?");
+    check_kind(ALTERNATING);
 }
 
 /* The place below which a normal variate lies with probability p. */

@@ -48,7 +48,7 @@ static bool nearly(int n, double off)
     return fabs(off) > tolerance && fabs(off) < (n == 2 ? 0.02 : 0.001);
 }
 
-static void check_digits(int n, double u, double off, const char *question)
+static void check_digits(int n, double u, double off)
 {
     static const char lost[] =
         "The first digits are right, the last are not. Is a constant, such "
@@ -58,23 +58,21 @@ static void check_digits(int n, double u, double off, const char *question)
     CHECK_NEAR(off, .quantity = "probability below u, minus the exact one",
                .input = input(n, u), .expected = 0.0,
                .tolerance = tolerance, .because = because,
-               .equation = "eq:velocity-cdf", .question = question,
+               .equation = "eq:velocity-cdf",
                .mistakes = {{"digits-lost", off, lost}});
 }
 
 /* One of the laws known at sight, with n = 2 or 3. */
-static void check_first(int n, double u, double expected,
-                        const char *question)
+static void check_first(int n, double u, double expected)
 {
     const double got = velocity_below(n, u);
     if (nearly(n, got - expected)) {
-        check_digits(n, u, got - expected, question);
+        check_digits(n, u, got - expected);
         return;
     }
     CHECK_NEAR(
         got, .quantity = "probability below u", .input = input(n, u),
         .expected = expected, .tolerance = tolerance, .because = because,
-        .question = question,
         .mistakes = {
             {"density-for-distribution", density(n, u),
              "This is the density at u. What was asked for is all that "
@@ -101,12 +99,11 @@ static void check_first(int n, double u, double expected,
 }
 
 /* A law that needs steps of two. */
-static void check_later(int n, double u, double expected,
-                        const char *question)
+static void check_later(int n, double u, double expected)
 {
     const double got = velocity_below(n, u);
     if (nearly(n, got - expected)) {
-        check_digits(n, u, got - expected, question);
+        check_digits(n, u, got - expected);
         return;
     }
     const double start = roughly(n % 2 ? 3 : 2, u);
@@ -114,7 +111,7 @@ static void check_later(int n, double u, double expected,
     CHECK_NEAR(
         got, .quantity = "probability below u", .input = input(n, u),
         .expected = expected, .tolerance = tolerance, .because = because,
-        .equation = "eq:velocity-cdf", .question = question,
+        .equation = "eq:velocity-cdf",
         .mistakes = {
             {"law-of-two-fewer", roughly(n - 2, u),
              "This is right for two movers fewer. How many terms does your "
@@ -136,21 +133,19 @@ static void check_later(int n, double u, double expected,
 
 static void test_three(void)
 {
-    static const char question[] =
-        "For three movers every u is equally likely. What share of the way "
-        "from -1 to 1 lies below this one?";
-    check_first(3, 0.2, 0.6, question);
-    check_first(3, -0.6, 0.2, question);
+    check_ask("For three movers every u is equally likely. What share of "
+              "the way from -1 to 1 lies below this one?");
+    check_first(3, 0.2, 0.6);
+    check_first(3, -0.6, 0.2);
 }
 
 /* limit: 2 movers */
 static void test_two(void)
 {
-    static const char question[] =
-        "Two movers: the density is 1/(pi sqrt(1 - u^2)). Of which "
-        "function is it the derivative?";
-    check_first(2, 0.5, 2.0 / 3.0, question);
-    check_first(2, -sqrt(0.5), 0.25, question);
+    check_ask("Two movers: the density is 1/(pi sqrt(1 - u^2)). Of which "
+              "function is it the derivative?");
+    check_first(2, 0.5, 2.0 / 3.0);
+    check_first(2, -sqrt(0.5), 0.25);
 }
 
 static void test_by_hand(void)
@@ -162,10 +157,12 @@ static void test_by_hand(void)
         "Five movers: the density is a parabola. What is its integral, and "
         "what is added to the straight line?";
     const double sector = 2.0 / 3.0 + 0.25 * sqrt(3.0) / pi();
-    check_later(5, 0.5, 0.84375, five);
-    check_later(5, -0.5, 0.15625, five);
-    check_later(4, 0.5, sector, four);
-    check_later(4, -0.5, 1.0 - sector, four);
+    check_ask(five);
+    check_later(5, 0.5, 0.84375);
+    check_later(5, -0.5, 0.15625);
+    check_ask(four);
+    check_later(4, 0.5, sector);
+    check_later(4, -0.5, 1.0 - sector);
 }
 
 /* A value from a hypergeometric function, in 40 digits. */
@@ -181,10 +178,10 @@ static void test_table(void)
                                          {8, 0.5, 0.91476466960647308895},
                                          {9, 0.75, 0.9937610626220703125},
                                          {10, -0.25, 0.22922182694989377}};
+    check_ask("How does the term for n follow from that for n - 2? Try n = "
+              "6 from n = 4 on paper.");
     for (size_t i = 0; i < sizeof table / sizeof table[0]; ++i)
-        check_later(table[i].n, table[i].u, table[i].below,
-                    "How does the term for n follow from that for n - 2? "
-                    "Try n = 6 from n = 4 on paper.");
+        check_later(table[i].n, table[i].u, table[i].below);
 }
 
 /* The third derivative of the distribution function of seven movers is at
@@ -230,10 +227,10 @@ static void test_many(void)
         {100, -0.25, 0.0058449658509390764944},
         {99, 0.9375, 1.0},
         {100, -0.9375, 0.0}};
+    check_ask("It is right for a few movers. What grows, or nearly "
+              "cancels, when there are many?");
     for (size_t i = 0; i < sizeof table / sizeof table[0]; ++i)
-        check_later(table[i].n, table[i].u, table[i].below,
-                    "It is right for a few movers. What grows, or nearly "
-                    "cancels, when there are many?");
+        check_later(table[i].n, table[i].u, table[i].below);
 }
 
 /* A power by squares: powl is as good to an epsilon or two of the long
@@ -277,13 +274,14 @@ static void test_drawn(void)
         const int n = i < 16 ? i / 2 + 2 : check_draw_whole(10, 100);
         const double u = check_draw(-0.99, 0.99);
         const double expected = by_area(n, u);
-        if (n < 4)
-            check_first(n, u, expected,
-                        "Which law is known at sight here?");
-        else
-            check_later(n, u, expected,
-                        "From which law do your steps of two start here, "
-                        "and how many are there?");
+        if (n < 4) {
+            check_ask("Which law is known at sight here?");
+            check_first(n, u, expected);
+        } else {
+            check_ask("From which law do your steps of two start here, and "
+                      "how many are there?");
+            check_later(n, u, expected);
+        }
     }
 }
 

@@ -78,7 +78,7 @@ static void check_velocity(const struct box *b, struct state s)
     static const char question[] = "How fast does the position change of "
                                    "something with the velocity v?";
     CHECK_NEAR(answer(b, s).x, .quantity = "slope[0], dx/dt", .unit = "m/s",
-               .input = input(b, s), .expected = s.v, .tolerance = 0.0,
+               .input = input(b, s), .expected = s.v,
                .because = "it is given", .question = question,
                .mistakes = {
                    {"position-for-velocity", s.x, question},
@@ -110,7 +110,7 @@ static void check_empty(void)
             check_velocity(&b, s);
             CHECK_NEAR(
                 answer(&b, s).v, .quantity = dv_dt, .unit = "m/s^2",
-                .input = input(&b, s), .expected = 0.0, .tolerance = 0.0,
+                .input = input(&b, s), .expected = 0.0,
                 .because = "nothing pushes", .question = question,
                 .mistakes = {{"nothing-divided", CHECK_NAN, question}});
         }
@@ -235,7 +235,7 @@ static void test_room(void)
     check_room(&two, 8.0, 3.0 / 8.0 / 40.0);
 }
 
-static void check_two(const struct box *b, double x, const char *question)
+static void check_two(const struct box *b, double x)
 {
     const struct state s = {x, -0.5};
     const double left = push(b, 0, x), right = push(b, 1, b->length - x);
@@ -243,7 +243,6 @@ static void check_two(const struct box *b, double x, const char *question)
         answer(b, s).v, .quantity = dv_dt, .unit = "m/s^2",
         .input = input(b, s), .expected = acceleration(b, x),
         .tolerance = tolerance(b, x), .because = because,
-        .question = question,
         .mistakes = {{"left-length-for-both",
                       (left - push(b, 1, x)) / inertia(b),
                       "The right gas has the length of the left one here. "
@@ -257,12 +256,11 @@ static void test_right(void)
 {
     const struct box alone = {1, 12.0, 40.0, 0.0, {0.0, 4.0}};
     const struct box both = {5, 10.0, 25.0, 0.0, {3.0, 7.0}};
-    static const char question[] =
-        "How long is the right gas, and which way does it push?";
-    check_two(&alone, 9.0, question);
-    check_two(&alone, 3.0, question);
-    check_two(&both, 4.0, question);
-    check_two(&both, 7.5, question);
+    check_ask("How long is the right gas, and which way does it push?");
+    check_two(&alone, 9.0);
+    check_two(&alone, 3.0);
+    check_two(&both, 4.0);
+    check_two(&both, 7.5);
 }
 
 static double stored(const struct box *b, double x)

@@ -11,21 +11,19 @@ static void draw_sort(struct sort *s)
     s->right = check_draw(0.0, 9.0);
 }
 
-static void check_same(double got, double expected, const char *quantity,
-                       const char *question)
+static void check_same(double got, double expected, const char *quantity)
 {
     CHECK_NEAR(got, .quantity = quantity, .input = "a rain drawn",
                .expected = expected,
                .tolerance = 100.0 * DBL_EPSILON * fabs(expected),
-               .because = "a hundred epsilons: a few roundings",
-               .question = question);
+               .because = "a hundred epsilons: a few roundings");
 }
 
 /* In grams and kilometres: factors of 2, which round nothing. */
 static void test_units(void)
 {
-    static const char question[] = "Only other units. Which number in your "
-                                   "function has a unit of its own?";
+    check_ask("Only other units. Which number in your function has a unit "
+              "of its own?");
     for (int i = 0; i < 30; ++i) {
         struct sort s, t;
         double a = NAN, b = NAN;
@@ -39,17 +37,16 @@ static void test_units(void)
                           ldexp(s.right, 3)};
         const double f = rain_force(1, &s, im, V, &a);
         const double g = rain_force(1, &t, ldexp(im, 10), ldexp(V, 7), &b);
-        check_same(g, ldexp(f, 7), "mean force in other units", question);
-        check_same(b, a, "friction in other units", question);
+        check_same(g, ldexp(f, 7), "mean force in other units");
+        check_same(b, a, "friction in other units");
     }
 }
 
 /* A sort in two halves, one of them listed last, is the same rain. */
 static void test_halves(void)
 {
-    static const char question[] =
-        "The same particles, listed as two sorts. What in your function "
-        "depends on how many sorts there are?";
+    check_ask("The same particles, listed as two sorts. What in your "
+              "function depends on how many sorts there are?");
     for (int i = 0; i < 30; ++i) {
         struct sort s[3];
         double a = NAN, b = NAN;
@@ -64,8 +61,8 @@ static void test_halves(void)
         const double f = rain_force(2, s, im, 0.01, &a);
         s[0].left *= 0.75;
         const double g = rain_force(3, s, im, 0.01, &b);
-        check_same(g, f, "mean force of three sorts", question);
-        check_same(b, a, "friction of three sorts", question);
+        check_same(g, f, "mean force of three sorts");
+        check_same(b, a, "friction of three sorts");
     }
 }
 

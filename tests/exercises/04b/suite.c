@@ -94,7 +94,7 @@ static double answer(const struct job *j, double *friction)
     return rain_force(j->n, j->rain, j->im, j->V, friction);
 }
 
-static void check_force(const struct job *j, const char *question)
+static void check_force(const struct job *j)
 {
     double size, slows;
     const double expected = force(j, right, &size);
@@ -114,7 +114,6 @@ static void check_force(const struct job *j, const char *question)
         answer(j, &slows), .quantity = "mean force on the wall",
         .unit = "N", .input = input(j), .expected = expected,
         .tolerance = allowed(j, size), .because = because,
-        .question = question,
         .mistakes = {
             {"stopped-not-turned", wrong(j, stopped),
              "With this the particles would stick to the wall. With which "
@@ -142,7 +141,7 @@ static void check_force(const struct job *j, const char *question)
              "how much less is the particle turned round then?"}});
 }
 
-static void check_friction(const struct job *j, const char *question)
+static void check_friction(const struct job *j)
 {
     const double expected = friction(j, false, false);
     double slows;
@@ -150,7 +149,7 @@ static void check_friction(const struct job *j, const char *question)
     CHECK_NEAR(
         slows, .quantity = "friction", .unit = "kg/s", .input = input(j),
         .expected = expected, .tolerance = allowed(j, expected),
-        .because = because, .question = question,
+        .because = because,
         .mistakes = {
             {"left-empty", CHECK_EMPTY,
              "Not a number. Has anything been put into *friction?"},
@@ -174,11 +173,10 @@ static void test_rest(void)
     static const struct sort one[] = {{2.0, 3.0, 5.0, 0.0}};
     static const struct sort two[] = {{2.0, 3.0, 5.0, 0.0},
                                       {0.5, 8.0, 0.25, 0.0}};
-    static const char question[] =
-        "Work this one out on paper: what does one particle leave with the "
-        "wall, and how many arrive in a second?";
-    check_force(&(struct job){1, one, 0, 0, NULL}, question);
-    check_force(&(struct job){2, two, 0, 0, NULL}, question);
+    check_ask("Work this one out on paper: what does one particle leave "
+              "with the wall, and how many arrive in a second?");
+    check_force(&(struct job){1, one, 0, 0, NULL});
+    check_force(&(struct job){2, two, 0, 0, NULL});
 }
 
 static void test_right(void)
@@ -186,33 +184,31 @@ static void test_right(void)
     static const struct sort other[] = {{2.0, -3.0, 0.0, 5.0}};
     static const struct sort both[] = {{2.0, 3.0, 5.0, 0.0},
                                        {1.0, -4.0, 0.0, 7.0}};
-    static const char question[] =
-        "Look at it in a mirror: what has another sign there?";
-    check_force(&(struct job){1, other, 0, 0, NULL}, question);
-    check_force(&(struct job){2, both, 0, 0, NULL}, question);
+    check_ask("Look at it in a mirror: what has another sign there?");
+    check_force(&(struct job){1, other, 0, 0, NULL});
+    check_force(&(struct job){2, both, 0, 0, NULL});
 }
 
 static void test_away(void)
 {
     static const struct sort rain[] = {
         {2.0, 3.0, 5.0, 4.0}, {1.0, -4.0, 6.0, 9.0}, {3.0, 0.0, 2.0, 2.0}};
-    check_force(&(struct job){3, rain, 0, 0, NULL},
-                "Particles of each sort are on both sides. Which of them "
-                "ever come to the wall?");
+    check_ask("Particles of each sort are on both sides. Which of them "
+              "ever come to the wall?");
+    check_force(&(struct job){3, rain, 0, 0, NULL});
 }
 
 static void test_moves(void)
 {
     static const struct sort rain[] = {{2.0, 3.0, 5.0, 0.0}};
-    static const char question[] =
-        "The wall recedes, or comes to meet the rain. What changes about "
-        "one blow, and what about their number?";
+    check_ask("The wall recedes, or comes to meet the rain. What changes "
+              "about one blow, and what about their number?");
     const struct job recedes = {1, rain, 0, 0.125, NULL};
     const struct job comes = {1, rain, 0, -0.125, NULL};
-    check_force(&recedes, question);
-    check_friction(&recedes, question);
-    check_force(&comes, question);
-    check_friction(&comes, question);
+    check_force(&recedes);
+    check_friction(&recedes);
+    check_force(&comes);
+    check_friction(&comes);
 }
 
 static void test_both(void)
@@ -222,25 +218,24 @@ static void test_both(void)
                                        {1.0, 0.0, 9.0, 9.0},
                                        {1.0, -2.0, 1.0, 4.0}};
     const struct job j = {4, rain, 0, 0.25, NULL};
-    static const char question[] =
-        "Two gases that press alike, and a wall that moves. Which side "
-        "pushes more, and what is left of each?";
-    check_force(&j, question);
-    check_friction(&j, question);
+    check_ask("Two gases that press alike, and a wall that moves. Which "
+              "side pushes more, and what is left of each?");
+    check_force(&j);
+    check_friction(&j);
 }
 
 static void test_light(void)
 {
     static const struct sort rain[] = {{2.0, 3.0, 5.0, 0.0},
                                        {0.5, -8.0, 0.0, 1.0}};
-    static const char question[] =
+    check_ask(
         "A wall as light as a particle takes its velocity, not twice as "
-        "much. What does one blow give to a wall of inverse mass im?";
+        "much. What does one blow give to a wall of inverse mass im?");
     const struct job rest = {2, rain, 0.5, 0, NULL};
     const struct job moves = {2, rain, 2.0, 0.25, NULL};
-    check_force(&rest, question);
-    check_force(&moves, question);
-    check_friction(&moves, question);
+    check_force(&rest);
+    check_force(&moves);
+    check_friction(&moves);
 }
 
 /* Both gases have Maxwell's velocities, in strips of h = 0.05 thermal ones;
@@ -305,19 +300,19 @@ static void test_drawn(void)
         const double slope = (exact(&j, -h) - exact(&j, h)) / (2.0 * h);
         const double expected = exact(&j, 0.0) - slope * j.V;
         const double got = answer(&j, &slows);
-        static const char question[] =
+        check_ask(
             "The force was found blow by blow, for a wall at rest and for "
-            "one that moves to and fro. Which sorts push, and how?";
+            "one that moves to and fro. Which sorts push, and how?");
         CHECK_NEAR(got, .quantity = "mean force on the wall", .unit = "N",
                    .input = input(&j), .expected = expected,
-                   .tolerance = 8.0 * allowed(&j, size), .because = because,
-                   .question = question);
+                   .tolerance = 8.0 * allowed(&j, size),
+                   .because = because);
         CHECK_NEAR(slows, .quantity = "friction", .unit = "kg/s",
                    .input = input(&j), .expected = slope,
                    .tolerance = 16.0 * allowed(&j, size),
-                   .because = because, .question = question);
-        check_force(&j, question);
-        check_friction(&j, question);
+                   .because = because);
+        check_force(&j);
+        check_friction(&j);
     }
 }
 

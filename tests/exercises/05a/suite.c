@@ -94,15 +94,13 @@ static const char because[] =
     "radius; and not before now";
 
 /* From inside the circle. */
-static void check_inside(struct flight f, double expected,
-                         const char *question)
+static void check_inside(struct flight f, double expected)
 {
     const double got = answer(&f);
     CHECK_NEAR(
         got, .quantity = "time until the disk touches the wall",
         .unit = "s", .input = input(&f), .expected = expected,
         .tolerance = tolerance(&f, got), .because = because,
-        .question = question,
         .mistakes = {
             {"radius-forgotten", box_alone(&f),
              "By then the CENTRE of the disk is at the wall of the box. "
@@ -138,8 +136,8 @@ static void check_comes(const struct flight *f, double got)
     CHECK_NEAR(
         got == INFINITY ? 0.0 : 1.0,
         .quantity = "does the disk come to the wall? (1 yes, 0 never)",
-        .input = input(f), .expected = 1.0, .tolerance = 0.0,
-        .because = "yes or no", .equation = "eq:wall-time",
+        .input = input(f), .expected = 1.0, .because = "yes or no",
+        .equation = "eq:wall-time",
         .question = "Which disks never come to the wall?",
         .mistakes = {
             {"lost-through-the-wall", 0.0,
@@ -149,14 +147,14 @@ static void check_comes(const struct flight *f, double got)
 }
 
 /* On the wall or a hair beyond it, and moving outwards. */
-static void check_now(struct flight f, const char *question)
+static void check_now(struct flight f)
 {
     const double got = answer(&f);
     check_comes(&f, got);
     CHECK_NEAR(got, .quantity = "time until the disk touches the wall",
                .unit = "s", .input = input(&f), .expected = 0.0,
                .tolerance = tolerance(&f, got), .because = because,
-               .equation = "eq:wall-time", .question = question,
+               .equation = "eq:wall-time",
                .mistakes = {
                    {"first-root", root(&f, reach(&f), -1.0),
                     "This time is in the past, when the disk came from the "
@@ -168,15 +166,13 @@ static void check_now(struct flight f, const char *question)
 }
 
 /* On the wall or a hair beyond it, and moving inwards. */
-static void check_across(struct flight f, double expected,
-                         const char *question)
+static void check_across(struct flight f, double expected)
 {
     const double got = answer(&f);
     check_comes(&f, got);
     CHECK_NEAR(got, .quantity = "time until the disk touches the wall",
                .unit = "s", .input = input(&f), .expected = expected,
                .tolerance = tolerance(&f, got), .because = because,
-               .question = question,
                .mistakes = {{"stuck-at-the-wall", 0.0,
                              "The disk has just bounced and moves inwards. "
                              "With this time it would bounce again at "
@@ -185,54 +181,52 @@ static void check_across(struct flight f, double expected,
 
 static void test_centre(void)
 {
-    check_inside((struct flight){4.0, 1.0, {0.0, 0.0}, {0.4, 0.0}}, 7.5,
-                 "The disk starts at the centre of the box. How far can "
-                 "its centre go, and how fast does it?");
-    check_inside(
-        (struct flight){3.0, 1.0, {0.0, 0.0}, {-3.0, -4.0}}, 0.4,
+    check_ask("The disk starts at the centre of the box. How far can its "
+              "centre go, and how fast does it?");
+    check_inside((struct flight){4.0, 1.0, {0.0, 0.0}, {0.4, 0.0}}, 7.5);
+    check_ask(
         "From the centre every direction is alike. What is the speed?");
+    check_inside((struct flight){3.0, 1.0, {0.0, 0.0}, {-3.0, -4.0}}, 0.4);
 }
 
 /* Chords of circles of 5 m and 13 m. */
 static void test_by_hand(void)
 {
-    static const char question[] =
-        "Draw it: where does the path cross the circle on which the centre "
-        "must stay, and how far is that?";
+    check_ask("Draw it: where does the path cross the circle on which the "
+              "centre must stay, and how far is that?");
     static const struct flight f[] = {{6.0, 1.0, {1.0, 3.0}, {2.0, 0.0}},
                                       {6.0, 1.0, {3.0, 0.0}, {0.0, 2.0}},
                                       {14.0, 1.0, {-5.0, 0.0}, {0.0, -0.5}},
                                       {14.0, 1.0, {-5.0, 6.0}, {0.0, 3.0}}};
-    check_inside(f[0], 1.5, question);
-    check_inside(f[1], 2.0, question);
-    check_inside(f[2], 24.0, question);
-    check_inside(f[3], 2.0, question);
+    check_inside(f[0], 1.5);
+    check_inside(f[1], 2.0);
+    check_inside(f[2], 24.0);
+    check_inside(f[3], 2.0);
 }
 
 static void test_inwards(void)
 {
-    static const char question[] =
-        "The disk moves inwards first. Which part of the way brings it "
-        "nearer to the centre, and which takes it to the wall?";
+    check_ask("The disk moves inwards first. Which part of the way brings "
+              "it nearer to the centre, and which takes it to the wall?");
     static const struct flight f[] = {{6.0, 1.0, {2.0, 3.0}, {-0.25, 0.0}},
                                       {6.0, 1.0, {2.0, -4.0}, {-2.0, 0.0}},
                                       {6.0, 1.0, {-4.0, 0.0}, {0.5, 0.0}}};
-    check_inside(f[0], 24.0, question);
-    check_inside(f[1], 2.5, question);
-    check_inside(f[2], 18.0, question);
+    check_inside(f[0], 24.0);
+    check_inside(f[1], 2.5);
+    check_inside(f[2], 18.0);
 }
 
 /* No round numbers, all around; and at the time found the centre must be
    where it belongs. */
 static void test_all_directions(void)
 {
+    check_ask("Does your formula know the direction? What does r + v t say "
+              "at the time you found?");
     for (int k = 0; k < 24; ++k) {
         const double angle = 0.1 + 0.26 * k;
         const struct flight f = {
             2.3, 0.41, {0.71, -1.13}, {1.7 * cos(angle), 1.7 * sin(angle)}};
-        check_inside(f, root(&f, reach(&f), 1.0),
-                     "Does your formula know the direction? What does r + "
-                     "v t say at the time you found?");
+        check_inside(f, root(&f, reach(&f), 1.0));
     }
 }
 
@@ -264,37 +258,31 @@ static struct drawn draw_flight(double from, double to)
 
 static void test_drawn(void)
 {
+    check_ask("This flight was drawn backwards from the wall. Where does "
+              "yours end, and how far is that from the centre?");
     for (int i = 0; i < 40; ++i) {
         const struct drawn d = draw_flight(0.02, 0.98);
-        check_inside(
-            d.f, d.time,
-            "This flight was drawn backwards from the wall. Where does "
-            "yours end, and how far is that from the centre?");
+        check_inside(d.f, d.time);
     }
 }
 
 /* A place on the circle of the radius 5, exactly. */
 static void test_on_the_wall_inwards(void)
 {
-    static const char question[] =
-        "The disk touches the wall and moves inwards. How long is the "
-        "chord before it?";
-    check_across((struct flight){6.0, 1.0, {5.0, 0.0}, {-2.0, 0.0}}, 5.0,
-                 question);
-    check_across((struct flight){6.0, 1.0, {3.0, 4.0}, {0.0, -0.5}}, 16.0,
-                 question);
-    check_across((struct flight){6.0, 1.0, {-4.0, 3.0}, {4.0, 0.0}}, 2.0,
-                 question);
+    check_ask("The disk touches the wall and moves inwards. How long is "
+              "the chord before it?");
+    check_across((struct flight){6.0, 1.0, {5.0, 0.0}, {-2.0, 0.0}}, 5.0);
+    check_across((struct flight){6.0, 1.0, {3.0, 4.0}, {0.0, -0.5}}, 16.0);
+    check_across((struct flight){6.0, 1.0, {-4.0, 3.0}, {4.0, 0.0}}, 2.0);
 }
 
 static void test_on_the_wall_outwards(void)
 {
-    static const char question[] = "The disk touches the wall and moves "
-                                   "outwards. When is it at the wall?";
-    check_now((struct flight){6.0, 1.0, {5.0, 0.0}, {2.0, 0.0}}, question);
-    check_now((struct flight){6.0, 1.0, {3.0, 4.0}, {0.0, 0.5}}, question);
-    check_now((struct flight){6.0, 1.0, {-4.0, 3.0}, {-4.0, 1.0}},
-              question);
+    check_ask("The disk touches the wall and moves outwards. When is it at "
+              "the wall?");
+    check_now((struct flight){6.0, 1.0, {5.0, 0.0}, {2.0, 0.0}});
+    check_now((struct flight){6.0, 1.0, {3.0, 4.0}, {0.0, 0.5}});
+    check_now((struct flight){6.0, 1.0, {-4.0, 3.0}, {-4.0, 1.0}});
 }
 
 /* At the wall, and nobody knows on which side of it by a rounding. */
@@ -305,28 +293,26 @@ static void test_drawn_at_the_wall(void)
         struct flight back = d.f;
         back.v[0] = -d.f.v[0];
         back.v[1] = -d.f.v[1];
-        check_now(d.f, "The disk has come to the wall and moves on. When "
-                       "does it bounce?");
-        check_across(back, d.chord,
-                     "The disk leaves the wall and crosses the box. How "
-                     "long is the chord before it?");
+        check_ask("The disk has come to the wall and moves on. When does "
+                  "it bounce?");
+        check_now(d.f);
+        check_ask("The disk leaves the wall and crosses the box. How long "
+                  "is the chord before it?");
+        check_across(back, d.chord);
     }
 }
 
 static void test_a_hair_beyond(void)
 {
-    static const char question[] =
-        "A rounding has put the disk a hair too far out. Which way does it "
-        "move, and which of the two crossings is meant?";
+    check_ask("A rounding has put the disk a hair too far out. Which way "
+              "does it move, and which of the two crossings is meant?");
     const double hair = 8.0 * DBL_EPSILON;
-    check_now((struct flight){6.0, 1.0, {5.0 + hair, 0.0}, {2.0, 0.0}},
-              question);
-    check_now((struct flight){6.0, 1.0, {3.0, 4.0 + hair}, {-0.5, 1.0}},
-              question);
+    check_now((struct flight){6.0, 1.0, {5.0 + hair, 0.0}, {2.0, 0.0}});
+    check_now((struct flight){6.0, 1.0, {3.0, 4.0 + hair}, {-0.5, 1.0}});
     check_across((struct flight){6.0, 1.0, {5.0 + hair, 0.0}, {-2.0, 0.0}},
-                 5.0, question);
+                 5.0);
     check_across((struct flight){6.0, 1.0, {3.0, 4.0 + hair}, {0.0, -0.5}},
-                 16.0, question);
+                 16.0);
 }
 
 /* Just along the wall the path has only this point in common with the
@@ -371,14 +357,13 @@ static void test_along_the_wall(void)
                              "path only just misses the circle?"}});
 }
 
-static void check_at_rest(double x, double y, const char *question)
+static void check_at_rest(double x, double y)
 {
     const struct flight f = {6.0, 1.0, {x, y}, {0.0, 0.0}};
     CHECK_NEAR(answer(&f),
                .quantity = "time until the disk touches the wall",
                .unit = "s", .input = input(&f), .expected = INFINITY,
-               .tolerance = 0.0, .because = "never is never",
-               .equation = "eq:wall-time", .question = question,
+               .because = "never is never", .equation = "eq:wall-time",
                .mistakes = {
                    {"at-rest-divided", CHECK_NAN,
                     "Not a number: at rest the quadratic is none. What is "
@@ -408,13 +393,12 @@ static void check_slow(double u, double w, double expected)
 
 static void test_at_rest(void)
 {
-    static const char question[] =
-        "Nothing moves. What was to be returned, and what did your "
-        "division make of it?";
-    check_at_rest(0.0, 0.0, question);
-    check_at_rest(2.0, -1.5, question);
-    check_at_rest(3.0, 4.0, question);
-    check_at_rest(5.0 + 8.0 * DBL_EPSILON, 0.0, question);
+    check_ask("Nothing moves. What was to be returned, and what did your "
+              "division make of it?");
+    check_at_rest(0.0, 0.0);
+    check_at_rest(2.0, -1.5);
+    check_at_rest(3.0, 4.0);
+    check_at_rest(5.0 + 8.0 * DBL_EPSILON, 0.0);
     check_slow(0.0, 1e-9, 4e9);
     check_slow(1e-9, 0.0, 2e9);
     check_slow(-1e-9, 0.0, 8e9);
@@ -423,13 +407,12 @@ static void test_at_rest(void)
 /* Millimetres and kilometres per second, and the other way round. */
 static void test_units(void)
 {
-    static const char question[] =
+    check_ask(
         "The same picture, but small and fast or large and slow. Is there "
-        "a number in your function that belongs to one size only?";
-    check_inside((struct flight){6e-3, 1e-3, {3e-3, 0.0}, {0.0, 2e3}}, 2e-6,
-                 question);
-    check_inside((struct flight){6e6, 1e6, {1e6, 4e6}, {2e-3, 0.0}}, 1e9,
-                 question);
+        "a number in your function that belongs to one size only?");
+    check_inside((struct flight){6e-3, 1e-3, {3e-3, 0.0}, {0.0, 2e3}},
+                 2e-6);
+    check_inside((struct flight){6e6, 1e6, {1e6, 4e6}, {2e-3, 0.0}}, 1e9);
 }
 
 const struct check_suite check_suite = {

@@ -132,11 +132,11 @@ static void test_under_way(void)
         rest.time += gone;
         check_same("begun anew when a part of the way is done", &p, rest,
                    first);
-        CHECK_NEAR(
-            first.time < INFINITY ? 1.0 : 0.0,
-            .quantity = "do they meet? (1 yes, 0 never)", .expected = 1.0,
-            .tolerance = 0.0, .because = "yes or no",
-            .question = "Disk b is on its way to a. What turns it away?");
+        CHECK_NEAR(first.time < INFINITY ? 1.0 : 0.0,
+                   .quantity = "do they meet? (1 yes, 0 never)",
+                   .expected = 1.0, .because = "yes or no",
+                   .question =
+                       "Disk b is on its way to a. What turns it away?");
     }
 }
 

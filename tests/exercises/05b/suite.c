@@ -127,26 +127,24 @@ static const char quantity[] = "time until the disks touch";
 /* Whether they meet at all is a check of its own, since never is not a
    number that has neighbours. */
 static void check_meets(const struct pair *p, double got,
-                        const char *question, const char *mistake,
-                        const char *hint)
+                        const char *mistake, const char *hint)
 {
     CHECK_NEAR(got == INFINITY ? 0.0 : 1.0,
                .quantity = "do the disks ever touch? (1 yes, 0 never)",
-               .input = input(p), .expected = 1.0, .tolerance = 0.0,
-               .because = "yes or no", .question = question,
+               .input = input(p), .expected = 1.0, .because = "yes or no",
                .mistakes = {{mistake, 0.0, hint}});
 }
 
-static void check_time(struct pair p, double expected, const char *question)
+static void check_time(struct pair p, double expected)
 {
     const double got = answer(&p).time, allowed = tolerance(&p);
     /* The slips that take many steps, only for who needs them. */
     const bool wrong = !(fabs(got - expected) <= allowed);
-    check_meets(&p, got, question, NULL, NULL);
+    check_meets(&p, got, NULL, NULL);
     CHECK_NEAR(
         got, .quantity = quantity, .unit = "s", .input = input(&p),
         .expected = expected, .tolerance = allowed, .because = because,
-        .equation = "eq:pair-quadratic", .question = question,
+        .equation = "eq:pair-quadratic",
         .mistakes = {
             {"second-root", root(&p, touching(&p), 1.0),
              "At this time the disks have passed through each other and "
@@ -168,7 +166,7 @@ static void check_time(struct pair p, double expected, const char *question)
 }
 
 /* Any number at all is a meeting, and 0 is one too. */
-static void check_never(struct pair p, const char *question)
+static void check_never(struct pair p)
 {
     static const char passing[] =
         "The disks pass each other at a distance. What does a negative "
@@ -179,8 +177,7 @@ static void check_never(struct pair p, const char *question)
         got == INFINITY ? 0.0 : told,
         .quantity = "0 if they never touch, -1 if they meet now, or else "
                     "the time until they touch",
-        .input = input(&p), .expected = 0.0, .tolerance = 0.0,
-        .because = "never is never", .question = question,
+        .input = input(&p), .expected = 0.0, .because = "never is never",
         .mistakes = {
             {"root-of-a-negative", CHECK_NAN,
              "Not a number: they pass each other, or move alike. What "
@@ -198,19 +195,17 @@ static void check_never(struct pair p, const char *question)
             {"missed-but-met", missing(&p, true), passing}});
 }
 
-static void check_now(struct pair p, const char *question)
+static void check_now(struct pair p)
 {
     static const char lost[] =
         "They touch, or overlap by a rounding, and approach; your function "
         "lets them pass through each other. What decides whether they "
         "collide: the gap or the approach?";
     const double got = answer(&p).time;
-    check_meets(&p, got, question, "contact-lost", lost);
+    check_meets(&p, got, "contact-lost", lost);
     CHECK_NEAR(
         got, .quantity = quantity, .unit = "s", .input = input(&p),
-        .expected = 0.0, .tolerance = 0.0,
-        .because = "two that touch and approach meet now",
-        .question = question,
+        .expected = 0.0, .because = "two that touch and approach meet now",
         .mistakes = {
             {"time-in-the-past", root(&p, touching(&p), -1.0),
              "A rounding has let them overlap, and the time would be in "
@@ -221,8 +216,7 @@ static void check_now(struct pair p, const char *question)
              "should become of two that touch and approach?"}});
 }
 
-static void check_height(struct pair p, double expected,
-                         const char *question)
+static void check_height(struct pair p, double expected)
 {
     const double t = root(&p, touching(&p), -1.0);
     const double part = p.a.radius / touching(&p);
@@ -240,7 +234,7 @@ static void check_height(struct pair p, double expected,
             fast * tolerance(&p),
         .because = "16 epsilons of the heights and the ways, and what the "
                    "time may err by",
-        .equation = "eq:pair-quadratic", .question = question,
+        .equation = "eq:pair-quadratic",
         .mistakes = {
             {"height-without-gravity", expected + fallen,
              "Gravity does not change when they meet. Does it change "
@@ -268,71 +262,60 @@ static void check_height(struct pair p, double expected,
 
 static void test_along_a_line(void)
 {
-    static const char question[] =
-        "The disks are on one line. How large is the gap between their "
-        "edges, and how fast does it shrink?";
+    check_ask("The disks are on one line. How large is the gap between "
+              "their edges, and how fast does it shrink?");
     check_time((struct pair){0.0,
                              {0.0, 0.0, 0.5, 0.0, 0.5},
                              {6.0, 0.0, -1.5, 0.0, 1.5}},
-               2.0, question);
+               2.0);
     check_time((struct pair){0.0,
                              {1.0, 7.0, 0.0, -3.0, 2.0},
                              {1.0, 1.0, 0.0, -1.0, 1.0}},
-               1.5, question);
+               1.5);
 }
 
 /* Triangles with the sides 3, 4, 5 and 5, 12, 13. */
 static void test_in_the_plane(void)
 {
-    static const char question[] =
-        "Draw disk a at rest and the path of disk b past it. Where is its "
-        "centre when the edges touch?";
+    check_ask("Draw disk a at rest and the path of disk b past it. Where "
+              "is its centre when the edges touch?");
     check_time((struct pair){0.0,
                              {0.0, 0.0, 0.0, 0.0, 2.0},
                              {7.0, 4.0, -1.0, 0.0, 3.0}},
-               4.0, question);
+               4.0);
     check_time((struct pair){0.0,
                              {2.0, -1.0, 3.0, 0.5, 10.0},
                              {-3.0, -21.0, 3.0, 2.5, 3.0}},
-               4.0, question);
+               4.0);
 }
 
 /* One disk is let fall at the moment when another is thrown at it, from
    straight below and from the side. */
 static void test_with_gravity(void)
 {
-    static const char question[] = "Both fall alike. What does gravity do "
-                                   "to the way from the one to the other?";
+    check_ask("Both fall alike. What does gravity do to the way from the "
+              "one to the other?");
     static const struct pair p[] = {
         {10.0, {2.0, 0.0, 0.0, 20.0, 0.25}, {2.0, 11.0, 0.0, 0.0, 0.75}},
         {10.0, {0.0, 0.0, 3.0, 4.0, 0.25}, {6.0, 8.0, 0.0, 0.0, 0.75}},
         {9.81, {0.0, 0.0, 0.0, 0.0, 2.0}, {7.0, 4.0, -1.0, 0.0, 3.0}}};
-    check_time(p[0], 0.5, question);
-    check_time(p[1], 1.8, question);
-    check_time(p[2], 4.0, question);
+    check_time(p[0], 0.5);
+    check_time(p[1], 1.8);
+    check_time(p[2], 4.0);
 }
 
 static void test_never(void)
 {
-    static const char question[] =
-        "These two never touch. What is the sign of d.u, and what stands "
-        "under the square root?";
-    check_never((struct pair){9.81,
-                              {0.0, 0.0, 0.0, 0.0, 1.0},
-                              {9.0, 4.0, -2.0, 0.0, 2.0}},
-                question);
-    check_never((struct pair){9.81,
-                              {0.0, 0.0, -1.0, 0.0, 1.0},
-                              {5.0, 0.0, 1.0, 0.0, 2.0}},
-                question);
-    check_never((struct pair){9.81,
-                              {0.0, 0.0, 2.0, 1.0, 1.0},
-                              {5.0, 0.0, 2.0, 1.0, 2.0}},
-                question);
-    check_never((struct pair){9.81,
-                              {0.0, 0.0, 0.0, 0.0, 1.0},
-                              {0.0, 5.0, 3.0, 0.0, 2.0}},
-                question);
+    check_ask("These two never touch. What is the sign of d.u, and what "
+              "stands under the square root?");
+    check_never((struct pair){
+        9.81, {0.0, 0.0, 0.0, 0.0, 1.0}, {9.0, 4.0, -2.0, 0.0, 2.0}});
+    check_never((struct pair){
+        9.81, {0.0, 0.0, -1.0, 0.0, 1.0}, {5.0, 0.0, 1.0, 0.0, 2.0}});
+    check_never((struct pair){
+        9.81, {0.0, 0.0, 2.0, 1.0, 1.0}, {5.0, 0.0, 2.0, 1.0, 2.0}});
+    check_never((struct pair){
+        9.81, {0.0, 0.0, 0.0, 0.0, 1.0}, {0.0, 5.0, 3.0, 0.0, 2.0}});
 }
 
 static struct pair in_contact(double overlap, double u, double w)
@@ -346,44 +329,41 @@ static const double hair = 16.0 * DBL_EPSILON;
 
 static void test_touching(void)
 {
-    static const char question[] =
-        "The disks touch, or overlap by a rounding. What do their "
-        "velocities say?";
-    check_now(in_contact(0.0, -1.0, 0.0), question);
-    check_now(in_contact(0.0, 2.0, -2.0), question);
-    check_now(in_contact(hair, -1.0, 0.0), question);
-    check_now(in_contact(hair, 2.0, -2.0), question);
+    check_ask("The disks touch, or overlap by a rounding. What do their "
+              "velocities say?");
+    check_now(in_contact(0.0, -1.0, 0.0));
+    check_now(in_contact(0.0, 2.0, -2.0));
+    check_now(in_contact(hair, -1.0, 0.0));
+    check_now(in_contact(hair, 2.0, -2.0));
 }
 
 static void test_touching_and_parting(void)
 {
-    static const char question[] =
-        "The disks touch, or overlap by a rounding, and do not approach. "
-        "What was to be returned?";
-    check_never(in_contact(0.0, 1.0, 0.0), question);
-    check_never(in_contact(hair, 0.5, 0.5), question);
-    check_never(in_contact(0.0, 4.0, -3.0), question);
-    check_never(in_contact(0.0, 0.0, 0.0), question);
-    check_never(in_contact(hair, 0.0, 0.0), question);
+    check_ask("The disks touch, or overlap by a rounding, and do not "
+              "approach. What was to be returned?");
+    check_never(in_contact(0.0, 1.0, 0.0));
+    check_never(in_contact(hair, 0.5, 0.5));
+    check_never(in_contact(0.0, 4.0, -3.0));
+    check_never(in_contact(0.0, 0.0, 0.0));
+    check_never(in_contact(hair, 0.0, 0.0));
 }
 
 static void test_height(void)
 {
-    static const char question[] =
-        "Where are the two centres at that time, and where between them is "
-        "the point of contact?";
+    check_ask("Where are the two centres at that time, and where between "
+              "them is the point of contact?");
     check_height((struct pair){0.0,
                                {1.0, 1.0, 0.0, 1.0, 1.0},
                                {1.0, 8.0, 0.0, -1.0, 3.0}},
-                 3.5, question);
+                 3.5);
     check_height((struct pair){10.0,
                                {0.0, 2.0, 3.0, 4.0, 0.25},
                                {6.0, 10.0, 0.0, 0.0, 0.75}},
-                 2.0 + 7.2 + 0.2 - 16.2, question);
+                 2.0 + 7.2 + 0.2 - 16.2);
     check_height((struct pair){2.0,
                                {0.0, 0.0, 0.0, 2.0, 2.0},
                                {7.0, 4.0, -1.0, 2.0, 3.0}},
-                 8.0 - 16.0 + 1.6, question);
+                 8.0 - 16.0 + 1.6);
 }
 
 /* Two that touch already: the contact is where it is. */
@@ -507,13 +487,12 @@ static struct meeting draw_meeting(void)
 
 static void test_drawn(void)
 {
-    static const char question[] =
-        "This meeting was drawn backwards from the contact. Where are the "
-        "two at the time that you found?";
+    check_ask("This meeting was drawn backwards from the contact. Where "
+              "are the two at the time that you found?");
     for (int i = 0; i < 40; ++i) {
         const struct meeting m = draw_meeting();
-        check_time(m.p, m.time, question);
-        check_height(m.p, m.height, question);
+        check_time(m.p, m.time);
+        check_height(m.p, m.height);
     }
 }
 
@@ -528,9 +507,8 @@ static struct thrown small(struct thrown d)
 /* In place of touching they pass at a distance, or have met already. */
 static void test_drawn_never(void)
 {
-    static const char question[] =
-        "These two were drawn so that they pass each other, or part. Which "
-        "of the two do you take for a meeting?";
+    check_ask("These two were drawn so that they pass each other, or part. "
+              "Which of the two do you take for a meeting?");
     for (int i = 0; i < 40; ++i) {
         struct meeting m = draw_meeting();
         struct thrown *b = &m.p.b;
@@ -546,13 +524,15 @@ static void test_drawn_never(void)
         }
         if (i % 4 < 2)
             m.p = (struct pair){m.p.g, small(m.p.a), small(m.p.b)};
-        check_never(m.p, question);
+        check_never(m.p);
     }
 }
 
 /* In contact to the last bit: right triangles with whole sides. */
 static void test_drawn_contact(void)
 {
+    check_ask("The distance is just the sum of the radii. What do the "
+              "velocities say: do they approach?");
     static const int side[][3] = {{3, 4, 5}, {5, 12, 13}, {8, 15, 17}};
     for (int i = 0; i < 40; ++i) {
         const int *const s = side[check_draw_whole(0, 2)];
@@ -567,13 +547,10 @@ static void test_drawn_contact(void)
         const struct thrown b = {a.x + x, a.y + y, a.vx + u, a.vy + w,
                                  s[2] - part};
         const struct pair p = {check_draw(0.0, 20.0), a, b};
-        static const char question[] =
-            "The distance is just the sum of the radii. What do the "
-            "velocities say: do they approach?";
         if (x * u + y * w < 0)
-            check_now(p, question);
+            check_now(p);
         else
-            check_never(p, question);
+            check_never(p);
     }
 }
 

@@ -440,7 +440,7 @@ static double lonely_place(double t)
 }
 
 static void check_hit(double tick, size_t samples, size_t which,
-                      double expected, const char *question)
+                      double expected)
 {
     const struct job j = {&lonely, lonely_disk, tick, samples};
     check(&j, hit, which, FIRST,
@@ -451,11 +451,10 @@ static void check_hit(double tick, size_t samples, size_t which,
                          .unit = "s",
                          .expected = expected,
                          .tolerance = few,
-                         .because = of_few,
-                         .question = question});
+                         .because = of_few});
 }
 
-static void check_places(double tick, size_t samples, const char *question)
+static void check_places(double tick, size_t samples)
 {
     const struct job j = {&lonely, lonely_disk, tick, samples};
     for (size_t k = 0; k < samples; ++k)
@@ -466,43 +465,39 @@ static void check_places(double tick, size_t samples, const char *question)
                   .unit = "m",
                   .expected = lonely_place((double)(k + 1) * tick),
                   .tolerance = few,
-                  .because = of_few,
-                  .question = question});
+                  .because = of_few});
 }
 
 static void test_first(void)
 {
-    check_hit(0.5, 4, 0, 0.8,
-              "The wall is 0.8 m ahead. How long has the disk flown when "
+    check_ask("The wall is 0.8 m ahead. How long has the disk flown when "
               "it collides?");
+    check_hit(0.5, 4, 0, 0.8);
 }
 
 static void test_second(void)
 {
-    static const char question[] =
-        "From wall to wall it is 3 m. Since when has the disk been flying, "
-        "and who tells your program when it arrives?";
-    check_hit(0.5, 12, 1, 3.8, question);
-    check_hit(0.5, 20, 2, 6.8, question);
+    check_ask("From wall to wall it is 3 m. Since when has the disk been "
+              "flying, and who tells your program when it arrives?");
+    check_hit(0.5, 12, 1, 3.8);
+    check_hit(0.5, 20, 2, 6.8);
 }
 
 static void test_places(void)
 {
-    check_places(
-        0.5, 20,
-        "Where is the disk at that tick? Draw its path over time.");
-    check_places(0.3, 30,
-                 "Some ticks fall into a flight, some just behind a "
-                 "collision. Where is the disk?");
+    check_ask("Where is the disk at that tick? Draw its path over time.");
+    check_places(0.5, 20);
+    check_ask("Some ticks fall into a flight, some just behind a "
+              "collision. Where is the disk?");
+    check_places(0.3, 30);
 }
 
 static void test_several(void)
 {
-    static const char question[] =
-        "Two or three collisions fall into one tick. How many does your "
-        "loop let go by?";
-    check_places(3.5, 20, question);
-    check_places(7.0, 10, question);
+    check_ask("Two or three collisions fall into one tick. How many does "
+              "your loop let go by?");
+    check_places(3.5, 20);
+    check_places(7.0, 10);
 }
 
 /* Both walls of a corner at one time; after 0.8 s, and again after 3 s. */
@@ -618,24 +613,24 @@ static const char *alone_text(const struct alone *a)
 
 /* Where it is in sample `which`, along axis k. */
 static void alone_place(const struct alone *a, const struct box *b,
-                        size_t which, int k, const char *question)
+                        size_t which, int k)
 {
     const double expected = unfolded(a, k, (double)(which + 1) * a->tick);
     const double tolerance = alone_tolerance(a, k);
     const struct box start = alone_box(a);
     if (fabs(b->at[which][k] - expected) <= tolerance)
         return;
-    check(&(struct job){&start, alone_text(a), a->tick, a->samples},
-          k ? up : across, which, LAST,
-          (struct check){
-              .quantity = check_text("%s of the disk in sample %zu",
-                                     k ? "y" : "x", which + 1),
-              .unit = "m",
-              .expected = expected,
-              .tolerance = tolerance,
-              .because =
-                  "2 epsilons of the size and of the way, for each flight",
-              .question = question});
+    check(
+        &(struct job){&start, alone_text(a), a->tick, a->samples},
+        k ? up : across, which, LAST,
+        (struct check){
+            .quantity = check_text("%s of the disk in sample %zu",
+                                   k ? "y" : "x", which + 1),
+            .unit = "m",
+            .expected = expected,
+            .tolerance = tolerance,
+            .because =
+                "2 epsilons of the size and of the way, for each flight"});
 }
 
 /* All samples of one disk, KEPT at most, and how long it has flown. */
@@ -644,9 +639,10 @@ void clock_check_alone(const struct alone *a, const char *question)
     const struct box start = alone_box(a);
     const struct box b = after(start, STUDENT, a->tick, a->samples, NO_END);
     const double last = (double)a->samples * a->tick;
+    check_ask(question);
     for (size_t i = 0; i < a->samples; ++i)
         for (int k = 0; k < 2; ++k)
-            alone_place(a, &b, i, k, question);
+            alone_place(a, &b, i, k);
     check(&(struct job){&start, alone_text(a), a->tick, a->samples}, flown,
           0, LAST,
           (struct check){.quantity = "time flown in the whole run",

@@ -240,16 +240,14 @@ static void slips_of(const struct record *r, int k, struct slip slip[SLIPS])
 }
 
 /* One of the two values; the slips are those that explain it. */
-static void check_z(const struct record *r, int k, double expected,
-                    const char *question)
+static void check_z(const struct record *r, int k, double expected)
 {
     const double got = answer(r, k);
     struct check c = {.quantity = name_of(k),
                       .input = input(r),
                       .expected = expected,
                       .tolerance = tolerance(r, expected),
-                      .because = because,
-                      .question = question};
+                      .because = because};
     const size_t room = sizeof c.mistakes / sizeof c.mistakes[0];
     struct slip slip[SLIPS];
     size_t used = 0;
@@ -278,21 +276,20 @@ static struct record along(int k)
 /* 36 N s in 11 s, on 6 m of wall, and 15 m^2 over 3 J. */
 static void test_one_disk(void)
 {
-    static const char question[] =
-        "Three hits in 11 s, of 6 kg at 1 m/s each: what is the force on "
-        "both walls together, and what the pressure?";
+    check_ask("Three hits in 11 s, of 6 kg at 1 m/s each: what is the "
+              "force on both walls together, and what the pressure?");
     const struct record wide = along(0), high = along(1);
-    check_z(&wide, 0, 30.0 / 11.0, question);
-    check_z(&high, 1, 30.0 / 11.0, question);
+    check_z(&wide, 0, 30.0 / 11.0);
+    check_z(&high, 1, 30.0 / 11.0);
 }
 
 static void test_other_axis(void)
 {
-    static const char question[] =
-        "Nothing ever hits these two walls. What is the pressure on them?";
+    check_ask(
+        "Nothing ever hits these two walls. What is the pressure on them?");
     const struct record wide = along(0), high = along(1);
-    check_z(&wide, 1, 0.0, question);
-    check_z(&high, 0, 0.0, question);
+    check_z(&wide, 1, 0.0);
+    check_z(&high, 0, 0.0);
 }
 
 /* Three disks of 2 kg in a box of 5 m by 3 m, of radius 0.5 m, without
@@ -317,12 +314,12 @@ static struct record three_disks(void)
 static void test_three_disks(void)
 {
     const struct record r = three_disks();
-    check_z(&r, 0, 2.0 * 5.0 / 6.5 * 5.0 / 4.0,
-            "Add up what the walls on the left and on the right take. How "
-            "long are they, and how long is the time?");
-    check_z(&r, 1, 2.0 * 1.5 / 6.5 * 3.0 / 2.0,
-            "Add up what the walls at the bottom and at the top take. How "
-            "long are they, and how long is the time?");
+    check_ask("Add up what the walls on the left and on the right take. "
+              "How long are they, and how long is the time?");
+    check_z(&r, 0, 2.0 * 5.0 / 6.5 * 5.0 / 4.0);
+    check_ask("Add up what the walls at the bottom and at the top take. "
+              "How long are they, and how long is the time?");
+    check_z(&r, 1, 2.0 * 1.5 / 6.5 * 3.0 / 2.0);
 }
 
 /* Four disks of four masses. */
@@ -344,11 +341,10 @@ static struct record mixture(void)
 static void test_masses(void)
 {
     const struct record r = mixture();
-    static const char question[] =
-        "The disks are of different masses, and fast or slow. What does "
-        "each of them give to a wall?";
-    check_z(&r, 0, right(&r, 0), question);
-    check_z(&r, 1, right(&r, 1), question);
+    check_ask("The disks are of different masses, and fast or slow. What "
+              "does each of them give to a wall?");
+    check_z(&r, 0, right(&r, 0));
+    check_z(&r, 1, right(&r, 1));
 }
 
 /* Points that fly as fast across as up are an ideal gas, whatever their
@@ -373,23 +369,21 @@ static void test_points(void)
                                "What is P V / (N kT) of that?");
 }
 
-static void check_time(struct record r, double from, double until,
-                       const char *question)
+static void check_time(struct record r, double from, double until)
 {
     r.from = from;
     r.until = until;
-    check_z(&r, 0, right(&r, 0), question);
-    check_z(&r, 1, right(&r, 1), question);
+    check_z(&r, 0, right(&r, 0));
+    check_z(&r, 1, right(&r, 1));
 }
 
 static void test_time(void)
 {
-    static const char question[] =
-        "The list is longer than the time that counts. Which hits are in "
-        "that, and how long is it?";
-    check_time(mixture(), 4.15, 13.35, question);
-    check_time(mixture(), 6.55, 20.5, question);
-    check_time(mixture(), 0.0, 11.05, question);
+    check_ask("The list is longer than the time that counts. Which hits "
+              "are in that, and how long is it?");
+    check_time(mixture(), 4.15, 13.35);
+    check_time(mixture(), 6.55, 20.5);
+    check_time(mixture(), 0.0, 11.05);
 }
 
 /* Hits at 1, 5, 9, 13 and 17 s. */
@@ -398,11 +392,11 @@ static void test_ends(void)
     struct record r = along(0);
     r.n = 0;
     to_and_fro(&r, 0, 6.0, 4.0, 1.0, 1.0, 19.0);
-    static const char question[] = "A hit falls on the beginning or on the "
-                                   "end of the time. Does it count?";
-    check_time(r, 5.0, 18.0, question);
-    check_time(r, 2.0, 17.0, question);
-    check_time(r, 1.0, 13.0, question);
+    check_ask("A hit falls on the beginning or on the end of the time. "
+              "Does it count?");
+    check_time(r, 5.0, 18.0);
+    check_time(r, 2.0, 17.0);
+    check_time(r, 1.0, 13.0);
 }
 
 /* Time times pressure is a sum over hits, and each hit is in one part. */
@@ -463,15 +457,14 @@ static struct record draw_disks(double expected[2])
 
 static void test_drawn(void)
 {
-    static const char question[] =
-        "Each disk makes whole journeys to and fro in the time that "
-        "counts. How much does it give in one journey, and how long does "
-        "that take?";
+    check_ask("Each disk makes whole journeys to and fro in the time that "
+              "counts. How much does it give in one journey, and how long "
+              "does that take?");
     for (int i = 0; i < 20; ++i) {
         double expected[2];
         const struct record r = draw_disks(expected);
         for (int k = 0; k < 2; ++k)
-            check_z(&r, k, expected[k], question);
+            check_z(&r, k, expected[k]);
     }
 }
 
@@ -487,7 +480,7 @@ static void test_no_hits(void)
     quiet.until = 8.5;
     for (int k = 0; k < 2; ++k)
         CHECK_NEAR(answer(&none, k), .quantity = name_of(k),
-                   .input = input(&none), .expected = 0.0, .tolerance = 0.0,
+                   .input = input(&none), .expected = 0.0,
                    .because = "nothing was hit",
                    .question = "Nothing was hit in this time. What is the "
                                "pressure, and was it filled in?",
@@ -496,7 +489,7 @@ static void test_no_hits(void)
                                  "this time. By what do you divide?"}});
     CHECK_NEAR(
         answer(&quiet, 0), .quantity = name_of(0), .input = input(&quiet),
-        .expected = 0.0, .tolerance = 0.0, .because = "nothing was hit",
+        .expected = 0.0, .because = "nothing was hit",
         .question =
             "No hit falls into this time. What is the pressure in it?");
 }

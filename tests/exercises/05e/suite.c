@@ -213,8 +213,8 @@ static void check_called(const struct judged *j)
         "once. What do you know of it?";
     CHECK_NEAR(j->calls > 0 ? 1.0 : 0.0,
                .quantity = "1 if the program that you judge was run at all",
-               .input = j->how, .expected = 1.0, .tolerance = 0.0,
-               .because = "yes or no", .question = question,
+               .input = j->how, .expected = 1.0, .because = "yes or no",
+               .question = question,
                .mistakes = {{"never-called", 0.0, question}});
 }
 
@@ -224,8 +224,8 @@ static void check_right(const struct judged *j)
     CHECK_NEAR(j->said,
                .quantity =
                    "what you say of a right program (1 true, 0 false)",
-               .input = j->how, .expected = 1.0, .tolerance = 0.0,
-               .because = "yes or no", .question = j->question,
+               .input = j->how, .expected = 1.0, .because = "yes or no",
+               .question = j->question,
                .mistakes = {{j->mistake, 0.0, j->question}});
 }
 
@@ -239,8 +239,8 @@ static void check_wrong(const struct judged *j)
     CHECK_NEAR(
         j->said,
         .quantity = "what you say of a wrong program (1 true, 0 false)",
-        .input = j->how, .expected = 0.0, .tolerance = 0.0,
-        .because = "yes or no", .question = j->question,
+        .input = j->how, .expected = 0.0, .because = "yes or no",
+        .question = j->question,
         .mistakes = {{"no-bounce", seen ? 0.0 : j->said, none},
                      {j->mistake, seen ? j->said : 0.0, j->question}});
 }
@@ -398,7 +398,7 @@ static void test_drawn(void)
             j->said,
             .quantity = good ? "what you say of a right program"
                              : "what you say of a wrong program",
-            .input = j->how, .expected = good ? 1.0 : 0.0, .tolerance = 0.0,
+            .input = j->how, .expected = good ? 1.0 : 0.0,
             .because = "yes or no", .question = question,
             .mistakes = {{"only-this-box", good ? 0.0 : 1.0, question}});
     }

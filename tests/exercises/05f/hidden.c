@@ -12,14 +12,14 @@ struct job {
 };
 
 static void check(const struct job *j, size_t got, size_t expected,
-                  const char *quantity, const char *question)
+                  const char *quantity)
 {
-    CHECK_NEAR(
-        (double)got, .quantity = quantity,
-        .input = check_text("%zu events between %d bodies, from %g s on",
-                            j->n, BODIES, j->n ? j->heap[0].time : 0.0),
-        .expected = (double)expected, .tolerance = 0.0,
-        .because = "a number of events is exact", .question = question);
+    CHECK_NEAR((double)got, .quantity = quantity,
+               .input =
+                   check_text("%zu events between %d bodies, from %g s on",
+                              j->n, BODIES, j->n ? j->heap[0].time : 0.0),
+               .expected = (double)expected,
+               .because = "a number of events is exact");
 }
 
 /* An event that agrees with the counters of its two bodies, or is behind.
@@ -70,12 +70,12 @@ static void test_hundreds(void)
         const size_t next = fill(&j, n, stale);
         size_t told = n + 1;
         const size_t got = next_valid(n, j.heap, j.counts, &told);
-        check(&j, got, next, "number of the next event",
-              "This heap is a large one. Where does your search turn back "
-              "too early?");
-        check(&j, told, stale, "*stale",
-              "All that come before the next event are stale. How many are "
-              "they?");
+        check_ask("This heap is a large one. Where does your search turn "
+                  "back too early?");
+        check(&j, got, next, "number of the next event");
+        check_ask("All that come before the next event are stale. How many "
+                  "are they?");
+        check(&j, told, stale, "*stale");
     }
 }
 
@@ -102,12 +102,12 @@ static void test_other_clock(void)
         }
         size_t told = j.n + 1;
         const size_t got = next_valid(j.n, j.heap, j.counts, &told);
-        check(&j, got, next, "number of the next event",
-              "Counters and clock have been set otherwise. Which of your "
-              "comparisons asks for more than equal or earlier?");
-        check(&j, told, stale, "*stale",
-              "Counters and clock have been set otherwise. What did you "
-              "count?");
+        check_ask("Counters and clock have been set otherwise. Which of "
+                  "your comparisons asks for more than equal or earlier?");
+        check(&j, got, next, "number of the next event");
+        check_ask("Counters and clock have been set otherwise. What did "
+                  "you count?");
+        check(&j, told, stale, "*stale");
     }
 }
 

@@ -130,13 +130,11 @@ static size_t passed(const struct job *j, size_t k)
                : 0;
 }
 
-static void check_next(const struct job *j, double got, size_t next,
-                       const char *question)
+static void check_next(const struct job *j, double got, size_t next)
 {
     CHECK_NEAR(
         got, .quantity = "number of the next event", .input = input(j),
-        .expected = (double)next, .tolerance = 0.0,
-        .because = "a place in an array is exact", .question = question,
+        .expected = (double)next, .because = "a place in an array is exact",
         .mistakes = {
             {"top-unchecked", 0.0,
              "This is the top of the heap, and it is stale. Which two "
@@ -168,12 +166,12 @@ static void check_next(const struct job *j, double got, size_t next,
 }
 
 static void check_stale(const struct job *j, double got, size_t next,
-                        size_t stale, const char *question)
+                        size_t stale)
 {
     CHECK_NEAR(
         got, .quantity = "*stale, the stale events before the next one",
-        .input = input(j), .expected = (double)stale, .tolerance = 0.0,
-        .because = "a number of events is exact", .question = question,
+        .input = input(j), .expected = (double)stale,
+        .because = "a number of events is exact",
         .mistakes = {
             {"passed-on-the-way", (double)passed(j, 0),
              "These are the stale events that you looked at on the way. "
@@ -191,18 +189,17 @@ static void check_stale(const struct job *j, double got, size_t next,
              "that you have counted?"}});
 }
 
-static void check_known(const struct job *j, size_t next, size_t stale,
-                        const char *question)
+static void check_known(const struct job *j, size_t next, size_t stale)
 {
     const struct answer a = answer(j);
-    check_next(j, a.next, next, question);
-    check_stale(j, a.stale, next, stale, question);
+    check_next(j, a.next, next);
+    check_stale(j, a.stale, next, stale);
 }
 
-static void check_both(const struct job *j, const char *question)
+static void check_both(const struct job *j)
 {
     const size_t next = earliest(j, good);
-    check_known(j, next, earlier_than(j, next), question);
+    check_known(j, next, earlier_than(j, next));
 }
 
 static void test_good_top(void)
@@ -212,11 +209,10 @@ static void test_good_top(void)
         {{1.0, 0, 1, 3, 5}, {2.0, 2, 3, 2, 7}, {1.5, 1, 2, 5, 2}},
         {3, 5, 2, 7}};
     static const struct job alone = {1, {{4.5, 2, 0, 8, 1}}, {1, 0, 8, 0}};
-    static const char question[] =
-        "All counters agree, so nothing is stale here. Where does a heap "
-        "keep its earliest event?";
-    check_both(&all_good, question);
-    check_both(&alone, question);
+    check_ask("All counters agree, so nothing is stale here. Where does a "
+              "heap keep its earliest event?");
+    check_both(&all_good);
+    check_both(&alone);
 }
 
 static void test_stale_top(void)
@@ -230,8 +226,9 @@ static void test_stale_top(void)
                                   {3.0, 2, 3, 2, 7},
                                   {3.25, 0, 2, 3, 2}},
                                  {3, 5, 2, 7}};
-    check_both(&j, "Cross out the stale events in a drawing of this heap. "
-                   "Which of those left is the earliest?");
+    check_ask("Cross out the stale events in a drawing of this heap. Which "
+              "of those left is the earliest?");
+    check_both(&j);
 }
 
 static void test_other_side(void)
@@ -243,8 +240,9 @@ static void test_other_side(void)
                                   {4.0, 0, 1, 3, 5},
                                   {5.0, 1, 3, 5, 7}},
                                  {3, 5, 2, 7}};
-    check_both(&j, "The earlier child of the top is stale, too. Where may "
-                   "the best event stand now?");
+    check_ask("The earlier child of the top is stale, too. Where may the "
+              "best event stand now?");
+    check_both(&j);
 }
 
 static void test_count(void)
@@ -262,8 +260,9 @@ static void test_count(void)
                                   {8.0, 0, 1, 1, 1},
                                   {9.0, 2, 3, 0, 3}},
                                  {3, 5, 2, 7}};
-    check_both(&j, "A program throws the top away as long as it is stale. "
-                   "How often, before the next event is at the top?");
+    check_ask("A program throws the top away as long as it is stale. How "
+              "often, before the next event is at the top?");
+    check_both(&j);
 }
 
 static void test_none(void)
@@ -275,10 +274,12 @@ static void test_none(void)
                                       {1.75, 2, 3, 2, 6}},
                                      {3, 5, 2, 7}};
     static const struct job empty = {0, {{0}}, {3, 5, 2, 7}};
-    check_both(&stale, "Every event is stale. What was to be returned "
-                       "then, and how many has a program to throw away?");
-    check_both(&empty, "There is no event in this heap, not even a top. "
-                       "Which of your lines looks at it all the same?");
+    check_ask("Every event is stale. What was to be returned then, and how "
+              "many has a program to throw away?");
+    check_both(&stale);
+    check_ask("There is no event in this heap, not even a top. Which of "
+              "your lines looks at it all the same?");
+    check_both(&empty);
 }
 
 /* A heap of n events: each comes a little after its parent, and one out of
@@ -304,11 +305,12 @@ static struct job large(size_t n, unsigned rarity, unsigned seed)
 
 static void test_large(void)
 {
+    check_ask("In this larger heap your answer is not that of somebody who "
+              "looked at every event. Which part of the heap have you left "
+              "out, and why?");
     for (unsigned seed = 1; seed <= 60; ++seed) {
         const struct job j = large(seed * 5, 3 + seed, seed);
-        check_both(&j, "In this larger heap your answer is not that of "
-                       "somebody who looked at every event. Which part of "
-                       "the heap have you left out, and why?");
+        check_both(&j);
     }
 }
 
@@ -319,10 +321,10 @@ static void test_run_over(void)
                                   {2.0, 0, 3, UINT_MAX, UINT_MAX},
                                   {3.0, 1, 2, 5, 2}},
                                  {0, 5, 2, 0}};
-    check_both(
-        &j,
+    check_ask(
         "The counters of bodies 0 and 3 were full and have gone on from 0. "
         "When does a counter agree with what an event has noted?");
+    check_both(&j);
 }
 
 /* Fills a heap in the order of time: the top first, and then any place
@@ -378,10 +380,10 @@ static void test_drawn(void)
                 &j, time,
                 k == stale || (k > stale && check_draw_whole(0, 1)));
         }
-        check_known(&j, stale < j.n ? order[stale] : j.n, stale,
-                    check_text("This heap was filled with %zu stale events "
-                               "first. Which of them has led you astray?",
-                               stale));
+        check_ask(check_text("This heap was filled with %zu stale events "
+                             "first. Which of them has led you astray?",
+                             stale));
+        check_known(&j, stale < j.n ? order[stale] : j.n, stale);
     }
 }
 

@@ -374,21 +374,18 @@ static const char *input(const struct job *j)
     return check_text("%s%s", text, j->scripted > 0 ? " ..." : "");
 }
 
-static void check_ended(const struct job *j, const struct answer *a,
-                        const char *question)
+static void check_ended(const struct job *j, const struct answer *a)
 {
     CHECK_NEAR(a->ended ? 1.0 : 0.0,
                .quantity = "does it end before it has asked for 100000 "
                            "random numbers? (1 yes, 0 no)",
-               .input = input(j), .expected = 1.0, .tolerance = 0.0,
-               .because = "yes or no", .question = question);
+               .input = input(j), .expected = 1.0, .because = "yes or no");
 }
 
 /* A coordinate is a product and two sums of numbers up to the box's size,
    each rounded; twice that, for whoever writes it in another way. */
 static void check_place(const struct job *j, const struct answer *a,
-                        const struct answer *expected, struct random before,
-                        const char *question)
+                        const struct answer *expected, struct random before)
 {
     for (size_t c = 0; c < 2 * j->n; ++c) {
         const size_t i = c / 2;
@@ -399,13 +396,13 @@ static void check_place(const struct job *j, const struct answer *a,
         const double tolerance = 4.0 * DBL_EPSILON * size;
         if (fabs(got - want) <= tolerance)
             continue;
-        CHECK_NEAR(
-            got,
-            .quantity = check_text("%s of disk %zu", is_x ? "x" : "y", i),
-            .unit = "m", .input = input(j), .expected = want,
-            .tolerance = tolerance,
-            .because = "4 epsilons of the size of the box",
-            .question = question, .mistakes = {behind(j, a, before, got)});
+        CHECK_NEAR(got,
+                   .quantity =
+                       check_text("%s of disk %zu", is_x ? "x" : "y", i),
+                   .unit = "m", .input = input(j), .expected = want,
+                   .tolerance = tolerance,
+                   .because = "4 epsilons of the size of the box",
+                   .mistakes = {behind(j, a, before, got)});
     }
 }
 
@@ -413,7 +410,7 @@ static void check_place(const struct job *j, const struct answer *a,
    of a throw that is finished after an overlap and those of one that is
    not are different numbers, but each placing is the last ones. */
 static void check_last(const struct job *j, const struct answer *a,
-                       struct random before, const char *question)
+                       struct random before)
 {
     struct answer expected = *a;
     for (size_t i = 0; i < j->n && source.used >= 2 * j->n; ++i) {
@@ -423,7 +420,7 @@ static void check_last(const struct job *j, const struct answer *a,
         expected.y[i] =
             along(j->radius[i], j->height, source.recent[(k + 1) % RECENT]);
     }
-    check_place(j, a, &expected, before, question);
+    check_place(j, a, &expected, before);
 }
 
 /* How many single disks a right sampler throws that stops at an overlap. */
@@ -434,12 +431,12 @@ static double disks_thrown(const struct job *j)
 }
 
 static void check_throws(const struct job *j, const struct answer *a,
-                         double expected, const char *question)
+                         double expected)
 {
     CHECK_NEAR(
         a->throws, .quantity = "how often all disks were thrown",
-        .input = input(j), .expected = expected, .tolerance = 0.0,
-        .because = "a number of throws is exact", .question = question,
+        .input = input(j), .expected = expected,
+        .because = "a number of throws is exact",
         .mistakes = {{"counts-failures", expected - 1.0,
                       "These are the throws that failed. Was the last one, "
                       "which fitted, not a throw?"},
@@ -450,100 +447,99 @@ static void check_throws(const struct job *j, const struct answer *a,
 
 /* A script of which every throw fails at its last disk, if it fails: those
    who stop at an overlap and those who do not use the same numbers. */
-static void check_given(const struct job *j, const struct answer *expected,
-                        const char *question)
+static void check_given(const struct job *j, const struct answer *expected)
 {
     struct random before;
     random_seed(&before, 6);
     const struct answer a = first(student, j);
-    check_ended(j, &a, question);
-    check_place(j, &a, expected, before, question);
-    check_throws(j, &a, expected->throws, question);
+    check_ended(j, &a);
+    check_place(j, &a, expected, before);
+    check_throws(j, &a, expected->throws);
 }
 
-static void check_script(struct job j, double throws, const char *question)
+static void check_script(struct job j, double throws)
 {
     struct answer expected = first(right, &j);
     expected.throws = throws;
-    check_given(&j, &expected, question);
+    check_given(&j, &expected);
 }
 
 static void test_at_once(void)
 {
-    static const char question[] =
-        "Nothing overlaps here. Where may the centre of a disk be, and "
-        "which numbers say where it is?";
-    check_script(JOB(1, {0.25}, 1.0, 2.0, 2, {0.5, 0.25}), 1.0, question);
+    check_ask("Nothing overlaps here. Where may the centre of a disk be, "
+              "and which numbers say where it is?");
+    check_script(JOB(1, {0.25}, 1.0, 2.0, 2, {0.5, 0.25}), 1.0);
     check_script(JOB(3, {0.125, 0.125, 0.125}, 1.0, 1.0, 6,
                      {0.0, 0.0, 0.9, 0.1, 0.3, 0.8}),
-                 1.0, question);
+                 1.0);
 }
 
 /* The third falls on the first, and then on the second; a slip that keeps
    any of them puts the three elsewhere than any other does. */
 static void test_three(void)
 {
-    static const char question[] = "The third disk fell on another. Which "
-                                   "of the three may keep its place?";
+    check_ask("The third disk fell on another. Which of the three may keep "
+              "its place?");
     check_script(
         JOB(3, {0.15, 0.15, 0.15}, 1.0, 1.0, 12,
             {0.1, 0.1, 0.9, 0.9, 0.2, 0.2, 0.3, 0.1, 0.9, 0.5, 0.35, 0.95}),
-        2.0, question);
+        2.0);
     check_script(
         JOB(3, {0.15, 0.15, 0.15}, 1.0, 1.0, 12,
             {0.1, 0.1, 0.9, 0.9, 0.8, 0.7, 0.2, 0.9, 0.5, 0.3, 0.95, 0.85}),
-        2.0, question);
+        2.0);
 }
 
 static void test_two(void)
 {
-    static const char question[] = "The second disk fell on the first. "
-                                   "Which of the two must be thrown again?";
+
     static const char near[] =
         "The two disks are near in x and near in y. Do they overlap?";
+    check_ask("The second disk fell on the first. Which of the two must be "
+              "thrown again?");
     check_script(JOB(2, {0.2, 0.2}, 1.0, 1.0, 8,
                      {0.5, 0.5, 0.6, 0.7, 0.1, 0.2, 0.8, 0.9}),
-                 2.0, question);
+                 2.0);
+    check_ask(near);
     check_script(JOB(2, {0.2, 0.2}, 1.0, 1.0, 4, {0.2, 0.1, 0.75, 0.65}),
-                 1.0, near);
+                 1.0);
 }
 
 static void test_again(void)
 {
+    check_ask("Three throws failed, one after the other. What does your "
+              "program do when a new throw overlaps too?");
     check_script(JOB(3, {0.1, 0.1, 0.1}, 1.0, 1.0, 24,
                      {0.0, 0.0, 1.0, 0.5, 0.9, 0.5,  //
                       0.2, 0.2, 0.8, 0.2, 0.2, 0.3,  //
                       0.5, 0.5, 0.1, 0.9, 0.0, 0.95, //
                       0.6, 0.1, 0.3, 0.8, 0.7, 0.7}),
-                 4.0,
-                 "Three throws failed, one after the other. What does your "
-                 "program do when a new throw overlaps too?");
+                 4.0);
 }
 
 static void test_radii(void)
 {
-    static const char question[] =
-        "A large disk and a small one. Do they overlap, and where may each "
-        "of them be?";
+    check_ask("A large disk and a small one. Do they overlap, and where "
+              "may each of them be?");
     check_script(JOB(2, {0.3, 0.05}, 1.0, 1.0, 8,
                      {0.0, 0.0, 0.5, 0.2, 1.0, 0.5, 0.1, 0.3}),
-                 2.0, question);
+                 2.0);
     check_script(JOB(2, {0.05, 0.3}, 1.0, 1.0, 4, {0.1, 0.1, 0.8, 0.3}),
-                 1.0, question);
+                 1.0);
+    check_ask("The two disks touch, and no more. Is that an overlap?");
     check_script(
-        JOB(2, {0.25, 0.125}, 1.25, 1.25, 4, {0.0, 0.0, 0.5, 0.125}), 1.0,
-        "The two disks touch, and no more. Is that an overlap?");
+        JOB(2, {0.25, 0.125}, 1.25, 1.25, 4, {0.0, 0.0, 0.5, 0.125}), 1.0);
 }
 
 /* The first disk in the middle: no corner is far enough away. */
 static void test_no_room(void)
 {
-    check_script(
-        JOB(2, {0.28, 0.28}, 1.0, 1.0, 8,
-            {0.5, 0.5, 0.0, 0.0, 0.0, 0.0, 1.0, 1.0}),
-        2.0,
+    check_ask(
         "The first disk fell into the middle of a small box, and no other "
         "can ever fit beside it. Whose place must be given up?");
+    check_script(JOB(2, {0.28, 0.28}, 1.0, 1.0, 8,
+                     {0.5, 0.5, 0.0, 0.0, 0.0, 0.0, 1.0, 1.0}),
+                 2.0);
 }
 
 /* Where a side of the box is left to a disk in one half of it, as a number
@@ -626,6 +622,9 @@ static struct job draw_job(void)
 /* Up to three throws that fail, and one that fits. */
 static void test_drawn(void)
 {
+    check_ask("In the first throws, if there are any, the last disk falls "
+              "on another; in the last one no two touch. Which numbers "
+              "make the placing?");
     for (int i = 0; i < 30; ++i) {
         struct job j = draw_job();
         struct answer a = {.ended = true};
@@ -638,31 +637,27 @@ static void test_drawn(void)
             a.y[k] = along(j.radius[k], j.height, u[2 * k + 1]);
         }
         a.throws = failed + 1.0;
-        check_given(&j, &a,
-                    "In the first throws, if there are any, the last disk "
-                    "falls on another; in the last one no two touch. Which "
-                    "numbers make the placing?");
+        check_given(&j, &a);
     }
 }
 
 /* The numbers are those of a generator. */
 static void check_many(const struct job *j)
 {
-    static const char question[] =
-        "Some disks lie where an earlier throw had put them. Which random "
-        "numbers make a placing?";
+    check_ask("Some disks lie where an earlier throw had put them. Which "
+              "random numbers make a placing?");
     for (int sample = 0; sample < 20; ++sample) {
         const struct random before = source.random;
         const struct answer a = call(student, j);
-        check_ended(j, &a, question);
-        check_last(j, &a, before, question);
+        check_ended(j, &a);
+        check_last(j, &a, before);
         for (size_t i = 0; i < j->n; ++i)
             CHECK_NEAR(
                 (double)hit(j, i, touch, a.x, a.y),
                 .quantity = check_text(
                     "the first disk that disk %zu overlaps (%zu: none)", i,
                     i),
-                .input = input(j), .expected = (double)i, .tolerance = 0.0,
+                .input = input(j), .expected = (double)i,
                 .because = "a number of a disk is exact",
                 .question =
                     "Two of the disks overlap. Who looks, and when?",
@@ -700,7 +695,7 @@ static void check_hundred(void)
         "100 disks of 0.04 m in ten rows, in a box of 1 m by 1 m; in a "
         "first throw the last one falls on another";
     CHECK_NEAR(ended ? (double)throws : NAN, .quantity = "throws",
-               .input = text, .expected = 2.0, .tolerance = 0.0,
+               .input = text, .expected = 2.0,
                .because = "a number of throws is exact",
                .question = question);
     for (int i = 0; i < N; ++i)
@@ -743,9 +738,10 @@ static void test_acceptance(void)
     const double p = acceptance(0.7, 0.3);
     double throws = 0.0;
     source_begin(&two, 602);
+    check_ask("Two disks have much room here.");
     for (int sample = 0; sample < PLACINGS; ++sample) {
         const struct answer a = call(student, &two);
-        check_ended(&two, &a, "Two disks have much room here.");
+        check_ended(&two, &a);
         throws += a.throws;
     }
     CHECK_NEAR(

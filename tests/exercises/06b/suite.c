@@ -336,8 +336,7 @@ static double rounding(const struct job *j)
 static const char because[] = "4 epsilons of the dish for each try";
 
 static void check_places(const struct job *j, const struct answer *a,
-                         const struct answer *expected,
-                         const char *question)
+                         const struct answer *expected)
 {
     for (size_t c = 0; c < 2 * j->n; ++c) {
         const double got = c % 2 ? a->y[c / 2] : a->x[c / 2];
@@ -350,7 +349,7 @@ static void check_places(const struct job *j, const struct answer *a,
                                   c % 2 ? "y" : "x", c / 2),
                    .unit = "m", .input = input(j), .expected = want,
                    .tolerance = rounding(j), .because = because,
-                   .question = question, .mistakes = {behind(j, a, got)});
+                   .mistakes = {behind(j, a, got)});
     }
 }
 
@@ -359,107 +358,95 @@ static void check_ended(const struct job *j, const struct answer *a)
     CHECK_NEAR(a->ended ? 1.0 : 0.0,
                .quantity = "does it end before it has asked for 60 random "
                            "numbers a try? (1 yes, 0 no)",
-               .input = input(j), .expected = 1.0, .tolerance = 0.0,
-               .because = "yes or no",
+               .input = input(j), .expected = 1.0, .because = "yes or no",
                .question = "Does a loop of yours wait for a move that is "
                            "allowed? What does it do where there is none?");
 }
 
-static void check_given(const struct job *j, const struct answer *expected,
-                        const char *question)
+static void check_given(const struct job *j, const struct answer *expected)
 {
     const struct answer a = run(student, j);
     check_ended(j, &a);
     CHECK_NEAR(a.accepted, .quantity = "accepted moves, *accepted",
                .input = input(j), .expected = expected->accepted,
-               .tolerance = 0.0, .because = "a number of moves is exact",
-               .question = question,
+               .because = "a number of moves is exact",
                .mistakes = {behind(j, &a, a.accepted)});
-    check_places(j, &a, expected, question);
+    check_places(j, &a, expected);
     CHECK_NEAR(a.mean, .quantity = "average of x^2 + y^2", .unit = "m^2",
                .input = input(j), .expected = expected->mean,
                .tolerance = 4.0 * j->dish * rounding(j),
                .because = "16 epsilons of the dish squared for each try",
-               .equation = "eq:balance", .question = question,
+               .equation = "eq:balance",
                .mistakes = {behind(j, &a, a.mean)});
     CHECK_NEAR(a.numbers, .quantity = "random numbers that were asked for",
                .input = input(j), .expected = 3.0 * (double)j->tries,
-               .tolerance = 0.0, .because = "three for each try",
+               .because = "three for each try",
                .question = "A try asks for three numbers. Does yours also "
                            "when it is rejected?");
 }
 
-static void check(struct job j, const char *question)
+static void check(struct job j)
 {
     const struct answer expected = run_with(RIGHT, &j);
-    check_given(&j, &expected, question);
+    check_given(&j, &expected);
 }
 
 /* limit: 1 (disk, and one try) */
 static void test_accepted(void)
 {
-    static const char question[] =
-        "All of these moves are allowed. Which placings does the chain go "
-        "through, and which of them count?";
+    check_ask("All of these moves are allowed. Which placings does the "
+              "chain go through, and which of them count?");
     check(JOB(.n = 1, .radius = 0.25, .dish = 1.0, .step = 0.5, .tries = 1,
-              .script = {0.5, 0.75, 0.25}),
-          question);
+              .script = {0.5, 0.75, 0.25}));
     check(JOB(.n = 1, .radius = 0.25, .dish = 1.0, .step = 0.5, .tries = 3,
               .x = {-0.25},
               .script = {0.5, 0.75, 0.125, 0.25, 0.625, 0.5, 0.0, 0.125,
-                         0.75}),
-          question);
+                         0.75}));
 }
 
 static void test_wall(void)
 {
-    static const char question[] =
-        "One of these moves leads into the wall. Where is the disk after "
-        "that try, and what does the try add to the average?";
+    check_ask("One of these moves leads into the wall. Where is the disk "
+              "after that try, and what does the try add to the average?");
     check(JOB(.n = 1, .radius = 0.25, .dish = 1.0, .step = 0.5, .tries = 3,
               .x = {0.5},
               .script = {0.5, 0.25, 0.75, 0.5, 0.25, 0.875, 0.5, 0.75,
-                         0.375}),
-          question);
+                         0.375}));
     check(JOB(.n = 1, .radius = 0.25, .dish = 1.0, .step = 0.5, .tries = 4,
               .x = {0.5}, .y = {0.25},
               .script = {0.5, 0.875, 0.5, 0.5, 0.875, 0.75, 0.5, 0.25,
-                         0.375, 0.5, 0.0, 0.5}),
-          question);
+                         0.375, 0.5, 0.0, 0.5}));
 }
 
 static void test_disk(void)
 {
+    check_ask("Some of these moves lead into the other disk. Which placing "
+              "counts after such a try?");
     check(JOB(.n = 2, .radius = 0.25, .dish = 1.0, .step = 0.5, .tries = 4,
               .x = {-0.5, 0.25},
               .script = {0.25, 0.875, 0.5, 0.75, 0.75, 0.625, 0.25, 0.75,
-                         0.25, 0.5, 0.25, 0.25}),
-          "Some of these moves lead into the other disk. Which placing "
-          "counts after such a try?");
+                         0.25, 0.5, 0.25, 0.25}));
 }
 
 /* A disk comes to the wall, and to another disk, and just touches it. */
 static void test_just_fits(void)
 {
-    static const char question[] =
-        "The disk just touches what it has come to. Does it reach out of "
-        "the dish, or overlap?";
+    check_ask("The disk just touches what it has come to. Does it reach "
+              "out of the dish, or overlap?");
     check(JOB(.n = 1, .radius = 0.25, .dish = 1.0, .step = 1.0, .tries = 1,
-              .script = {0.0, 0.875, 0.5}),
-          question);
+              .script = {0.0, 0.875, 0.5}));
     check(JOB(.n = 2, .radius = 0.25, .dish = 1.0, .step = 1.0, .tries = 1,
-              .x = {-0.5, 0.5}, .script = {0.0, 0.75, 0.5}),
-          question);
+              .x = {-0.5, 0.5}, .script = {0.0, 0.75, 0.5}));
 }
 
 static void test_caught(void)
 {
+    check_ask("No move takes place here at all. Where is the disk at each "
+              "of the tries? What do you divide by?");
     check(
         JOB(.n = 1, .radius = 0.5, .dish = 1.0, .step = 0.25, .tries = 3,
             .x = {0.5},
-            .script = {0.0, 0.75, 0.5, 0.5, 0.625, 0.75, 0.5, 0.75, 0.25}),
-        "No move takes place here at all. Where is the disk at each of the "
-        "tries? What do you divide by?");
+            .script = {0.0, 0.75, 0.5, 0.5, 0.625, 0.75, 0.5, 0.75, 0.25}));
 }
 
 static const struct job many = {.n = 4,
@@ -502,8 +489,7 @@ static void check_hundred(void)
         "0.01 m along x and y, one after the other";
     CHECK_NEAR(ended ? (double)accepted : NAN,
                .quantity = "accepted moves, *accepted", .input = text,
-               .expected = N, .tolerance = 0.0,
-               .because = "a number of moves is exact",
+               .expected = N, .because = "a number of moves is exact",
                .question = question);
     CHECK_NEAR(mean, .quantity = "average of x^2 + y^2", .unit = "m^2",
                .input = text, .expected = expected,
@@ -515,8 +501,9 @@ static void check_hundred(void)
 static void test_many(void)
 {
     check_hundred();
-    check(many, "A thousand tries, with four disks. Does your chain go the "
-                "same way, and count each of its placings?");
+    check_ask("A thousand tries, with four disks. Does your chain go the "
+              "same way, and count each of its placings?");
+    check(many);
 }
 
 /* How much room there is at least around disk i at (a, b): to the wall and
@@ -596,12 +583,12 @@ static struct job draw_chain(struct answer *expected)
 
 static void test_drawn(void)
 {
+    check_ask("For each disk, write down from which try to which it is at "
+              "each of its places. What is the average then?");
     for (int i = 0; i < 30; ++i) {
         struct answer expected = {.ended = true};
         const struct job j = draw_chain(&expected);
-        check_given(&j, &expected,
-                    "For each disk, write down from which try to which it "
-                    "is at each of its places. What is the average then?");
+        check_given(&j, &expected);
     }
 }
 
@@ -634,17 +621,15 @@ static double exact_two(double a, double d)
     return sum / all;
 }
 
-static void check_mean(const struct job *j, double expected, double scatter,
-                       const char *question)
+static void check_mean(const struct job *j, double expected, double scatter)
 {
     const struct answer a = run(student, j);
     check_ended(j, &a);
-    CHECK_NEAR(a.mean, .quantity = "average of x^2 + y^2", .unit = "m^2",
-               .input = input(j), .expected = expected,
-               .tolerance = 4.0 * scatter,
-               .because = "4 times the scatter of such averages",
-               .equation = "eq:balance", .question = question,
-               .mistakes = {behind(j, &a, a.mean)});
+    CHECK_NEAR(
+        a.mean, .quantity = "average of x^2 + y^2", .unit = "m^2",
+        .input = input(j), .expected = expected, .tolerance = 4.0 * scatter,
+        .because = "4 times the scatter of such averages",
+        .equation = "eq:balance", .mistakes = {behind(j, &a, a.mean)});
 }
 
 /* A single disk is evenly spread: the mean is (dish - radius)^2/2. The
@@ -654,9 +639,9 @@ static void test_one(void)
 {
     const struct job j = JOB(.n = 1, .radius = 0.25, .dish = 1.0,
                              .step = 0.75, .tries = 20000, .seed = 63);
-    check_mean(&j, 0.28125, 0.0021,
-               "One disk alone is as often at one place as at any other. "
-               "Is yours at the wall as often as in the middle?");
+    check_ask("One disk alone is as often at one place as at any other. Is "
+              "yours at the wall as often as in the middle?");
+    check_mean(&j, 0.28125, 0.0021);
 }
 
 /* The averages of 200 seeds scatter by 0.0028; without the rejections they
@@ -666,10 +651,9 @@ static void test_two(void)
     const struct job j =
         JOB(.n = 2, .radius = 0.2, .dish = 1.0, .step = 0.4, .tries = 20000,
             .x = {-0.4, 0.4}, .seed = 64);
-    check_mean(
-        &j, exact_two(0.8, 0.4), 0.0028,
-        "Two disks crowd each other towards the wall, and there most moves "
-        "are rejected. How often do those placings count?");
+    check_ask("Two disks crowd each other towards the wall, and there most "
+              "moves are rejected. How often do those placings count?");
+    check_mean(&j, exact_two(0.8, 0.4), 0.0028);
 }
 
 const struct check_suite check_suite = {

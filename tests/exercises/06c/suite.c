@@ -143,7 +143,7 @@ struct slack {
 };
 
 static void check_overlap(struct pair p, double expected,
-                          struct slack slack, const char *question)
+                          struct slack slack)
 {
     CHECK_NEAR(
         answer(p).overlap, .quantity = "what the two zones share, *overlap",
@@ -151,7 +151,6 @@ static void check_overlap(struct pair p, double expected,
         .expected = expected, .tolerance = slack.overlap,
         .because = slack.because,
         .equation = p.dimensions == 2 ? "eq:lens" : "eq:lens3",
-        .question = question,
         .mistakes = {
             {"area-for-volume", flat(p),
              "This is the area of a lens in the plane. How many dimensions "
@@ -182,14 +181,13 @@ static void check_overlap(struct pair p, double expected,
 
 /* The potential where the zones overlap. */
 static void check_potential(struct pair p, double overlap,
-                            struct slack slack, const char *question)
+                            struct slack slack)
 {
     const double expected = -p.density * overlap;
     CHECK_NEAR(
         answer(p).potential, .quantity = "the potential", .unit = "kT",
         .input = input(p), .expected = expected,
         .tolerance = p.density * slack.overlap, .because = slack.because,
-        .question = question,
         .mistakes = {
             {"pushed-apart", -expected,
              "The size is right. The small ones have more room when the "
@@ -201,25 +199,23 @@ static void check_potential(struct pair p, double overlap,
              "more or less than few?"}});
 }
 
-static void check_given(struct pair p, double overlap, struct slack slack,
-                        const char *question)
+static void check_given(struct pair p, double overlap, struct slack slack)
 {
-    check_overlap(p, overlap, slack, question);
-    check_potential(p, overlap, slack, question);
+    check_overlap(p, overlap, slack);
+    check_potential(p, overlap, slack);
 }
 
-static void check_both(struct pair p, const char *question)
+static void check_both(struct pair p)
 {
     const struct slack few = {
         tolerance(p),
         "16 epsilons of the zones, more where the lens is thin"};
-    check_given(p, exact(p), few, question);
+    check_given(p, exact(p), few);
 }
 
 /* Beyond the reach of the zones there is nothing, exactly. Where they touch
    but for a rounding, a lens of the thickness of an epsilon may be left. */
-static void check_apart(struct pair p, double tolerance,
-                        const char *question)
+static void check_apart(struct pair p, double tolerance)
 {
     static const char cut[] =
         "The zones do not meet any more, and your formula goes on. What is "
@@ -229,14 +225,12 @@ static void check_apart(struct pair p, double tolerance,
                .unit = "kT", .input = input(p), .expected = 0.0,
                .tolerance = tolerance,
                .because = "zones that do not meet share nothing",
-               .question = question,
                .mistakes = {{"not-cut-off", -p.density * goes_on(p), cut}});
     CHECK_NEAR(answer(p).overlap,
                .quantity = "what the two zones share, *overlap",
                .unit = p.dimensions == 2 ? "m^2" : "m^3", .input = input(p),
                .expected = 0.0, .tolerance = tolerance,
                .because = "zones that do not meet share nothing",
-               .question = question,
                .mistakes = {{"left-empty", CHECK_EMPTY,
                              "Not a number: was something put into "
                              "*overlap where the zones do not meet?"}});
@@ -244,55 +238,52 @@ static void check_apart(struct pair p, double tolerance,
 
 static void test_disks(void)
 {
-    static const char question[] =
-        "Two circles of equal radius cut each other. What is half of the "
-        "lens: a slice of cake less which triangle?";
-    check_both((struct pair){2, 1.0, 1.0, 0.2, 1.5, 2.2}, question);
-    check_both((struct pair){2, 1.0, 1.0, 0.2, 0.75, 2.05}, question);
-    check_both((struct pair){2, 0.5, 0.5, 1.0, 2.0, 1.25}, question);
+    check_ask("Two circles of equal radius cut each other. What is half of "
+              "the lens: a slice of cake less which triangle?");
+    check_both((struct pair){2, 1.0, 1.0, 0.2, 1.5, 2.2});
+    check_both((struct pair){2, 1.0, 1.0, 0.2, 0.75, 2.05});
+    check_both((struct pair){2, 0.5, 0.5, 1.0, 2.0, 1.25});
 }
 
 static void test_spheres(void)
 {
-    static const char question[] =
-        "Two balls of equal radius share two caps. How high is a cap, and "
-        "what is its volume?";
-    check_both((struct pair){3, 1.0, 1.0, 0.2, 1.5, 2.2}, question);
-    check_both((struct pair){3, 1.0, 1.0, 0.2, 0.75, 2.05}, question);
-    check_both((struct pair){3, 0.5, 0.5, 1.0, 2.0, 1.25}, question);
+    check_ask("Two balls of equal radius share two caps. How high is a "
+              "cap, and what is its volume?");
+    check_both((struct pair){3, 1.0, 1.0, 0.2, 1.5, 2.2});
+    check_both((struct pair){3, 1.0, 1.0, 0.2, 0.75, 2.05});
+    check_both((struct pair){3, 0.5, 0.5, 1.0, 2.0, 1.25});
 }
 
 /* Either way round. */
-static void check_twice(struct pair p, const char *question)
+static void check_twice(struct pair p)
 {
     struct pair q = p;
     q.R1 = p.R2;
     q.R2 = p.R1;
-    check_both(p, question);
-    check_both(q, question);
+    check_both(p);
+    check_both(q);
 }
 
 static void test_unequal(void)
 {
-    static const char question[] = "The two zones are not equal. How far "
-                                   "is the chord from either centre?";
-    check_twice((struct pair){2, 1.0, 0.5, 0.5, 1.25, 1.75}, question);
-    check_twice((struct pair){3, 1.0, 0.5, 0.5, 1.25, 1.75}, question);
+    check_ask("The two zones are not equal. How far is the chord from "
+              "either centre?");
+    check_twice((struct pair){2, 1.0, 0.5, 0.5, 1.25, 1.75});
+    check_twice((struct pair){3, 1.0, 0.5, 0.5, 1.25, 1.75});
 }
 
 static void test_behind(void)
 {
-    static const char question[] =
+    check_ask(
         "The chord lies behind the centre of the small zone. What sign has "
-        "its distance from there, and does your formula keep it?";
-    check_twice((struct pair){2, 3.0, 0.25, 0.5, 1.25, 3.375}, question);
-    check_twice((struct pair){3, 3.0, 0.25, 0.5, 1.25, 3.375}, question);
+        "its distance from there, and does your formula keep it?");
+    check_twice((struct pair){2, 3.0, 0.25, 0.5, 1.25, 3.375});
+    check_twice((struct pair){3, 3.0, 0.25, 0.5, 1.25, 3.375});
 }
 
 static void test_apart(void)
 {
-    static const char question[] =
-        "The zones do not meet, or only touch. What do they share?";
+    check_ask("The zones do not meet, or only touch. What do they share?");
     static const struct pair apart[] = {
         {2, 1.0, 1.0, 0.25, 2.0, 3.0}, {3, 1.0, 1.0, 0.25, 2.0, 3.0},
         {2, 1.0, 0.5, 0.25, 2.0, 2.0}, {3, 1.0, 0.5, 0.25, 2.0, 2.0},
@@ -300,27 +291,27 @@ static void test_apart(void)
     static const double touching[][3] = {
         {0.1, 0.2, 0.25}, {0.1, 0.3, 0.1}, {0.1, 0.2, 1.3}};
     for (size_t i = 0; i < sizeof apart / sizeof apart[0]; ++i)
-        check_apart(apart[i], 0.0, question);
+        check_apart(apart[i], 0.0);
     for (size_t i = 0; i < 3; ++i) {
         const double *t = touching[i];
         const struct pair p = {2,    t[0], t[1],
                                t[2], 2.0,  (t[0] + t[2]) + (t[1] + t[2])};
-        check_apart(p, 1e-20, question);
+        check_apart(p, 1e-20);
     }
 }
 
 static void check_touching(struct pair p)
 {
-    static const char question[] = "The two big bodies just touch. Where "
-                                   "are the zones and their chord now?";
+    check_ask("The two big bodies just touch. Where are the zones and "
+              "their chord now?");
     static const char why[] = "The big bodies do not overlap here, they "
                               "just touch. Is that forbidden?";
     CHECK_NEAR(isinf(answer(p).potential) ? 1.0 : 0.0,
                .quantity = "is the potential infinite? (1 yes, 0 no)",
-               .input = input(p), .expected = 0.0, .tolerance = 0.0,
-               .because = "yes or no", .question = why,
+               .input = input(p), .expected = 0.0, .because = "yes or no",
+               .question = why,
                .mistakes = {{"touching-forbidden", 1.0, why}});
-    check_both(p, question);
+    check_both(p);
 }
 
 static void test_touching(void)
@@ -338,8 +329,7 @@ static void check_core(struct pair p)
         "that cost, however much room the small ones gain?";
     CHECK_NEAR(answer(p).potential, .quantity = "the potential",
                .unit = "kT", .input = input(p), .expected = INFINITY,
-               .tolerance = 0.0, .because = "infinity is exact",
-               .question = why,
+               .because = "infinity is exact", .question = why,
                .mistakes = {{"no-core", -p.density * exact(p), why}});
 }
 
@@ -383,18 +373,21 @@ static struct pair draw_pair(int dimensions, double *overlap)
 
 static void test_limits(void)
 {
+    check_ask("The zones do not meet. What do they share?");
     for (int i = 0; i < 40; ++i) {
         double overlap;
         struct pair far = draw_pair(2 + i % 2, &overlap), near = far;
         far.r = far.R1 + far.R2 + 2.0 * far.small + check_draw(0.01, 9.0);
         near.r = check_draw(0.1, 0.98) * (near.R1 + near.R2);
         check_core(near);
-        check_apart(far, 0.0, "The zones do not meet. What do they share?");
+        check_apart(far, 0.0);
     }
 }
 
 static void test_drawn(void)
 {
+    check_ask("Two zones, and a chord in front of a centre or behind it. "
+              "What does it cut off each of them?");
     for (int i = 0; i < 40; ++i) {
         double overlap;
         struct pair p = draw_pair(2 + i % 2, &overlap);
@@ -406,9 +399,7 @@ static void test_drawn(void)
         const struct slack some = {
             tolerance(p) + 1e-8 * overlap,
             "a hundred millionth, for those who integrate"};
-        check_given(p, overlap, some,
-                    "Two zones, and a chord in front of a centre or behind "
-                    "it. What does it cut off each of them?");
+        check_given(p, overlap, some);
     }
 }
 

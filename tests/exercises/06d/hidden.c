@@ -3,13 +3,12 @@
 #include "examiner/check.h"
 #include "call.h"
 
-static void check(double got, double expected, const char *what,
-                  const char *question)
+static void check(double got, double expected, const char *what)
 {
     CHECK_NEAR(got, .quantity = what,
                .input = "a row of disks of 1 m in a box of 10 m",
                .expected = expected, .tolerance = 1e-12,
-               .because = "a few roundings", .question = question);
+               .because = "a few roundings");
 }
 
 /* Three in a row that touch: the push comes out at the other end. */
@@ -19,19 +18,22 @@ static void test_touching(void)
         const double way = check_draw(0.1, 6.0), at = check_draw(0.5, 1.0);
         double x[] = {at, at + 1.0, at + 2.0}, y[] = {1.0, 1.0, 1.0};
         const size_t touches = push_chain(3, 1.0, 10.0, 4.0, x, y, 0, way);
-        static const char question[] =
+        check_ask(
             "The three touch from the start, so the push is handed on "
-            "before anybody has moved. How far does the first one go?";
-        check((double)touches, 2.0, "what is returned", question);
-        check(x[0], at, "x[0] after", question);
+            "before anybody has moved. How far does the first one go?");
+        check((double)touches, 2.0, "what is returned");
+        check(x[0], at, "x[0] after");
         check(fmod(x[2] - at - 2.0 + 10.0, 10.0), way,
-              "how far the last one has gone", question);
+              "how far the last one has gone");
     }
 }
 
 /* The second part begins with the disk that the first part ended with. */
 static void test_parts(void)
 {
+    check_ask(
+        "A push in two parts is the same push, when the second part begins "
+        "where the first has ended. What does your chain forget?");
     for (int i = 0; i < 10; ++i) {
         const double one = check_draw(0.1, 0.4), two = check_draw(1.0, 2.0);
         double x[] = {1.0, 2.5, 4.25}, z[] = {1.0, 2.5, 4.25};
@@ -40,10 +42,7 @@ static void test_parts(void)
         push_chain(3, 1.0, 10.0, 4.0, z, y, 0, one);
         push_chain(3, 1.0, 10.0, 4.0, z, y, 0, two);
         for (int k = 0; k < 3; ++k)
-            check(z[k], x[k], "x after two parts of a push",
-                  "A push in two parts is the same push, when the second "
-                  "part begins where the first has ended. What does your "
-                  "chain forget?");
+            check(z[k], x[k], "x after two parts of a push");
     }
 }
 

@@ -40,13 +40,12 @@ static double density(const struct known *k)
 
 /* Digits are lost where some of the first are right, or where the answer
    would be right if it were not so small. */
-static void check_digits(const struct known *k, double got,
-                         const char *question)
+static void check_digits(const struct known *k, double got)
 {
     const double off = (got - k->below) / k->below;
     CHECK_NEAR(off, .quantity = "relative error of the probability below v",
                .input = input(k), .expected = 0.0, .tolerance = tolerance,
-               .because = because, .question = question,
+               .because = because,
                .mistakes = {
                    {"digits-lost", off,
                     "The formula is right, and its last digits are gone, "
@@ -63,7 +62,7 @@ static const char unbounded[] =
     "This is the law of Maxwell and Boltzmann, and it is near. How many of "
     "your digits are right, and how many were asked for?";
 
-static void check_below(const struct known *k, const char *question)
+static void check_below(const struct known *k)
 {
     const double got = below(k->n, k->mean, k->v), off = got - k->below;
     const double bell = -expm1(-k->v * k->v / k->mean);
@@ -71,7 +70,7 @@ static void check_below(const struct known *k, const char *question)
     const bool few = fabs(got - bell) > 1e-12 * bell;
     if (few && (fabs(off) < 1e-6 * k->below ||
                 (share < 1e-3 && fabs(off) < 1e-9))) {
-        check_digits(k, got, question);
+        check_digits(k, got);
         return;
     }
     CHECK_NEAR(
@@ -79,7 +78,6 @@ static void check_below(const struct known *k, const char *question)
         .input = input(k), .expected = k->below,
         .tolerance = tolerance * k->below, .because = because,
         .equation = few ? "eq:speed-law" : "eq:maxwell-2d",
-        .question = question,
         .mistakes = {
             {"maxwell-for-few", bell, k->n < 1000 ? bounded : unbounded},
             {"above-for-below", 1.0 - k->below,
@@ -107,11 +105,10 @@ static void check_below(const struct known *k, const char *question)
              "other?"}});
 }
 
-static void check_table(const struct known *k, size_t count,
-                        const char *question)
+static void check_table(const struct known *k, size_t count)
 {
     for (size_t i = 0; i < count; ++i)
-        check_below(&k[i], question);
+        check_below(&k[i]);
 }
 
 static void test_two(void)
@@ -119,9 +116,9 @@ static void test_two(void)
     static const struct known table[] = {{2, 3.0, 1.5, 0.375},
                                          {2, 0.5, 0.25, 0.0625},
                                          {2, 8.0, 3.0, 0.5625}};
-    check_table(table, sizeof table / sizeof table[0],
-                "Two disks: any way of sharing the energy is as likely as "
-                "any other. Which share belongs to the speed v?");
+    check_ask("Two disks: any way of sharing the energy is as likely as "
+              "any other. Which share belongs to the speed v?");
+    check_table(table, sizeof table / sizeof table[0]);
 }
 
 static void test_some(void)
@@ -136,9 +133,9 @@ static void test_some(void)
         {250, 1.0, 0.5, 0.2205171430260359630},
         {250, 1.0, 2.0, 0.9819789741595798385},
         {250, 4.0, 2.5, 0.7901020125597663890}};
-    check_table(table, sizeof table / sizeof table[0],
-                "How does the law of two disks change with each disk that "
-                "is added? Try three on paper.");
+    check_ask("How does the law of two disks change with each disk that is "
+              "added? Try three on paper.");
+    check_table(table, sizeof table / sizeof table[0]);
 }
 
 /* Beyond the largest speed, and below any. */
@@ -152,7 +149,7 @@ static void check_outside(int n, double mean, double v, double expected)
     const bool fast = v > 0.0;
     CHECK_NEAR(
         below(n, mean, v), .quantity = "probability of a speed below v",
-        .input = input(&k), .expected = expected, .tolerance = 0.0,
+        .input = input(&k), .expected = expected,
         .because = "nothing is to be computed here",
         .question = fast ? most
                          : "No speed is negative. How many of them lie "
@@ -190,7 +187,7 @@ static void test_one(void)
         CHECK_NEAR(below(k.n, k.mean, k.v),
                    .quantity = "probability of a speed below v",
                    .input = input(&k), .expected = k.below,
-                   .tolerance = 0.0, .because = "there is only one speed",
+                   .because = "there is only one speed",
                    .question =
                        "One disk alone keeps its energy, and so its speed. "
                        "Which is it, and is it below v?");
@@ -206,9 +203,9 @@ static void test_slow(void)
         {10, 4.0, 0x1p-40, 1.861156378244312268e-25},
         {250, 1.0, 0x1p-20, 9.058567229654278845e-13},
         {2, 1.0, 0x1p-400, 7.498484069478154774e-242}};
-    check_table(table, sizeof table / sizeof table[0],
-                "A very slow disk is rare, but how rare? Which of your "
-                "numbers is near 1, and need it be?");
+    check_ask("A very slow disk is rare, but how rare? Which of your "
+              "numbers is near 1, and need it be?");
+    check_table(table, sizeof table / sizeof table[0]);
 }
 
 /* limit: 1000000000 disks */
@@ -222,10 +219,10 @@ static void test_many(void)
         {1000000, 1.0, 0x1p-20, 9.094937922778128759e-13},
         {10000000, 4.0, 2.5, 0.7903886056844504524},
         {1000000000, 1.0, 0.75, 0.4302171750387155747}};
-    check_table(
-        table, sizeof table / sizeof table[0],
+    check_ask(
         "The law of Maxwell and Boltzmann is near, and still not the same. "
         "What does a high power do with the rounding of 1 minus a share?");
+    check_table(table, sizeof table / sizeof table[0]);
 }
 
 /* The integral over s = v^2, from 0 to the largest, of the probability of a
@@ -340,10 +337,11 @@ static struct known draw_known(void)
 
 static void test_drawn(void)
 {
+    check_ask("Many disks or few, fast or slow: where in your formula do "
+              "digits get lost?");
     for (int i = 0; i < 50; ++i) {
         const struct known k = draw_known();
-        check_below(&k, "Many disks or few, fast or slow: where in your "
-                        "formula do digits get lost?");
+        check_below(&k);
         check_fourth(k.n, k.mean, k.v);
     }
 }

@@ -221,14 +221,12 @@ static struct check_mistake mistake(const struct record *r, double got)
     return (struct check_mistake){NULL, 0.0, NULL};
 }
 
-static void check_z(const struct record *r, double expected,
-                    const char *question)
+static void check_z(const struct record *r, double expected)
 {
     const double got = answer(r).z;
     CHECK_NEAR(got, .quantity = "Z", .input = input(r),
                .expected = expected, .tolerance = tolerance(r),
-               .because = because, .question = question,
-               .mistakes = {mistake(r, got)});
+               .because = because, .mistakes = {mistake(r, got)});
 }
 
 static double ideal(const struct record *r, int sides)
@@ -239,8 +237,7 @@ static double ideal(const struct record *r, int sides)
     return n * kt / (sides == 3 ? area * r->box[2] : area);
 }
 
-static void check_pressure(const struct record *r, double z,
-                           const char *question)
+static void check_pressure(const struct record *r, double z)
 {
     const double n = (double)r->n, p = ideal(r, r->dimensions);
     CHECK_NEAR(
@@ -249,7 +246,6 @@ static void check_pressure(const struct record *r, double z,
         .expected = z * p,
         .tolerance = p * (tolerance(r) + 16.0 * DBL_EPSILON * z),
         .because = "that of Z, times n kT/V, and 16 epsilons",
-        .question = question,
         .mistakes = {{"third-side-read", z * ideal(r, 3),
                       "In the plane the box has an area. How many of its "
                       "sides have you multiplied?"},
@@ -278,10 +274,10 @@ static const struct record thin = {.dimensions = 2,
 
 static void test_none(void)
 {
-    static const char question[] = "Nothing has collided, and the gas is "
-                                   "ideal. What are P V/(N kT) and P?";
-    check_z(&thin, 1.0, question);
-    check_pressure(&thin, 1.0, question);
+    check_ask("Nothing has collided, and the gas is ideal. What are P V/(N "
+              "kT) and P?");
+    check_z(&thin, 1.0);
+    check_pressure(&thin, 1.0);
 }
 
 /* The gas above with one collision. */
@@ -301,11 +297,10 @@ static void test_head_on(void)
         {2.0, 2.0}, {1.5, 0.0, 0.0}, {3.0, 0.0, 0.0}, {-1.0, 0.0, 0.0}});
     const struct record up = one((struct collision){
         {2.0, 2.0}, {0.0, -3.0, 0.0}, {1.0, -2.0, 0.0}, {1.0, 0.0, 0.0}});
-    static const char question[] =
-        "Two equal disks meet head on and exchange their velocities. Which "
-        "momentum has jumped, over which distance?";
-    check_z(&r, 1.08, question);
-    check_z(&up, 1.08, question);
+    check_ask("Two equal disks meet head on and exchange their velocities. "
+              "Which momentum has jumped, over which distance?");
+    check_z(&r, 1.08);
+    check_z(&up, 1.08);
 }
 
 /* Twice the reduced mass is 1.5 kg: 1.5 * 4 * 1.5 = 9 J s and 0.06. */
@@ -315,11 +310,10 @@ static void test_masses(void)
         {3.0, 1.0}, {1.5, 0.0, 0.0}, {3.0, 0.0, 0.0}, {-1.0, 0.0, 0.0}});
     const struct record q = one((struct collision){
         {2.0, 6.0}, {0.0, 2.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, -1.0, 0.0}});
-    static const char question[] =
-        "Look at the two from their centre of mass. By how much does the "
-        "momentum of either change?";
-    check_z(&r, 1.06, question);
-    check_z(&q, 1.08, question);
+    check_ask("Look at the two from their centre of mass. By how much does "
+              "the momentum of either change?");
+    check_z(&r, 1.06);
+    check_z(&q, 1.08);
 }
 
 /* The line of centres is 5 m long, (3, 4): the velocity of approach is
@@ -330,10 +324,10 @@ static void test_oblique(void)
         {3.0, 6.0}, {3.0, 4.0, 0.0}, {2.0, 0.0, 0.0}, {0.0, 0.0, 0.0}});
     const struct record q = one((struct collision){
         {3.0, 6.0}, {3.0, 4.0, 0.0}, {5.0, 0.0, 0.0}, {5.0, -2.0, 0.0}});
-    static const char question[] = "They meet at an angle. How fast does "
-                                   "the distance of the centres shrink?";
-    check_z(&r, 1.0 + 4.0 * 6.0 / 150.0, question);
-    check_z(&q, 1.0 + 4.0 * 8.0 / 150.0, question);
+    check_ask("They meet at an angle. How fast does the distance of the "
+              "centres shrink?");
+    check_z(&r, 1.0 + 4.0 * 6.0 / 150.0);
+    check_z(&q, 1.0 + 4.0 * 8.0 / 150.0);
 }
 
 static struct collision exchanged(struct collision c)
@@ -357,11 +351,10 @@ static void test_order(void)
     r.count = q.count = 2;
     r.c[1] = exchanged(d);
     q.c[1] = d;
-    static const char question[] =
-        "This is a record in which the two of a pair have changed places. "
-        "What in your formula knows who comes first?";
-    check_z(&r, 1.0 + (24.0 + 7.2) / 150.0, question);
-    check_z(&q, 1.0 + (24.0 + 7.2) / 150.0, question);
+    check_ask("This is a record in which the two of a pair have changed "
+              "places. What in your formula knows who comes first?");
+    check_z(&r, 1.0 + (24.0 + 7.2) / 150.0);
+    check_z(&q, 1.0 + (24.0 + 7.2) / 150.0);
 }
 
 /* The collision of test_head_on, with third numbers that mean nothing. */
@@ -369,11 +362,10 @@ static void test_plane(void)
 {
     const struct record r = one((struct collision){
         {2.0, 2.0}, {1.5, 0.0, 8.0}, {3.0, 0.0, 9.0}, {-1.0, 0.0, 2.0}});
-    static const char question[] =
-        "In the plane a vector has two components. What do you do with the "
-        "third number?";
-    check_z(&r, 1.08, question);
-    check_pressure(&r, 1.08, question);
+    check_ask("In the plane a vector has two components. What do you do "
+              "with the third number?");
+    check_z(&r, 1.08);
+    check_pressure(&r, 1.08);
 }
 
 /* r.w is -(1 * 2 + 2 * 1 + 2 * 3) = -10, twice the reduced mass 3 kg: 30 J
@@ -390,11 +382,10 @@ static void test_space(void)
                                     {1.0, 2.0, 2.0},
                                     {2.0, 0.0, 1.0},
                                     {0.0, -1.0, -2.0}}}};
-    static const char question[] =
-        "These are spheres. Which of your numbers depend on the number of "
-        "dimensions, and does Z?";
-    check_z(&r, 1.0 + 30.0 / 90.0, question);
-    check_pressure(&r, 1.0 + 30.0 / 90.0, question);
+    check_ask("These are spheres. Which of your numbers depend on the "
+              "number of dimensions, and does Z?");
+    check_z(&r, 1.0 + 30.0 / 90.0);
+    check_pressure(&r, 1.0 + 30.0 / 90.0);
 }
 
 /* Two disks on one line, with zero momentum: they meet with the relative
@@ -418,9 +409,9 @@ static void check_two(double m0, double m1, double sigma)
                                     {way * u * m1 / (m0 + m1), 0.0, 0.0},
                                     {-way * u * m0 / (m0 + m1), 0.0, 0.0}};
     }
-    check_z(&r, (side - sigma) / (side - 2.0 * sigma),
-            "Two disks go to and fro and meet on both sides. How often do "
-            "they, and what does each collision add?");
+    check_ask("Two disks go to and fro and meet on both sides. How often "
+              "do they, and what does each collision add?");
+    check_z(&r, (side - sigma) / (side - 2.0 * sigma));
 }
 
 /* limit: 2 particles */
@@ -489,12 +480,12 @@ static void test_drawn(void)
     for (int i = 0; i < 20; ++i) {
         double z;
         const struct record r = draw_record(&z);
-        check_z(&r, z,
-                "These are collisions of all kinds. Does every one of them "
-                "add what it should?");
-        check_pressure(&r, z,
-                       "Z is right. What has P to do with Z, n, kT and the "
-                       "size of the box?");
+        check_ask("These are collisions of all kinds. Does every one of "
+                  "them add what it should?");
+        check_z(&r, z);
+        check_ask("Z is right. What has P to do with Z, n, kT and the size "
+                  "of the box?");
+        check_pressure(&r, z);
     }
 }
 

@@ -13,13 +13,11 @@ size_t steps_under(void (*by)(size_t n, const double x[], double a[]),
                    size_t n, struct state *s, double dt, size_t steps);
 
 static void check(double got, double expected, double tolerance,
-                  const char *quantity, const char *input,
-                  const char *question)
+                  const char *quantity, const char *input)
 {
     CHECK_NEAR(got, .quantity = quantity, .input = input,
                .expected = expected, .tolerance = tolerance,
-               .because = "some epsilons a step of all that is added up",
-               .question = question);
+               .because = "some epsilons a step of all that is added up");
 }
 
 /* A planet, whose force points to the sun whatever its strength. */
@@ -46,13 +44,13 @@ static void test_areas(void)
             "a planet at %g m with %g m/s across, %zu steps of %g s", r,
             fast, steps, dt);
         (void)steps_under(to_the_sun, 3, &s, dt, steps);
+        check_ask("The force points to the sun at the place where it acts. "
+                  "Is that the place that is kicked?");
         check(s.x[0] * s.v[1] - s.x[1] * s.v[0], r * fast,
-              (double)(steps + 4) * 1e-14, "angular momentum", input,
-              "The force points to the sun at the place where it acts. Is "
-              "that the place that is kicked?");
+              (double)(steps + 4) * 1e-14, "angular momentum", input);
+        check_ask("Nothing acts along z. How far has it gone?");
         check(s.x[2], 0.5 + 0.25 * dt * (double)steps,
-              (double)(steps + 4) * 1e-14, "z", input,
-              "Nothing acts along z. How far has it gone?");
+              (double)(steps + 4) * 1e-14, "z", input);
     }
 }
 
@@ -85,13 +83,13 @@ static void test_together(void)
         }
         const char *input = check_text(
             "a ring of %d bodies, %zu steps of %g s", MOST, steps, dt);
-        check(v_end, v, 1e-11, "sum of all v", input,
-              "What one body takes from another it gives back. Were both "
-              "forces taken at the same time?");
+        check_ask("What one body takes from another it gives back. Were "
+                  "both forces taken at the same time?");
+        check(v_end, v, 1e-11, "sum of all v", input);
+        check_ask("The centre of all bodies goes straight on. How long do "
+                  "the two halves of a drift last together?");
         check(x_end, x + v * dt * (double)steps, 1e-9, "sum of all x",
-              input,
-              "The centre of all bodies goes straight on. How long do the "
-              "two halves of a drift last together?");
+              input);
     }
 }
 
@@ -106,6 +104,7 @@ static void cubic(size_t n, const double x[], double a[])
 /* Another unit of time, a power of two, shifts exponents only. */
 static void test_units(void)
 {
+    check_ask("Is there a number with a unit in your step?");
     for (int i = 0; i < 10; ++i) {
         const double x = check_draw(0.5, 1.5), v = check_draw(-1.0, 1.0);
         const double dt = check_draw(0.01, 0.3);
@@ -120,11 +119,9 @@ static void test_units(void)
             check_text("a(x) = -x^3, x = %g, v = %g, %zu steps of %g, and "
                        "the same with %g times the unit of time",
                        x, v, steps, dt, unit_of_time);
-        check(other.x[0], s.x[0], 1e-13, "x in the other units", input,
-              "Is there a number with a unit in your step?");
+        check(other.x[0], s.x[0], 1e-13, "x in the other units", input);
         check(other.v[0] * unit_of_time, s.v[0], 1e-13,
-              "v in the other units", input,
-              "Is there a number with a unit in your step?");
+              "v in the other units", input);
     }
     unit_of_time = 1.0;
 }

@@ -19,13 +19,11 @@ struct table new_method(void);
 struct table draw_table(size_t stages);
 
 static void check(double got, double expected, double tolerance,
-                  const char *quantity, const char *input,
-                  const char *question)
+                  const char *quantity, const char *input)
 {
     CHECK_NEAR(got, .quantity = quantity, .input = input,
                .expected = expected, .tolerance = tolerance,
-               .because = "some epsilons of all that is added up",
-               .question = question);
+               .because = "some epsilons of all that is added up");
 }
 
 /* A cubic in t, whose integral is exact, over any step. */
@@ -49,6 +47,8 @@ static double integral_to(double t)
 static void test_cubics(void)
 {
     const struct table table = new_method();
+    check_ask("Newton's rule is exact for cubics. At which times are the "
+              "four slopes taken?");
     for (int i = 0; i < 20; ++i) {
         const double t = check_draw(-2.0, 2.0), h = check_draw(-2.0, 2.0);
         double y[2] = {check_draw(-1.0, 1.0), 0.0}, begin = y[0];
@@ -60,9 +60,7 @@ static void test_cubics(void)
               check_text("y' = %g + %g t + %g t^2 + %g t^3, y = %g at t = "
                          "%g, h = %g",
                          cubic[0], cubic[1], cubic[2], cubic[3], begin, t,
-                         h),
-              "Newton's rule is exact for cubics. At which times are the "
-              "four slopes taken?");
+                         h));
     }
 }
 
@@ -100,12 +98,13 @@ static void test_places(void)
             check_text("%zu stages of a drawn table, h = %g; the last two "
                        "do not use each other and change places",
                        s, h);
-        for (int k = 0; k < 3; ++k)
-            check(z[k], y[k], 1e-12, check_text("y[%d]", k), input,
-                  "Two stages that do not use each other have changed "
+        check_ask("Two stages that do not use each other have changed "
                   "places. Has each taken its row and its weight with it?");
+        for (int k = 0; k < 3; ++k)
+            check(z[k], y[k], 1e-12, check_text("y[%d]", k), input);
+        check_ask("How many stages are there?");
         check(asked, (double)s, 0.0, "how often the slopes were asked",
-              input, "How many stages are there?");
+              input);
     }
 }
 
@@ -133,6 +132,7 @@ static double spiral_error(const struct table *table, double angle,
 static void test_spiral(void)
 {
     const struct table table = new_method();
+    check_ask("Half the step: how much smaller should the error be?");
     for (int i = 0; i < 5; ++i) {
         const double angle = check_draw(0.0, 6.0);
         const double end = check_draw(1.5, 2.5);
@@ -140,8 +140,7 @@ static void test_spiral(void)
                    spiral_error(&table, angle, end, 80)),
               4.0, 0.15, "order, from 40 steps and 80",
               check_text("a spiral inwards from the angle %g to t = %g",
-                         angle, end),
-              "Half the step: how much smaller should the error be?");
+                         angle, end));
     }
 }
 

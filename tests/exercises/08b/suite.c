@@ -274,7 +274,7 @@ static void slips_of(const struct table *w, double t, double h, double y,
 }
 
 static void check_two(const struct table *w, double t, double h, double y,
-                      double expected, const char *question)
+                      double expected)
 {
     double got[2] = {y, 0.0};
     struct slip slip[SLIPS];
@@ -285,8 +285,7 @@ static void check_two(const struct table *w, double t, double h, double y,
                       .expected = expected,
                       .tolerance =
                           1e-14 * (fabs(y) + fabs(expected) + 20.0),
-                      .because = "some epsilons of all that is added up",
-                      .question = question};
+                      .because = "some epsilons of all that is added up"};
     for (int i = 0; i < SLIPS; ++i)
         c.mistakes[i] =
             (struct check_mistake){slip[i].name, slip[i].end, slip[i].hint};
@@ -299,18 +298,17 @@ static void check_two(const struct table *w, double t, double h, double y,
    at 1 + 0.125 * 5 and t = 1.125, k_2 = 6.625. */
 static void test_two(void)
 {
-    static const char question[] =
-        "Do the two stages by hand: where does the second one stand, and "
-        "when? Which slope is there, and what is the mean?";
+    check_ask("Do the two stages by hand: where does the second one stand, "
+              "and when? Which slope is there, and what is the mean?");
     const struct table middle = {2, {0.0, 0.0, 0.5, 0.0}, {0.0, 1.0}};
     const struct table heun = {2, {0.0, 0.0, 1.0, 0.0}, {0.5, 0.5}};
     const struct table other = {2, {0.0, 0.0, 0.25, 0.0}, {0.75, 0.5}};
     line.rate = 2.0;
     line.push = 3.0;
-    check_two(&other, 1.0, 0.5, 1.0, 4.53125, question);
-    check_two(&middle, 1.0, 0.5, 1.0, 5.125, question);
-    check_two(&heun, 1.0, 0.5, 1.0, 5.125, question);
-    check_two(&middle, 0.0, -0.25, 3.0, 1.96875, question);
+    check_two(&other, 1.0, 0.5, 1.0, 4.53125);
+    check_two(&middle, 1.0, 0.5, 1.0, 5.125);
+    check_two(&heun, 1.0, 0.5, 1.0, 5.125);
+    check_two(&middle, 0.0, -0.25, 3.0, 1.96875);
 }
 
 /* Three stages, where the third uses the first slope too. With z = h rate
@@ -387,8 +385,7 @@ static void test_numbers(void)
         CHECK_NEAR((double)asked,
                    .quantity = "how often the slopes were asked for",
                    .input = check_text("%zu numbers, two stages", n),
-                   .expected = 2.0, .tolerance = 0.0,
-                   .because = "a number is exact",
+                   .expected = 2.0, .because = "a number is exact",
                    .question = "One call gives the slopes of all numbers. "
                                "How many stages are there?");
     }

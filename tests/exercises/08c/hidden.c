@@ -6,13 +6,11 @@
 enum { RUNS = 6 };
 
 static void check(double got, double expected, double tolerance,
-                  const char *quantity, const char *input,
-                  const char *question)
+                  const char *quantity, const char *input)
 {
     CHECK_NEAR(got, .quantity = quantity, .input = input,
                .expected = expected, .tolerance = tolerance,
-               .because = "some epsilons of four logarithms",
-               .question = question);
+               .because = "some epsilons of four logarithms");
 }
 
 /* C h^p (1 + D h): the slope between two steps is p and what the second
@@ -56,13 +54,13 @@ static void test_series(void)
         double order = -99.0;
         const enum verdict verdict =
             measure_order(RUNS, s.h, s.error, 1e-16, &order);
-        check(order, last, 1e-12, "*order", text_of(&s),
-              "Which two runs have the smallest steps?");
+        check_ask("Which two runs have the smallest steps?");
+        check(order, last, 1e-12, "*order", text_of(&s));
+        check_ask("How far apart are the slopes of the last two pairs?");
         if (fabs(change - 0.2) > 1e-3)
             check((double)verdict, change > 0.2 ? NOT_YET : MEASURED, 0.0,
                   "what is returned (0 TOO_FEW, 1 NOT_YET, 2 MEASURED)",
-                  text_of(&s),
-                  "How far apart are the slopes of the last two pairs?");
+                  text_of(&s));
     }
 }
 
@@ -70,6 +68,7 @@ static void test_series(void)
    and no verdict at all. */
 static void test_units(void)
 {
+    check_ask("Is there a number with a unit in your program?");
     for (int i = 0; i < 20; ++i) {
         struct series s = draw_series(), other = s;
         const double m = ldexp(1.0, check_draw_whole(-60, 60));
@@ -86,15 +85,12 @@ static void test_units(void)
         const enum verdict two =
             measure_order(RUNS, other.h, other.error, m * rounding, &same);
         check((double)two, (double)one, 0.0,
-              "what is returned, in the other units", text_of(&s),
-              "Is there a number with a unit in your program?");
+              "what is returned, in the other units", text_of(&s));
         check(isnan(same), isnan(order), 0.0,
-              "is *order NAN? (1 yes, 0 no)", text_of(&s),
-              "Is there a number with a unit in your program?");
+              "is *order NAN? (1 yes, 0 no)", text_of(&s));
         if (!isnan(order))
             check(same, order, 1e-11, "*order, in the other units",
-                  text_of(&s),
-                  "Is there a number with a unit in your program?");
+                  text_of(&s));
     }
 }
 
@@ -112,13 +108,15 @@ static void test_limit(void)
             measure_order(RUNS, s.h, s.error, limit / 1000.0, &order);
         const char *input =
             check_text("%s, of which %d are of use", text_of(&s), useful);
-        if (useful < 2)
+        if (useful < 2) {
+            check_ask("How many runs are of use?");
             check((double)verdict, TOO_FEW, 0.0,
                   "what is returned (0 TOO_FEW, 1 NOT_YET, 2 MEASURED)",
-                  input, "How many runs are of use?");
-        else
-            check(order, slope_of(&s, useful - 2), 1e-12, "*order", input,
-                  "Which runs are of use?");
+                  input);
+        } else {
+            check_ask("Which runs are of use?");
+            check(order, slope_of(&s, useful - 2), 1e-12, "*order", input);
+        }
     }
 }
 

@@ -176,8 +176,7 @@ static double tolerance(const struct runs *r, double p)
     return 32.0 * DBL_EPSILON * logs / log(1.05);
 }
 
-static void check_order(const struct runs *r, double got, double p,
-                        const char *question)
+static void check_order(const struct runs *r, double got, double p)
 {
     struct slip slip[SLIPS];
     struct check c = {
@@ -186,8 +185,7 @@ static void check_order(const struct runs *r, double got, double p,
         .expected = p,
         .tolerance = tolerance(r, p),
         .because =
-            "some epsilons of four logarithms, over that of the steps",
-        .question = question};
+            "some epsilons of four logarithms, over that of the steps"};
     slips_of(r, slip);
     for (int i = 0, used = 0; i < SLIPS && used < 8; ++i)
         if (same(got, slip[i].value))
@@ -206,20 +204,19 @@ static const char *verdict_name(enum verdict verdict)
 /* A verdict, with the slips that go with this one. */
 static void check_verdict(const struct runs *r, enum verdict got,
                           enum verdict expected, struct check_mistake one,
-                          struct check_mistake other, const char *question)
+                          struct check_mistake other)
 {
     CHECK_NEAR(
         (double)got,
         .quantity = "what is returned (0 TOO_FEW, 1 NOT_YET, 2 MEASURED)",
-        .input = input(r), .expected = expected, .tolerance = 0.0,
+        .input = input(r), .expected = expected,
         .because = check_text("it should be %s", verdict_name(expected)),
-        .question = question, .mistakes = {one, other});
+        .mistakes = {one, other});
 }
 
 static const struct check_mistake nothing = {NULL, 0.0, NULL};
 
-static void check_measured(const struct runs *r, double p,
-                           const char *question)
+static void check_measured(const struct runs *r, double p)
 {
     const struct result got = measured(r);
     const struct check_mistake few = {
@@ -228,24 +225,23 @@ static void check_measured(const struct runs *r, double p,
         "when there are three?"};
     const struct check_mistake yet = {"wants-three", NOT_YET, few.hint};
     const bool two = sifted(r).n == 2;
-    check_order(r, got.order, p, question);
+    check_order(r, got.order, p);
     check_verdict(r, got.verdict, MEASURED, two ? few : nothing,
-                  two ? yet : nothing, question);
+                  two ? yet : nothing);
 }
 
 /* There are no two runs of use. */
-static void check_few(const struct runs *r, const char *question)
+static void check_few(const struct runs *r)
 {
     const struct result got = measured(r);
     check_verdict(
         r, got.verdict, TOO_FEW,
         (struct check_mistake){"rounding-counted", MEASURED,
                                "How many of these runs are of use?"},
-        nothing, question);
+        nothing);
     CHECK_NEAR(
         isnan(got.order), .quantity = "is *order NAN? (1 yes, 0 no)",
-        .input = input(r), .expected = 1.0, .tolerance = 0.0,
-        .because = "there is no order",
+        .input = input(r), .expected = 1.0, .because = "there is no order",
         .question =
             "No order could be measured. What was to stand in *order then?",
         .mistakes = {
@@ -258,27 +254,27 @@ static void check_few(const struct runs *r, const char *question)
 
 static void test_two(void)
 {
-    static const char question[] =
-        "By which factor did the step shrink, and by which the error?";
+    check_ask(
+        "By which factor did the step shrink, and by which the error?");
     const struct runs third = {2, 0.0, {0.3, 0.1}, {0.27, 0.03}};
     const struct runs fifth = {2, 1e-9, {1.0, 0.2}, {2.5, 0.0008}};
     const struct runs tenth = {2, 1e-9, {0.5, 0.05}, {3e-3, 3e-4}};
-    check_measured(&third, 2.0, question);
-    check_measured(&fifth, 5.0, question);
-    check_measured(&tenth, 1.0, question);
+    check_measured(&third, 2.0);
+    check_measured(&fifth, 5.0);
+    check_measured(&tenth, 1.0);
 }
 
 static void test_signs(void)
 {
-    static const char question[] = "An error of -1 m is as large as one of "
-                                   "1 m. Does your order ask for the sign?";
+    check_ask("An error of -1 m is as large as one of 1 m. Does your order "
+              "ask for the sign?");
     const struct runs below = {2, 1e-9, {0.3, 0.1}, {-0.27, -0.03}};
     const struct runs across = {2, 1e-9, {0.4, 0.1}, {-0.64, 0.01}};
     const struct runs one = {
         4, 1e-9, {0.8, 0.4, 0.2, 0.1}, {0.0561, 0.00683, -0.0008, 0.0001}};
-    check_measured(&one, 3.0, question);
-    check_measured(&below, 2.0, question);
-    check_measured(&across, 3.0, question);
+    check_measured(&one, 3.0);
+    check_measured(&below, 2.0);
+    check_measured(&across, 3.0);
 }
 
 /* Made so that the slope is 2.5 at the largest steps, and 2.1 and then 2 at
@@ -290,15 +286,15 @@ static void test_smallest(void)
     r.error[2] = r.error[3] * 16.0;
     r.error[1] = r.error[2] * pow(2.0, 2.1);
     r.error[0] = r.error[1] * pow(2.0, 2.5);
-    check_measured(&r, 2.0,
-                   "Large steps show terms of higher order. Which two runs "
-                   "are the best?");
+    check_ask("Large steps show terms of higher order. Which two runs are "
+              "the best?");
+    check_measured(&r, 2.0);
 }
 
 static void test_rounding(void)
 {
-    static const char question[] =
-        "Some of these errors are mostly rounding. Which runs are of use?";
+    check_ask(
+        "Some of these errors are mostly rounding. Which runs are of use?");
     const struct runs most = {5,
                               1e-6,
                               {0.9, 0.3, 0.1, 0.03, 0.01},
@@ -309,9 +305,9 @@ static void test_rounding(void)
                                 1e-6,
                                 {0.9, 0.3, 0.2, 0.1, 0.05},
                                 {0.81, 0.09, 0.0009, 0.01, 0.00099}};
-    check_measured(&most, 2.0, question);
-    check_measured(&within, 2.0, question);
-    check_measured(&zero, 3.0, question);
+    check_measured(&most, 2.0);
+    check_measured(&within, 2.0);
+    check_measured(&zero, 3.0);
 }
 
 /* A little above 1000 times the rounding, just that, and a little below. */
@@ -325,19 +321,21 @@ static void test_limit(void)
         3, r, {0.4, 0.2, 0.1}, {5.0, 1000.0 * r, -1000.0 * r}};
     const struct runs below = {
         3, r, {0.4, 0.2, 0.1}, {5.0, -999.5 * r, 999.5 * r}};
-    check_measured(&above, 3.0,
-                   "Both errors are more than 1000 times the rounding. Are "
-                   "they of use?");
-    check_few(&just, "An error of just 1000 times the rounding is not more "
-                     "than that. Is it of use?");
-    check_few(&below, "These errors are a little less than 1000 times the "
-                      "rounding. Are they of use?");
+    check_ask("Both errors are more than 1000 times the rounding. Are they "
+              "of use?");
+    check_measured(&above, 3.0);
+    check_ask("An error of just 1000 times the rounding is not more than "
+              "that. Is it of use?");
+    check_few(&just);
+    check_ask("These errors are a little less than 1000 times the "
+              "rounding. Are they of use?");
+    check_few(&below);
 }
 
 static void test_blown_up(void)
 {
-    static const char question[] =
-        "Some of these runs blew up. What do they say about the order?";
+    check_ask(
+        "Some of these runs blew up. What do they say about the order?");
     const struct runs three = {5,
                                1e-9,
                                {1.6, 0.8, 0.4, 0.2, 0.1},
@@ -346,15 +344,15 @@ static void test_blown_up(void)
         4, 1e-9, {1.6, 0.8, 0.4, 0.2}, {NAN, -INFINITY, 0.064, 0.008}};
     const struct runs last = {
         4, 1e-9, {0.8, 0.4, 0.2, 0.1}, {0.64, 0.16, 0.04, INFINITY}};
-    check_measured(&last, 2.0, question);
-    check_measured(&three, 2.0, question);
-    check_measured(&two, 3.0, question);
+    check_measured(&last, 2.0);
+    check_measured(&three, 2.0);
+    check_measured(&two, 3.0);
 }
 
 static void test_few(void)
 {
-    static const char question[] = "How many of these runs are of use, and "
-                                   "how many does an order need?";
+    check_ask("How many of these runs are of use, and how many does an "
+              "order need?");
     const struct runs none = {0, 1e-9, {0.0}, {0.0}};
     const struct runs one = {1, 1e-9, {0.1}, {0.25}};
     const struct runs rounded = {
@@ -362,11 +360,11 @@ static void test_few(void)
     const struct runs blown = {
         3, 1e-6, {0.4, 0.2, 0.1}, {NAN, INFINITY, 0.01}};
     const struct runs perfect = {3, 0.0, {0.4, 0.2, 0.1}, {0.0, 0.0, 0.0}};
-    check_few(&rounded, question);
-    check_few(&none, question);
-    check_few(&one, question);
-    check_few(&blown, question);
-    check_few(&perfect, question);
+    check_few(&rounded);
+    check_few(&none);
+    check_few(&one);
+    check_few(&blown);
+    check_few(&perfect);
 }
 
 static const char doubt_question[] =
@@ -377,10 +375,10 @@ static void check_doubt(const struct runs *r, double p, const char *name,
                         const char *hint)
 {
     const struct result got = measured(r);
-    check_order(r, got.order, p, doubt_question);
+    check_ask(doubt_question);
+    check_order(r, got.order, p);
     check_verdict(r, got.verdict, NOT_YET,
-                  (struct check_mistake){name, MEASURED, hint}, nothing,
-                  doubt_question);
+                  (struct check_mistake){name, MEASURED, hint}, nothing);
 }
 
 /* limit: 0.5 */
@@ -400,9 +398,9 @@ static void test_constant(void)
     check_doubt(&two, log(4.0 / 3.0) / log(4.0), "no-convergence-unnoticed",
                 hint);
     check_doubt(&just, 0.49, "no-convergence-unnoticed", hint);
-    check_measured(&more, 0.51,
-                   "This order is more than 0.5, and there are two runs. "
-                   "Is it measured?");
+    check_ask("This order is more than 0.5, and there are two runs. Is it "
+              "measured?");
+    check_measured(&more, 0.51);
     check_doubt(&same, 0.0, "no-convergence-unnoticed", hint);
     check_doubt(&worse, -1.0, "no-convergence-unnoticed", hint);
 }
@@ -436,12 +434,11 @@ static void test_doubt(void)
 static void test_agree(void)
 {
     static const double before[] = {2.19, 1.81, 2.05, 2.0};
+    check_ask("The two slopes differ by less than 0.2. Is that enough?");
     for (int i = 0; i < 4; ++i) {
         struct runs r = {3, 1e-9, {0.4, 0.2, 0.1}, {0.0, 0.04, 0.01}};
         r.error[0] = 0.04 * pow(2.0, before[i]);
-        check_measured(
-            &r, 2.0,
-            "The two slopes differ by less than 0.2. Is that enough?");
+        check_measured(&r, 2.0);
     }
 }
 
@@ -472,8 +469,8 @@ static void test_leapfrog(void)
                      {"rounding-counted", last_rise(&r, 1.0),
                       "Runs count here whose errors are mostly rounding. "
                       "How many times larger must an error be?"}});
-    check_verdict(&r, got.verdict, MEASURED, nothing, nothing,
-                  "Two pairs of runs agree. Is the order measured?");
+    check_ask("Two pairs of runs agree. Is the order measured?");
+    check_verdict(&r, got.verdict, MEASURED, nothing, nothing);
 }
 
 /* ---- drawn runs ---- */
@@ -521,9 +518,8 @@ static struct runs draw_runs(int count, const double slope[])
 
 static void test_drawn(void)
 {
-    static const char question[] =
-        "Which runs are of use, which two of them have the smallest steps, "
-        "and does the third one agree?";
+    check_ask("Which runs are of use, which two of them have the smallest "
+              "steps, and does the third one agree?");
     for (int i = 0; i < 50; ++i) {
         const double p = check_draw(0.6, 8.0), off = check_draw(0.25, 1.0);
         const int count = check_draw_whole(2, 3);
@@ -534,9 +530,9 @@ static void test_drawn(void)
         const double slope[] = {count == 2 ? p : before, p};
         const struct runs r = draw_runs(count, slope);
         const struct result got = measured(&r);
-        check_order(&r, got.order, p, question);
+        check_order(&r, got.order, p);
         check_verdict(&r, got.verdict, doubt ? NOT_YET : MEASURED, nothing,
-                      nothing, question);
+                      nothing);
     }
 }
 

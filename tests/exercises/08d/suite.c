@@ -111,7 +111,7 @@ static double after_the_gap(const struct method *m)
 static const double width = 1e-10;
 
 static void check_limit(const struct method *m, double most,
-                        double expected, const char *question)
+                        double expected)
 {
     const double got = limit_of(m, most);
     const double off = fabs(got - expected);
@@ -127,7 +127,6 @@ static void check_limit(const struct method *m, double most,
             .quantity = "the largest stable step, minus the right one",
             .unit = "s", .input = input(m, most), .expected = 0.0,
             .tolerance = tolerance, .because = because,
-            .question = question,
             .mistakes = {
                 {"not-halved", got - expected,
                  "Within 0.01 s of the limit. Between which two steps does "
@@ -139,7 +138,6 @@ static void check_limit(const struct method *m, double most,
         .expected = expected,
         .tolerance = isinf(expected) ? 0.0 : tolerance,
         .because = because,
-        .question = question,
         .mistakes = {{"trace-only", trace_alone(m),
                       "This is where the trace alone has an absolute value "
                       "of 2. Is the determinant of this method 1?"},
@@ -196,15 +194,14 @@ static struct method plain(const char *text, enum kind kind, int order,
    the next term 1 - h^6/72 + h^8/576. */
 static void test_runge_kutta(void)
 {
-    static const char question[] =
-        "The eigenvalues are a complex pair here. Which absolute value "
-        "have they, and when is that 1?";
+    check_ask("The eigenvalues are a complex pair here. Which absolute "
+              "value have they, and when is that 1?");
     const struct method three =
         plain("Runge-Kutta, order 3", RUNGE_KUTTA, 3, 0.0);
     const struct method four =
         plain("Runge-Kutta, order 4", RUNGE_KUTTA, 4, 0.0);
-    check_limit(&three, 4.0, sqrt(3.0), question);
-    check_limit(&four, 5.0, sqrt(8.0), question);
+    check_limit(&three, 4.0, sqrt(3.0));
+    check_limit(&four, 5.0, sqrt(8.0));
 }
 
 /* Two leapfrogs of half the step end at twice the limit, with +1. */
@@ -212,49 +209,47 @@ static void test_two_leaps(void)
 {
     const struct method twice =
         plain("two leapfrogs of half the step", LEAPFROG, 0, 0.5);
-    check_limit(&twice, 7.0, 4.0,
-                "When is one of the real eigenvalues above 1?");
+    check_ask("When is one of the real eigenvalues above 1?");
+    check_limit(&twice, 7.0, 4.0);
 }
 
 static void test_leapfrog(void)
 {
-    static const char question[] =
-        "At its limit the leapfrog flies from side to side: which "
-        "eigenvalue is that?";
+    check_ask("At its limit the leapfrog flies from side to side: which "
+              "eigenvalue is that?");
     struct method leapfrog = plain("the leapfrog", LEAPFROG, 0, 1.0);
-    check_limit(&leapfrog, 5.0, 2.0, question);
+    check_limit(&leapfrog, 5.0, 2.0);
     leapfrog.omega = 2.5;
-    check_limit(&leapfrog, 3.0, 2.0 / 2.5, question);
+    check_limit(&leapfrog, 3.0, 2.0 / 2.5);
     leapfrog.omega = 0.4;
-    check_limit(&leapfrog, 8.0, 2.0 / 0.4, question);
+    check_limit(&leapfrog, 8.0, 2.0 / 0.4);
 }
 
 /* With a brake before and after, of g, the trace is (1 + g^2)(1 - h^2/2)
    and the determinant g^2: an eigenvalue is -1 where 1 - h^2/2 is. */
 static void test_friction(void)
 {
-    static const char question[] =
-        "With friction the determinant is less than 1. Which eigenvalue is "
-        "the larger one?";
+    check_ask("With friction the determinant is less than 1. Which "
+              "eigenvalue is the larger one?");
     struct method brake = plain("a leapfrog with friction", LEAPFROG, 0, 1);
     brake.friction = 0.7;
-    check_limit(&brake, 5.0, 2.0, question);
+    check_limit(&brake, 5.0, 2.0);
     brake.friction = 0.05;
-    check_limit(&brake, 5.0, 2.0, question);
+    check_limit(&brake, 5.0, 2.0);
 }
 
 /* Of parts p < q = 1 - p the trace is 2 - h^2 + p q h^4/4. It is -2 at
    h = 2/sqrt(q) and at 2/sqrt(p), and 2 at 2/sqrt(p q). */
 static void test_gap(void)
 {
-    static const char question[] =
-        "Which is the FIRST step that is not stable, counted from 0?";
+    check_ask(
+        "Which is the FIRST step that is not stable, counted from 0?");
     const struct method fifth =
         plain("a leapfrog of h/5 and one of 4h/5", LEAPFROG, 0, 0.2);
     const struct method third =
         plain("a leapfrog of 3h/10 and one of 7h/10", LEAPFROG, 0, 0.3);
-    check_limit(&fifth, 9.0, 2.0 / sqrt(0.8), question);
-    check_limit(&third, 8.0, 2.0 / sqrt(0.7), question);
+    check_limit(&fifth, 9.0, 2.0 / sqrt(0.8));
+    check_limit(&third, 8.0, 2.0 / sqrt(0.7));
 }
 
 /* limit: 1 (the largest eigenvalue) */
@@ -267,55 +262,51 @@ static void check_rounding(void)
 {
     struct method slow = plain("the Euler method", RUNGE_KUTTA, 1, 0.0);
     slow.omega = 2e-4;
-    check_limit(
-        &slow, 0.015, INFINITY,
-        "The oscillator grows by 2e-12 in a step, less than what was to "
-        "pass for rounding. Which value do you compare with 1?");
+    check_ask("The oscillator grows by 2e-12 in a step, less than what was "
+              "to pass for rounding. Which value do you compare with 1?");
+    check_limit(&slow, 0.015, INFINITY);
     slow.omega = 9e-4;
-    check_limit(&slow, 0.015, 0.0,
-                "The oscillator grows by 4e-11 in a step, and 1e-11 was to "
-                "pass. How much do you let pass?");
+    check_ask("The oscillator grows by 4e-11 in a step, and 1e-11 was to "
+              "pass. How much do you let pass?");
+    check_limit(&slow, 0.015, 0.0);
 }
 
 static void test_never(void)
 {
-    static const char question[] =
-        "This method lets the oscillator grow with every step. What does "
-        "it do at 0.01 s?";
     const struct method euler =
         plain("the Euler method", RUNGE_KUTTA, 1, 0.0);
     const struct method two =
         plain("Runge-Kutta, order 2", RUNGE_KUTTA, 2, 0.0);
-    check_limit(&euler, 3.0, 0.0, question);
-    check_limit(&two, 3.0, 0.0, question);
+    check_ask("This method lets the oscillator grow with every step. What "
+              "does it do at 0.01 s?");
+    check_limit(&euler, 3.0, 0.0);
+    check_limit(&two, 3.0, 0.0);
     check_rounding();
 }
 
 static void test_always(void)
 {
-    static const char question[] =
-        "Is there any step in this range that is not stable?";
+    check_ask("Is there any step in this range that is not stable?");
     const struct method middle =
         plain("the implicit midpoint", THETA, 0, 0.5);
     const struct method euler =
         plain("the implicit Euler method", THETA, 0, 1.0);
     const struct method leapfrog = plain("the leapfrog", LEAPFROG, 0, 1.0);
-    check_limit(&middle, 20.0, INFINITY, question);
-    check_limit(&euler, 20.0, INFINITY, question);
-    check_limit(&leapfrog, 1.995, INFINITY, question);
+    check_limit(&middle, 20.0, INFINITY);
+    check_limit(&euler, 20.0, INFINITY);
+    check_limit(&leapfrog, 1.995, INFINITY);
 }
 
 /* A step of 0.01 s counts even if it is the only one; and the second. */
 static void test_short(void)
 {
-    static const char question[] =
-        "Which steps were to be tried, up to this one?";
+    check_ask("Which steps were to be tried, up to this one?");
     struct method leapfrog = plain("the leapfrog", LEAPFROG, 0, 1.0);
     leapfrog.omega = 300.0;
-    check_limit(&leapfrog, 0.015, 0.0, question);
+    check_limit(&leapfrog, 0.015, 0.0);
     leapfrog.omega = 130.0;
-    check_limit(&leapfrog, 0.0105, INFINITY, question);
-    check_limit(&leapfrog, 0.02, 2.0 / 130.0, question);
+    check_limit(&leapfrog, 0.0105, INFINITY);
+    check_limit(&leapfrog, 0.02, 2.0 / 130.0);
 }
 
 /* A method in drawn units, and a velocity with some x in it: that changes
@@ -344,15 +335,15 @@ double draw_method(struct method *m)
 
 static void test_drawn(void)
 {
+    check_ask("The units of x and v, and how they are told, are other ones "
+              "here. Do the eigenvalues know?");
     for (int i = 0; i < 20; ++i) {
         struct method m;
         const double limit = draw_method(&m);
         const bool seen = check_draw_whole(0, 3) > 0;
         const double most =
             limit * (seen ? check_draw(1.07, 3.0) : check_draw(0.3, 0.95));
-        check_limit(&m, most, seen ? limit : INFINITY,
-                    "The units of x and v, and how they are told, are "
-                    "other ones here. Do the eigenvalues know?");
+        check_limit(&m, most, seen ? limit : INFINITY);
     }
 }
 

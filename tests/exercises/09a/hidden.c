@@ -16,20 +16,20 @@ double answer_of(const struct bodies *b, size_t i);
 struct bodies draw_bodies(size_t n);
 
 static void check(double got, double expected, double tolerance,
-                  const char *quantity, const struct bodies *b,
-                  const char *question)
+                  const char *quantity, const struct bodies *b)
 {
-    CHECK_NEAR(
-        got, .quantity = quantity,
-        .input = check_text("%s; k2 = %g m^3/(kg s^2), softening %g m",
-                            b->text, b->k2, b->softening),
-        .expected = expected, .tolerance = tolerance,
-        .because = "some epsilons of all pairs", .question = question);
+    CHECK_NEAR(got, .quantity = quantity,
+               .input =
+                   check_text("%s; k2 = %g m^3/(kg s^2), softening %g m",
+                              b->text, b->k2, b->softening),
+               .expected = expected, .tolerance = tolerance,
+               .because = "some epsilons of all pairs");
 }
 
 /* The bodies in another order, and the axes too. */
 static void test_order(void)
 {
+    check_ask("Does it matter who is the first?");
     for (int i = 0; i < 10; ++i) {
         const size_t n = (size_t)check_draw_whole(2, MOST);
         const size_t turn = (size_t)check_draw_whole(1, (int)n - 1);
@@ -43,11 +43,9 @@ static void test_order(void)
         }
         const double energy = answer_of(&b, n), one = answer_of(&b, 0);
         check(answer_of(&other, n), energy, 1e-13 * fabs(energy),
-              "the energy, with the bodies in another order", &b,
-              "Does it matter who is the first?");
+              "the energy, with the bodies in another order", &b);
         check(answer_of(&other, turn), one, 1e-13 * fabs(one),
-              "the potential of the same body", &b,
-              "Does it matter who is the first?");
+              "the potential of the same body", &b);
     }
 }
 
@@ -67,22 +65,23 @@ static void test_brought(void)
         for (size_t j = 0; j < n; ++j)
             sum += b.mass[j] * answer_of(&b, j);
         const double energy = answer_of(&b, n);
+        check_ask("What does the sum of mass times potential count twice?");
         check(0.5 * sum, energy, 1e-13 * fabs(energy),
-              "half the sum of mass times potential", &b,
-              "What does the sum of mass times potential count twice?");
+              "half the sum of mass times potential", &b);
+        check_ask("One more body is brought in from far away. How much "
+                  "work is that?");
         check(answer_of(&fewer, n - 1) +
                   b.mass[n - 1] * answer_of(&b, n - 1),
               energy, 1e-13 * fabs(energy),
               "the energy without the last body, and the work to bring it",
-              &b,
-              "One more body is brought in from far away. How much work is "
-              "that?");
+              &b);
     }
 }
 
 /* Lengths and masses in other units. */
 static void test_units(void)
 {
+    check_ask("Is there a number with a unit in your program?");
     for (int i = 0; i < 10; ++i) {
         const size_t n = (size_t)check_draw_whole(2, 20);
         const struct bodies b = draw_bodies(n);
@@ -96,11 +95,9 @@ static void test_units(void)
         other.softening *= m;
         const double energy = answer_of(&b, n), one = answer_of(&b, 0);
         check(answer_of(&other, n) / (kg / m) / kg, energy,
-              1e-14 * fabs(energy), "the energy, in other units", &b,
-              "Is there a number with a unit in your program?");
+              1e-14 * fabs(energy), "the energy, in other units", &b);
         check(answer_of(&other, 0) / (kg / m), one, 1e-14 * fabs(one),
-              "potential[0], in other units", &b,
-              "Is there a number with a unit in your program?");
+              "potential[0], in other units", &b);
     }
 }
 

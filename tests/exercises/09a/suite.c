@@ -186,8 +186,7 @@ static void slips_of(const struct bodies *b, size_t i,
 
 /* Body i, or the energy for i = n. All terms have one sign: a rounding for
    each, and a dozen for the distances. */
-static void check_value(const struct bodies *b, size_t i, double expected,
-                        const char *question)
+static void check_value(const struct bodies *b, size_t i, double expected)
 {
     const double got = answer_of(b, i);
     struct slip slip[SLIPS];
@@ -200,8 +199,7 @@ static void check_value(const struct bodies *b, size_t i, double expected,
         .expected = expected,
         .tolerance =
             (2.0 * (double)b->n + 16.0) * DBL_EPSILON * fabs(expected),
-        .because = "2 epsilons for each body, and 16 for the distances",
-        .question = question};
+        .because = "2 epsilons for each body, and 16 for the distances"};
     slips_of(b, i, slip);
     for (size_t k = 0, used = 0; k < SLIPS && used < 8; ++k)
         if (near(got, slip[k].value))
@@ -214,15 +212,14 @@ static void check_behind(const struct bodies *b)
 {
     CHECK_NEAR(
         answer_of(b, b->n + 1), .quantity = "what stands behind potential",
-        .input = b->text, .expected = 4096.0, .tolerance = 0.0,
-        .because = "it is nobody's",
+        .input = b->text, .expected = 4096.0, .because = "it is nobody's",
         .question = "How many bodies are there, and which is the last?");
 }
 
-static void check_all(const struct bodies *b, const char *question)
+static void check_all(const struct bodies *b)
 {
     for (size_t i = 0; i <= b->n; ++i)
-        check_value(b, i, value(b, RIGHT, i), question);
+        check_value(b, i, value(b, RIGHT, i));
     check_behind(b);
 }
 
@@ -231,23 +228,22 @@ static void check_all(const struct bodies *b, const char *question)
 /* 3 m apart, and 4 m of softening: the root is 5 m. */
 static void test_two(void)
 {
-    static const char question[] =
+    check_ask(
         "Two bodies, 3 m apart: which root belongs to a softening of 4 m, "
-        "and which potential has each at the place of the other?";
+        "and which potential has each at the place of the other?");
     struct bodies b = BODIES("2 kg and 6 kg, 3 m apart along x", 2, 15.0,
                              4.0, {2.0, 6.0}, {1.0, 4.0});
-    check_value(&b, 0, -18.0, question);
-    check_value(&b, 1, -6.0, question);
-    check_value(&b, 2, -36.0, question);
+    check_value(&b, 0, -18.0);
+    check_value(&b, 1, -6.0);
+    check_value(&b, 2, -36.0);
     check_behind(&b);
 }
 
 /* The way is (2, 3, 6) m, 7 m long, and 24 m of softening make 25. */
 static void test_axes(void)
 {
-    static const char question[] =
-        "The way from one to the other has three parts. Where in x stands "
-        "each of them?";
+    check_ask("The way from one to the other has three parts. Where in x "
+              "stands each of them?");
     static const char *const text[] = {
         "5 kg and 1 kg, a way of (2, 3, 6) m from one to the other",
         "5 kg and 1 kg, a way of (3, 6, 2) m from one to the other",
@@ -258,9 +254,9 @@ static void test_axes(void)
         place(&b, 0, 1.0, -2.0, 0.5);
         place(&b, 1, 1.0 + way[i], -2.0 + way[(i + 1) % 3],
               0.5 + way[(i + 2) % 3]);
-        check_value(&b, 0, -4.0, question);
-        check_value(&b, 1, -20.0, question);
-        check_value(&b, 2, -20.0, question);
+        check_value(&b, 0, -4.0);
+        check_value(&b, 1, -20.0);
+        check_value(&b, 2, -20.0);
     }
 }
 
@@ -276,12 +272,11 @@ static void test_five(void)
     place(&b, 4, 1.5, 0.0, 1.5);
     const double side = 1.0 / 5.0, across = 1.0 / sqrt(34.0);
     const double half = 1.0 / sqrt(20.5);
-    static const char question[] =
-        "Each body has four others. How many pairs are there, and is each "
-        "counted once in the energy?";
-    check_value(&b, 0, -2.0 * side - across - 2.0 * half, question);
-    check_value(&b, 4, -4.0 * half, question);
-    check_value(&b, 5, -4.0 * side - 2.0 * across - 8.0 * half, question);
+    check_ask("Each body has four others. How many pairs are there, and is "
+              "each counted once in the energy?");
+    check_value(&b, 0, -2.0 * side - across - 2.0 * half);
+    check_value(&b, 4, -4.0 * half);
+    check_value(&b, 5, -4.0 * side - 2.0 * across - 8.0 * half);
 }
 
 static void test_hard(void)
@@ -291,13 +286,11 @@ static void test_hard(void)
         2.0, 0.0, {2.0, 3.0, 4.0}, {0.0});
     place(&b, 1, 3.0, 4.0, 0.0);
     place(&b, 2, 0.0, 0.0, -12.0);
-    static const char question[] =
-        "Without softening the potential is -k2 m/r. And what is it of a "
-        "body at its own place?";
-    check_value(&b, 0, -2.0 * (3.0 / 5.0 + 4.0 / 12.0), question);
-    check_value(&b, 1, -2.0 * (2.0 / 5.0 + 4.0 / 13.0), question);
-    check_value(&b, 3, -2.0 * (6.0 / 5.0 + 8.0 / 12.0 + 12.0 / 13.0),
-                question);
+    check_ask("Without softening the potential is -k2 m/r. And what is it "
+              "of a body at its own place?");
+    check_value(&b, 0, -2.0 * (3.0 / 5.0 + 4.0 / 12.0));
+    check_value(&b, 1, -2.0 * (2.0 / 5.0 + 4.0 / 13.0));
+    check_value(&b, 3, -2.0 * (6.0 / 5.0 + 8.0 / 12.0 + 12.0 / 13.0));
     check_behind(&b);
 }
 
@@ -309,26 +302,26 @@ static void test_one_place(void)
                0.5, {1.0, 2.0, 4.0}, {0.0});
     for (size_t i = 0; i < 3; ++i)
         place(&b, i, 7.0, -1.0, 2.0);
-    static const char question[] =
-        "No distance at all, and a softening: what is left under the root?";
-    check_value(&b, 0, -36.0, question);
-    check_value(&b, 2, -18.0, question);
-    check_value(&b, 3, -84.0, question);
+    check_ask("No distance at all, and a softening: what is left under the "
+              "root?");
+    check_value(&b, 0, -36.0);
+    check_value(&b, 2, -18.0);
+    check_value(&b, 3, -84.0);
 }
 
 static void test_few(void)
 {
     struct bodies b = {"one body alone", 1, 3.0, 0.0, {5.0}, {1.0}};
-    static const char question[] = "There is no pair. What is the energy, "
-                                   "and the potential of the others?";
-    check_value(&b, 0, 0.0, question);
-    check_value(&b, 1, 0.0, question);
+    check_ask("There is no pair. What is the energy, and the potential of "
+              "the others?");
+    check_value(&b, 0, 0.0);
+    check_value(&b, 1, 0.0);
     b.softening = 0.25;
-    check_value(&b, 0, 0.0, question);
-    check_value(&b, 1, 0.0, question);
+    check_value(&b, 0, 0.0);
+    check_value(&b, 1, 0.0);
     b.n = 0;
     b.text = "no body";
-    check_value(&b, 0, 0.0, question);
+    check_value(&b, 0, 0.0);
     check_behind(&b);
 }
 
@@ -338,11 +331,11 @@ static void test_massless(void)
     struct bodies b =
         BODIES("a body of 10 kg, and one without mass 3 m from it", 2, 1.0,
                4.0, {10.0, 0.0}, {0.0, 3.0});
-    static const char question[] =
-        "A body without mass acts on nobody. What does it feel itself?";
-    check_value(&b, 0, 0.0, question);
-    check_value(&b, 1, -2.0, question);
-    check_value(&b, 2, 0.0, question);
+    check_ask(
+        "A body without mass acts on nobody. What does it feel itself?");
+    check_value(&b, 0, 0.0);
+    check_value(&b, 1, -2.0);
+    check_value(&b, 2, 0.0);
 }
 
 /* n equal bodies on a circle: a chord over the part j/n of it has the
@@ -453,11 +446,12 @@ static void test_gradient(void)
 
 static void test_drawn(void)
 {
+    check_ask("Many bodies of many masses: who acts on whom, and how often "
+              "is a pair counted?");
     for (int i = 0; i < 12; ++i) {
         const struct bodies b =
             draw_bodies((size_t)(i < 10 ? check_draw_whole(2, 9) : MOST));
-        check_all(&b, "Many bodies of many masses: who acts on whom, and "
-                      "how often is a pair counted?");
+        check_all(&b);
     }
 }
 

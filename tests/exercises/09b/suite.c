@@ -33,8 +33,7 @@ static bool near(double a, double b)
 }
 
 /* Both speeds; the slips are those that explain both. */
-static void check_binary(const struct binary *b, const double expected[2],
-                         const char *question)
+static void check_binary(const struct binary *b, const double expected[2])
 {
     const double got[2] = {speed(b, 0), speed(b, 1)};
     const double all = b->mass[0] + b->mass[1];
@@ -83,8 +82,7 @@ static void check_binary(const struct binary *b, const double expected[2],
                           .expected = expected[k],
                           .tolerance = tolerance * expected[k],
                           .because = because,
-                          .equation = "eq:binary-speeds",
-                          .question = question};
+                          .equation = "eq:binary-speeds"};
         for (size_t i = 0; i < sizeof slip / sizeof *slip; ++i)
             if (near(got[0], slip[i].v[0]) && near(got[1], slip[i].v[1]))
                 c.mistakes[i] = (struct check_mistake){slip[i].name, got[k],
@@ -101,25 +99,24 @@ static void check_binary(const struct binary *b, const double expected[2],
  */
 static void test_paper(void)
 {
-    static const char question[] =
-        "Where is the centre of mass, how large are the two circles, and "
-        "which acceleration keeps each body on its own?";
+    check_ask("Where is the centre of mass, how large are the two circles, "
+              "and which acceleration keeps each body on its own?");
     const struct binary unequal = {25.0, {3.0, 1.0}, 9.0};
     const struct binary other = {25.0, {1.0, 3.0}, 9.0};
     const struct binary equal = {8.0, {2.0, 2.0}, 2.0};
-    check_binary(&unequal, (const double[]){5.0 / 6.0, 2.5}, question);
-    check_binary(&other, (const double[]){2.5, 5.0 / 6.0}, question);
-    check_binary(&equal, (const double[]){2.0, 2.0}, question);
+    check_binary(&unequal, (const double[]){5.0 / 6.0, 2.5});
+    check_binary(&other, (const double[]){2.5, 5.0 / 6.0});
+    check_binary(&equal, (const double[]){2.0, 2.0});
 }
 
 static void test_massless(void)
 {
-    static const char question[] =
-        "One of the bodies has no mass. Where is the centre of mass then?";
+    check_ask(
+        "One of the bodies has no mass. Where is the centre of mass then?");
     const struct binary first = {2.0, {0.0, 8.0}, 4.0};
     const struct binary second = {2.0, {8.0, 0.0}, 4.0};
-    check_binary(&first, (const double[]){2.0, 0.0}, question);
-    check_binary(&second, (const double[]){0.0, 2.0}, question);
+    check_binary(&first, (const double[]){2.0, 0.0});
+    check_binary(&second, (const double[]){0.0, 2.0});
 }
 
 /* The momenta are equal: the small speed is the large one times the
@@ -150,6 +147,8 @@ static void test_unequal(void)
 static void test_drawn_binaries(void)
 {
     static const double pi = 3.141592653589793;
+    check_ask("Two bodies of any masses: which of the numbers is shared "
+              "out, and in which proportion?");
     for (int i = 0; i < 30; ++i) {
         const double v[2] = {pow(10.0, check_draw(-4.0, 4.0)),
                              pow(10.0, check_draw(-4.0, 4.0))};
@@ -159,9 +158,7 @@ static void test_drawn_binaries(void)
                                      (2.0 * pi * unit),
                                  {unit * v[1], unit * v[0]},
                                  (v[0] + v[1]) * period / (2.0 * pi)};
-        check_binary(&b, v,
-                     "Two bodies of any masses: which of the numbers is "
-                     "shared out, and in which proportion?");
+        check_binary(&b, v);
     }
 }
 
@@ -200,8 +197,7 @@ static double sum_of(size_t n, int power, int turns)
     return sum;
 }
 
-static void check_ring(const struct ring *r, double expected,
-                       const char *question)
+static void check_ring(const struct ring *r, double expected)
 {
     const double n = (double)r->n,
                  unit = 0.5 * sqrt(r->k2 * r->mass / r->radius);
@@ -213,7 +209,7 @@ static void check_ring(const struct ring *r, double expected,
                    "k2 = %g m^3/(kg s^2), n = %zu, %g kg each, radius %g m",
                    r->k2, r->n, r->mass, r->radius),
                .expected = expected, .tolerance = tolerance * expected,
-               .because = because, .question = question,
+               .because = because,
                .mistakes = {
                    {"neighbours-only", many ? unit * sqrt(2.0 * next) : NAN,
                     "Only the two neighbours pull here. How many others "
@@ -247,15 +243,14 @@ static void check_ring(const struct ring *r, double expected,
    Four: two at the side with sqrt(1/8) and one across with 1/4. */
 static void test_some(void)
 {
-    static const char question[] =
-        "Draw the bodies on their circle. How far is each of the others, "
-        "and how much of its pull points to the centre?";
+    check_ask("Draw the bodies on their circle. How far is each of the "
+              "others, and how much of its pull points to the centre?");
     const struct ring three = {1.0, 3, 1.0, 1.0};
     const struct ring four = {2.0, 4, 3.0, 0.5};
     const struct ring two = {4.0, 2, 9.0, 1.0};
-    check_ring(&three, sqrt(1.0 / sqrt(3.0)), question);
-    check_ring(&four, sqrt(12.0 * (0.25 + sqrt(0.5))), question);
-    check_ring(&two, 3.0, question);
+    check_ring(&three, sqrt(1.0 / sqrt(3.0)));
+    check_ring(&four, sqrt(12.0 * (0.25 + sqrt(0.5))));
+    check_ring(&two, 3.0);
 }
 
 /* limit: 1 (body) */
@@ -266,7 +261,7 @@ static void test_one(void)
         choreography_speed(alone.k2, alone.n, alone.mass, alone.radius),
         .quantity = "the speed of one body alone", .unit = "m/s",
         .input = "k2 = 2 m^3/(kg s^2), n = 1, 3 kg, radius 0.5 m",
-        .expected = 0.0, .tolerance = 0.0, .because = "nothing pulls",
+        .expected = 0.0, .because = "nothing pulls",
         .question =
             "Nobody pulls at it. How fast must it go to stay where it is?");
 }
@@ -274,24 +269,24 @@ static void test_one(void)
 static void test_many(void)
 {
     static const size_t count[] = {5, 6, 7, 12, 101, 1000, 4001};
+    check_ask("Many bodies: whose pull is the largest, and are the digits "
+              "of all terms right?");
     for (size_t i = 0; i < sizeof count / sizeof *count; ++i) {
         const struct ring r = {1.5, count[i], 0.25, 2.0};
-        check_ring(&r, sqrt(pull(&r) * r.radius),
-                   "Many bodies: whose pull is the largest, and are the "
-                   "digits of all terms right?");
+        check_ring(&r, sqrt(pull(&r) * r.radius));
     }
 }
 
 static void test_drawn_rings(void)
 {
+    check_ask("The pull of all others, towards the centre, is v^2/R. Is it "
+              "so here?");
     for (int i = 0; i < 30; ++i) {
         const struct ring r = {pow(10.0, check_draw(-4.0, 4.0)),
                                (size_t)check_draw_whole(2, 400),
                                check_draw(0.01, 9.0),
                                check_draw(0.1, 50.0)};
-        check_ring(&r, sqrt(pull(&r) * r.radius),
-                   "The pull of all others, towards the centre, is v^2/R. "
-                   "Is it so here?");
+        check_ring(&r, sqrt(pull(&r) * r.radius));
     }
 }
 

@@ -11,14 +11,12 @@ double mean_of(double e, double solution, double *exact);
 static const double pi = 3.141592653589793;
 
 static void check(double got, double expected, double tolerance,
-                  const char *quantity, double e, double mean,
-                  const char *question)
+                  const char *quantity, double e, double mean)
 {
     CHECK_NEAR(got, .quantity = quantity,
                .input = check_text("e = %g, M = %.10g", e, mean),
                .expected = expected, .tolerance = tolerance,
-               .because = "some epsilons, over 1 - e cos(E)",
-               .question = question);
+               .because = "some epsilons, over 1 - e cos(E)");
 }
 
 /* From the angle that is seen from the sun: tan(E/2) is that of half the
@@ -49,13 +47,13 @@ static void test_again(void)
         const double here = eccentric_anomaly(e, mean) - mean;
         const double slope = 1.0 - e * cos(mean + here);
         const double size = fabs(far) + 8.0;
+        check_ask("What is different in another revolution?");
         check(eccentric_anomaly(e, far) - far, here,
               32.0 * DBL_EPSILON * size / slope,
-              check_text("E - M after %d revolutions", turns), e, far,
-              "What is different in another revolution?");
+              check_text("E - M after %d revolutions", turns), e, far);
+        check_ask("What happens to E when M changes its sign?");
         check(eccentric_anomaly(e, -mean) + mean, -here,
-              32.0 * DBL_EPSILON * 8.0 / slope, "E - M for -M", e, -mean,
-              "What happens to E when M changes its sign?");
+              32.0 * DBL_EPSILON * 8.0 / slope, "E - M for -M", e, -mean);
     }
 }
 
@@ -77,12 +75,12 @@ static void test_areas(void)
             x = to_x;
             y = to_y;
         }
+        check_ask("Equal areas in equal times: is this E that of M?");
         check(swept, 0.5 * b * mean, 1e-5,
-              "the area that was swept from the perihelion on", e, mean,
-              "Equal areas in equal times: is this E that of M?");
+              "the area that was swept from the perihelion on", e, mean);
+        check_ask("Does the planet go back?");
         check(eccentric_anomaly(e, 1.001 * mean) > end, 1.0, 0.0,
-              "is E larger a little later? (1 yes, 0 no)", e, 1.001 * mean,
-              "Does the planet go back?");
+              "is E larger a little later? (1 yes, 0 no)", e, 1.001 * mean);
     }
 }
 

@@ -67,8 +67,7 @@ static double tolerance(const struct pair *p)
 static const char because[] = "16 epsilons of c times the relative speed";
 
 /* The force on body a along axis k. */
-static void check_force(const struct pair *p, double got, int k,
-                        const char *question)
+static void check_force(const struct pair *p, double got, int k)
 {
     const double right = p->on_a[k];
     const struct body s = seen(p);
@@ -82,7 +81,7 @@ static void check_force(const struct pair *p, double got, int k,
         .quantity =
             check_text("on_a[%d], the force on a along %c", k, "xyz"[k]),
         .unit = "N", .input = input(p), .expected = right,
-        .tolerance = tolerance(p), .because = because, .question = question,
+        .tolerance = tolerance(p), .because = because,
         .mistakes = {
             {"no-axis", r > 0.0 ? NAN : CHECK_NAN,
              "Not a number: is every place filled in, and what do you "
@@ -129,8 +128,7 @@ static void check_opposite(const struct pair *p, double got, int k)
                     "total momentum when both are pulled the same way?"}});
 }
 
-static void check_heat(const struct pair *p, double got,
-                       const char *question)
+static void check_heat(const struct pair *p, double got)
 {
     const struct body s = seen(p);
     const double u = sqrt(dot(s.v, s.v));
@@ -140,7 +138,6 @@ static void check_heat(const struct pair *p, double got,
         .tolerance = 2.0 * tolerance(p) * u,
         .because =
             "32 epsilons of c times the square of the relative speed",
-        .question = question,
         .mistakes = {
             {"half-the-power", 0.5 * p->heat,
              "Half of it. Is this an energy, or a force times a rate?"},
@@ -158,11 +155,11 @@ static void check_heat(const struct pair *p, double got,
              "same place?"}});
 }
 
-static void check_pair(const struct pair *p, const char *question)
+static void check_pair(const struct pair *p)
 {
     const struct answer r = answer(p);
     for (int k = 0; k < 3; ++k)
-        check_force(p, r.on_a[k], k, question);
+        check_force(p, r.on_a[k], k);
     for (int k = 0; k < 3; ++k)
         check_opposite(p, r.on_b[k], k);
 }
@@ -182,16 +179,15 @@ static struct pair on_axis(int k, double va, double vb)
 
 static void test_axis(void)
 {
-    static const char question[] =
-        "Two bodies on a line, 1 m apart: how fast does the distance grow, "
-        "and how large is the force then?";
+    check_ask("Two bodies on a line, 1 m apart: how fast does the distance "
+              "grow, and how large is the force then?");
     for (int k = 0; k < 3; ++k) {
         const struct pair apart = on_axis(k, 1.0, 4.0);
         const struct pair nearer = on_axis(k, 2.0, -0.5);
         const struct pair together = on_axis(k, 1.5, 1.5);
-        check_pair(&apart, question);
-        check_pair(&nearer, question);
-        check_pair(&together, question);
+        check_pair(&apart);
+        check_pair(&nearer);
+        check_pair(&together);
     }
 }
 
@@ -207,10 +203,11 @@ static void test_distance(void)
             .b = {.x = {0.0, far[i], 0.0}, .v = {1.0, 0.75, 3.0}},
             .on_a = {0.0, 1.5, 0.0},
             .heat = 1.125};
-        check_pair(&p, "The same velocities at another distance: does the "
-                       "length change at another rate?");
-        check_heat(&p, answer(&p).heat,
-                   "Does the power know of the distance?");
+        check_ask("The same velocities at another distance: does the "
+                  "length change at another rate?");
+        check_pair(&p);
+        check_ask("Does the power know of the distance?");
+        check_heat(&p, answer(&p).heat);
     }
 }
 
@@ -226,6 +223,8 @@ static void test_turning(void)
                                      {2.0, 0.0, 0.0},
                                      {0.5, 1.0, 0.25},
                                      {1.0, 2.0, 4.0}};
+    check_ask(
+        "These two only turn about a point. Does their distance change?");
     for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 4; ++j) {
             struct pair p = {.c = 3.0, .a = {.x = {1.0, 1.0, 1.0}}};
@@ -236,16 +235,15 @@ static void test_turning(void)
                 p.a.v[k] = turn[j][l] * p.a.x[m] - turn[j][m] * p.a.x[l];
                 p.b.v[k] = turn[j][l] * p.b.x[m] - turn[j][m] * p.b.x[l];
             }
-            check_pair(&p, "These two only turn about a point. Does their "
-                           "distance change?");
+            check_pair(&p);
         }
 }
 
 /* 7 m apart, because 2, 3, 6 and 7 make squares; and b flies off. */
 static void test_oblique(void)
 {
-    static const char question[] =
-        "The axis is oblique: which part of the velocity lies along it?";
+    check_ask(
+        "The axis is oblique: which part of the velocity lies along it?");
     const struct pair p = {.c = 0.5,
                            .a = {{1.0, 1.0, 1.0}, {0.0, 0.0, 0.0}},
                            .b = {{3.0, 4.0, 7.0}, {7.0, 0.0, 7.0}},
@@ -256,8 +254,8 @@ static void test_oblique(void)
                            .a = {{3.0, 0.0, 1.0}, {-5.0, 2.0, 9.0}},
                            .b = {{0.0, 4.0, 1.0}, {5.0, 2.0, -7.0}},
                            .on_a = {14.4, -19.2, 0.0}};
-    check_pair(&p, question);
-    check_pair(&q, question);
+    check_pair(&p);
+    check_pair(&q);
 }
 
 /* What holds whatever the formula: the momentum stays, and so does the
@@ -283,13 +281,13 @@ static void test_momenta(void)
                    .question = "Your dashpot turns the pair. Which way "
                                "does its force point?");
     }
-    check_pair(&p, "Is this force along the axis?");
+    check_ask("Is this force along the axis?");
+    check_pair(&p);
 }
 
 static void test_heat(void)
 {
-    static const char question[] =
-        "How much energy do both bodies lose in one second?";
+    check_ask("How much energy do both bodies lose in one second?");
     const struct pair apart = on_axis(1, 1.0, 4.0);
     const struct pair nearer = on_axis(2, 1.0, -1.0);
     const struct pair oblique = {.c = 0.5,
@@ -297,24 +295,24 @@ static void test_heat(void)
                                  .b = {{3.0, 4.0, 7.0}, {7.0, 0.0, 7.0}},
                                  .heat = 32.0};
     const struct pair still = {.c = 4.0, .b = {{1.0, 0, 0}, {0, 1.0, 0}}};
-    check_heat(&apart, answer(&apart).heat, question);
-    check_heat(&nearer, answer(&nearer).heat, question);
-    check_heat(&oblique, answer(&oblique).heat, question);
-    check_heat(&still, answer(&still).heat, question);
+    check_heat(&apart, answer(&apart).heat);
+    check_heat(&nearer, answer(&nearer).heat);
+    check_heat(&oblique, answer(&oblique).heat);
+    check_heat(&still, answer(&still).heat);
 }
 
 static void test_same_place(void)
 {
-    static const char question[] = "There is no direction from a place to "
-                                   "itself. What did the exercise ask for?";
+    check_ask("There is no direction from a place to itself. What did the "
+              "exercise ask for?");
     const struct pair p = {.c = 2.0,
                            .a = {{1.0, 2.0, 3.0}, {1.0, 0.0, 0.0}},
                            .b = {{1.0, 2.0, 3.0}, {0.0, 1.0, 5.0}}};
     const struct pair q = {.c = 2.0};
-    check_pair(&p, question);
-    check_heat(&p, answer(&p).heat, question);
-    check_pair(&q, question);
-    check_heat(&q, answer(&q).heat, question);
+    check_pair(&p);
+    check_heat(&p, answer(&p).heat);
+    check_pair(&q);
+    check_heat(&q, answer(&q).heat);
 }
 
 /* Whole numbers whose squares add up to a square, from any four: a vector
@@ -363,20 +361,21 @@ static struct pair draw_pair(void)
 
 static void test_drawn(void)
 {
+    check_ask("Any direction, any velocities: is the force c times the "
+              "rate of the length, along it?");
     for (int i = 0; i < 40; ++i) {
         const struct pair p = draw_pair();
-        check_pair(&p, "Any direction, any velocities: is the force c "
-                       "times the rate of the length, along it?");
+        check_pair(&p);
     }
 }
 
 static void test_drawn_heat(void)
 {
+    check_ask("The force times the rate at which the length changes: is "
+              "this what you return?");
     for (int i = 0; i < 40; ++i) {
         const struct pair p = draw_pair();
-        check_heat(&p, answer(&p).heat,
-                   "The force times the rate at which the length changes: "
-                   "is this what you return?");
+        check_heat(&p, answer(&p).heat);
     }
 }
 

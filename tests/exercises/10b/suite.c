@@ -112,12 +112,12 @@ static const char because[] = "what was asked for";
 /* limit: 1e-12 */
 /* Some of the first digits are right. */
 static void check_digits(const struct known *k, double off,
-                         const char *quantity, const char *question)
+                         const char *quantity)
 {
     const bool much = ratio(&k->o) > 2.0;
     CHECK_NEAR(
         off, .quantity = quantity, .input = input(k), .expected = 0.0,
-        .tolerance = 1e-12, .because = because, .question = question,
+        .tolerance = 1e-12, .because = because,
         .mistakes = {
             {"digits-lost", off,
              much ? "The formula is right and its digits go. The slow one "
@@ -153,7 +153,7 @@ static struct check_mistake not_a_number(const struct known *k)
 /* Wrong by much: is it one of the slips? They are worked out only where
    their way is good. */
 static void check_large(const struct known *k, const char *quantity,
-                        double got, bool place, const char *question)
+                        double got, bool place)
 {
     const struct oscillator *o = &k->o;
     const double w = own_frequency(o), unit = place ? 1.0 : w;
@@ -168,7 +168,6 @@ static void check_large(const struct known *k, const char *quantity,
         got, .quantity = quantity, .unit = place ? "m" : "m/s",
         .input = input(k), .expected = expected,
         .tolerance = 1e-12 * unit * scale(o), .because = because,
-        .question = question,
         .mistakes = {
             not_a_number(k),
             {"whole-damping", SLIP(WHOLE),
@@ -196,37 +195,34 @@ static void check_large(const struct known *k, const char *quantity,
 #undef SLIP
 }
 
-static void check_one(const struct known *k, double got, bool place,
-                      const char *question)
+static void check_one(const struct known *k, double got, bool place)
 {
     const double unit = scale(&k->o) * (place ? 1.0 : own_frequency(&k->o));
     const double off = (got - (place ? k->x : k->v)) / unit;
     if (fabs(off) > 1e-12 && fabs(off) < 1e-4) {
-        check_digits(k, off,
-                     place
-                         ? "error of the place, in units of |x| + |v|/w"
-                         : "error of the velocity, in units of w |x| + |v|",
-                     question);
+        check_digits(
+            k, off,
+            place ? "error of the place, in units of |x| + |v|/w"
+                  : "error of the velocity, in units of w |x| + |v|");
         return;
     }
     check_large(k,
                 place ? "place at the time t" : "*velocity, at the time t",
-                got, place, question);
+                got, place);
 }
 
-static void check_known(const struct known *k, const char *question)
+static void check_known(const struct known *k)
 {
     double v = CHECK_EMPTY;
     const double x = oscillate(&k->o, k->t, &v);
-    check_one(k, x, true, question);
-    check_one(k, v, false, question);
+    check_one(k, x, true);
+    check_one(k, v, false);
 }
 
-static void check_table(const struct known *k, size_t count,
-                        const char *question)
+static void check_table(const struct known *k, size_t count)
 {
     for (size_t i = 0; i < count; ++i)
-        check_known(&k[i], question);
+        check_known(&k[i]);
 }
 
 /* ---- the tests ---- */
@@ -236,9 +232,8 @@ static void check_table(const struct known *k, size_t count,
 static void test_free(void)
 {
     static const double turns[] = {1.0, 2.5, 30.0, 100.0};
-    static const char question[] =
-        "Without damping: which function has x for its value and v for its "
-        "slope at t = 0?";
+    check_ask("Without damping: which function has x for its value and v "
+              "for its slope at t = 0?");
     for (size_t i = 0; i < sizeof turns / sizeof turns[0]; ++i) {
         const double c = cos(turns[i]), s = sin(turns[i]);
         const struct known a = {
@@ -249,9 +244,9 @@ static void test_free(void)
                                    2.0 * turns[i],
                                    2.0 * c - 2.0 * s,
                                    -c - s};
-        check_known(&a, question);
-        check_known(&b, question);
-        check_known(&both, question);
+        check_known(&a);
+        check_known(&b);
+        check_known(&both);
     }
 }
 
@@ -274,9 +269,9 @@ static void test_swings(void)
                                           30.0,
                                           0.0001099794973993205773,
                                           -0.0005041067038608385033}};
-    check_table(table, sizeof table / sizeof table[0],
-                "Put exp(-g t) times a swing into the equation of motion: "
-                "which g, and which frequency, does it ask for?");
+    check_ask("Put exp(-g t) times a swing into the equation of motion: "
+              "which g, and which frequency, does it ask for?");
+    check_table(table, sizeof table / sizeof table[0]);
 }
 
 static void test_creeps(void)
@@ -297,17 +292,16 @@ static void test_creeps(void)
                                           10.0,
                                           0.8688924437687194234,
                                           -0.01357976061494239544}};
-    check_table(table, sizeof table / sizeof table[0],
-                "With this much damping there are two rates, and both "
-                "decay. How much of each is in the state at the start?");
+    check_ask("With this much damping there are two rates, and both decay. "
+              "How much of each is in the state at the start?");
+    check_table(table, sizeof table / sizeof table[0]);
 }
 
 /* Twice the same rate: (x + (v + g x) t) exp(-g t). */
 static void test_critical(void)
 {
-    static const char question[] =
-        "Both rates are the same, and one exponential is not enough for "
-        "two numbers at the start. What else decays as fast?";
+    check_ask("Both rates are the same, and one exponential is not enough "
+              "for two numbers at the start. What else decays as fast?");
     static const double rate[] = {1.0, 0.5, 3.0};
     for (int i = 0; i < 3; ++i)
         for (double t = 0.5; t < 40.0; t *= 3.0) {
@@ -316,7 +310,7 @@ static void test_critical(void)
                                     t,
                                     (1.0 + (g - 2.0) * t) * e,
                                     (-2.0 - g * (g - 2.0) * t) * e};
-            check_known(&k, question);
+            check_known(&k);
         }
 }
 
@@ -337,11 +331,11 @@ static void test_near_critical(void)
                 near_critical(0.5, 2.0, off, 1.0, -0.5, t);
             const struct known less =
                 near_critical(3.0, 0.75, -off, -0.25, 1.0, t);
-            static const char question[] =
+            check_ask(
                 "A hair beside the critical damping nothing much happens "
-                "to the oscillator. What happens to your formula?";
-            check_known(&more, question);
-            check_known(&less, question);
+                "to the oscillator. What happens to your formula?");
+            check_known(&more);
+            check_known(&less);
         }
 }
 
@@ -363,9 +357,8 @@ static struct known creeping(double m, double slow, double fast, double a,
    epsilon of itself. */
 static void test_much(void)
 {
-    static const char question[] =
-        "Much damping: one rate is very fast, the other one very slow. "
-        "Which operation of yours does not survive that?";
+    check_ask("Much damping: one rate is very fast, the other one very "
+              "slow. Which operation of yours does not survive that?");
     for (int power = 6; power <= 60; power += 9)
         for (double t = 0.25; t < 5.0; t *= 2.0) {
             const double fast = ldexp(1.1, power);
@@ -373,9 +366,9 @@ static void test_much(void)
             const struct known both = creeping(0.5, 0.9, fast, 2, -1, t);
             const struct known soon =
                 creeping(2.0, 0.5, fast, 1, 1, t / fast);
-            check_known(&slow, question);
-            check_known(&both, question);
-            check_known(&soon, question);
+            check_known(&slow);
+            check_known(&both);
+            check_known(&soon);
         }
 }
 
@@ -384,24 +377,26 @@ static void test_late(void)
 {
     static const double late[] = {1e4, 1e9, 1e30, 1e150};
     static const double damping[] = {4.0, 5.0, 1e3};
+    check_ask("After all this time nothing is left. What do you multiply "
+              "by what?");
     for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 3; ++j) {
             const struct known k = {{1.0, damping[j], 4.0, 1.0, 1.0},
                                     late[i] * damping[j],
                                     0.0,
                                     0.0};
-            check_known(&k, "After all this time nothing is left. What do "
-                            "you multiply by what?");
+            check_known(&k);
         }
 }
 
 static void test_start(void)
 {
     static const double damping[] = {0.0, 0.5, 4.0, 4.0000001, 1e6};
+    check_ask("No time has passed. Where is it?");
     for (int i = 0; i < 5; ++i) {
         const struct known k = {
             {1.0, damping[i], 4.0, -1.5, 2.5}, 0.0, -1.5, 2.5};
-        check_known(&k, "No time has passed. Where is it?");
+        check_known(&k);
     }
 }
 
@@ -425,15 +420,18 @@ static struct known draw_swinging(void)
 
 static void test_drawn_swinging(void)
 {
+    check_ask("Little damping: are the envelope, the frequency and the "
+              "start right for any of them?");
     for (int i = 0; i < 40; ++i) {
         const struct known k = draw_swinging();
-        check_known(&k, "Little damping: are the envelope, the frequency "
-                        "and the start right for any of them?");
+        check_known(&k);
     }
 }
 
 static void test_drawn_creeping(void)
 {
+    check_ask("Much damping: are both rates right, and how much of each is "
+              "in it?");
     for (int i = 0; i < 40; ++i) {
         const double slow = check_draw(0.02, 1.0);
         const double more =
@@ -443,13 +441,13 @@ static void test_drawn_creeping(void)
             creeping(check_draw_whole(1, 99) / 8.0, slow, slow + more, a,
                      i % 2 ? -a : check_draw_whole(-50, 50) / 16.0,
                      check_draw(0.0, 3.0) / (i % 3 ? slow : slow + more));
-        check_known(&k, "Much damping: are both rates right, and how much "
-                        "of each is in it?");
+        check_known(&k);
     }
 }
 
 static void test_drawn_critical(void)
 {
+    check_ask("Near the critical damping: do all digits survive?");
     for (int i = 0; i < 40; ++i) {
         const double w = check_draw(0.2, 4.0);
         const double off = pow(10.0, -check_draw(1.0, 17.0));
@@ -457,8 +455,7 @@ static void test_drawn_critical(void)
             near_critical(check_draw(0.1, 5.0), w * w, i % 2 ? off : -off,
                           check_draw(-2.0, 2.0), check_draw(-2.0, 2.0),
                           check_draw(0.0, 20.0) / w);
-        check_known(&k,
-                    "Near the critical damping: do all digits survive?");
+        check_known(&k);
     }
 }
 

@@ -110,15 +110,14 @@ static double slipped(const struct grid *g, double kx, double ax, double ky,
     return with_sign(kx / g->mass * x * x + ky / g->mass * y * y);
 }
 
-static void check_digits(const struct grid *g, int r, int s, double off,
-                         const char *question)
+static void check_digits(const struct grid *g, int r, int s, double off)
 {
     CHECK_NEAR(
         off,
         .quantity = check_text(
             "relative error of the frequency of mode (%d, %d)", r, s),
         .input = input(g), .expected = 0.0, .tolerance = 1e-12,
-        .because = "what was asked for", .question = question,
+        .because = "what was asked for",
         .mistakes = {{"digits-lost", off,
                       "The formula is right and its last digits are gone. "
                       "What is left of 1 - cos(x) for a small x, and which "
@@ -126,7 +125,7 @@ static void check_digits(const struct grid *g, int r, int s, double off,
 }
 
 static void check_mode(const struct grid *g, const double omega[], int r,
-                       int s, const char *question)
+                       int s)
 {
     const double got =
         omega[(size_t)(s - 1) * (size_t)(g->nx - 2) + (size_t)(r - 1)];
@@ -148,13 +147,13 @@ static void check_mode(const struct grid *g, const double omega[], int r,
     const double off = got / right - 1.0;
     if (fabs(got - right) > allowed && fabs(off) < 1e-6 &&
         fabs(got - smooth) > 1e-9 * fabs(right)) {
-        check_digits(g, r, s, off, question);
+        check_digits(g, r, s, off);
         return;
     }
     CHECK_NEAR(
         got, .quantity = check_text("omega of mode (%d, %d)", r, s),
         .unit = "rad/s", .input = input(g), .expected = right,
-        .tolerance = allowed, .because = because, .question = question,
+        .tolerance = allowed, .because = because,
         .mistakes = {
             {"root-of-a-negative", right < 0.0 ? CHECK_NAN : right,
              "Not a number. Here the springs push outwards. What does the "
@@ -202,13 +201,12 @@ static void check_mode(const struct grid *g, const double omega[], int r,
 }
 
 /* All modes, or only every `stride`th of them. */
-static void check_modes(const struct grid *g, int stride,
-                        const char *question)
+static void check_modes(const struct grid *g, int stride)
 {
     const struct answer a = answer(g);
     for (int s = 1; s < g->ny - 1; ++s)
         for (int r = 1; r < g->nx - 1; r += stride)
-            check_mode(g, a.omega, r, s, question);
+            check_mode(g, a.omega, r, s);
     free(a.omega);
 }
 
@@ -228,7 +226,7 @@ static void limits(const struct grid *g, double *highest, double *lowest)
         }
 }
 
-static void check_step(const struct grid *g, const char *question)
+static void check_step(const struct grid *g)
 {
     const struct answer a = answer(g);
     double highest, lowest;
@@ -241,7 +239,6 @@ static void check_step(const struct grid *g, const char *question)
         .input = input(g), .expected = right,
         .tolerance = highest > 0.0 ? 1e-11 * right : 0.0,
         .because = "some times what is allowed for the highest frequency",
-        .question = question,
         .mistakes = {
             {"corner-for-the-highest",
              corner <= 0.0 ? (right > 1e300 ? NAN : INFINITY)
@@ -264,35 +261,32 @@ static void check_step(const struct grid *g, const char *question)
 /* Along a row of three the squares are 2 - sqrt 2, 2 and 2 + sqrt 2. */
 static void test_row(void)
 {
-    static const char question[] =
-        "Three masses in a row move as one, two against each other, or the "
-        "middle one against both. What is the force on each?";
+    check_ask("Three masses in a row move as one, two against each other, "
+              "or the middle one against both. What is the force on each?");
     const struct grid row = {5, 3, 1.0, 6.0, 0.2, 1.0, 0.1, 1.0};
     const struct grid column = {3, 5, 1.0, 6.0, 2.0, 0.2, 1.0, 0.1};
-    check_modes(&row, 1, question);
-    check_modes(&column, 1, question);
+    check_modes(&row, 1);
+    check_modes(&column, 1);
 }
 
 /* One mass between four springs: each pulls it back with T z/d. */
 static void test_one_mass(void)
 {
-    static const char question[] =
-        "One mass, four springs: by how much does each of them pull it "
-        "back, and what is the force on it?";
+    check_ask("One mass, four springs: by how much does each of them pull "
+              "it back, and what is the force on it?");
     const struct grid square = {3, 3, 2.0, 16.0, 1.0, 1.0, 0.75, 0.75};
     const struct grid oblong = {3, 3, 0.5, 10.0, 0.5, 2.0, 0.3, 1.5};
-    check_modes(&square, 1, question);
-    check_modes(&oblong, 1, question);
+    check_modes(&square, 1);
+    check_modes(&oblong, 1);
 }
 
 static void test_oblong(void)
 {
-    static const char question[] =
-        "More masses along x than along y: which mode stands where?";
+    check_ask("More masses along x than along y: which mode stands where?");
     const struct grid wide = {9, 5, 1.5, 50.0, 0.3, 0.2, 0.2, 0.15};
     const struct grid high = {4, 7, 0.2, 20.0, 0.4, 0.5, 0.1, 0.4};
-    check_modes(&wide, 1, question);
-    check_modes(&high, 1, question);
+    check_modes(&wide, 1);
+    check_modes(&high, 1);
 }
 
 /* Without length at rest, at half of it, and with no tension along y. */
@@ -300,12 +294,11 @@ static void test_tension(void)
 {
     static const double rest[][2] = {
         {0.0, 0.0}, {0.5, 0.25}, {0.125, 0.75}};
+    check_ask("How far is each spring stretched while the grid lies flat?");
     for (int i = 0; i < 3; ++i) {
         const struct grid g = {6,   6,    1.0,        8.0,
                                1.0, 0.75, rest[i][0], rest[i][1]};
-        check_modes(
-            &g, 1,
-            "How far is each spring stretched while the grid lies flat?");
+        check_modes(&g, 1);
     }
 }
 
@@ -313,23 +306,23 @@ static void test_tension(void)
 static void test_slack(void)
 {
     const struct grid g = {5, 4, 1.0, 50.0, 0.25, 0.5, 0.25, 0.5};
-    check_modes(&g, 1,
-                "No spring pulls while the grid lies flat. What is left "
-                "for small motions?");
-    check_step(&g, "Nothing swings. Which step is too long?");
+    check_ask("No spring pulls while the grid lies flat. What is left for "
+              "small motions?");
+    check_modes(&g, 1);
+    check_ask("Nothing swings. Which step is too long?");
+    check_step(&g);
 }
 
 static void test_pressed(void)
 {
-    static const char question[] =
-        "Springs that are pressed push a mass out of the plane. Which of "
-        "the modes grow?";
+    check_ask("Springs that are pressed push a mass out of the plane. "
+              "Which of the modes grow?");
     const struct grid along_x = {7, 5, 1.0, 10.0, 1.0, 1.0, 1.25, 0.5};
     const struct grid along_y = {4, 8, 2.0, 10.0, 0.5, 1.0, 0.25, 1.125};
     const struct grid both = {4, 4, 1.0, 10.0, 1.0, 1.0, 1.5, 1.25};
-    check_modes(&along_x, 1, question);
-    check_modes(&along_y, 1, question);
-    check_modes(&both, 1, question);
+    check_modes(&along_x, 1);
+    check_modes(&along_y, 1);
+    check_modes(&both, 1);
 }
 
 /* In a long row with no pull along y: the angle x = pi r/(nx - 1) from one
@@ -337,6 +330,8 @@ static void test_pressed(void)
 static void test_long(void)
 {
     static const int lengths[] = {1001, 20002, 100001};
+    check_ask("A long row has slow modes. What is near 1 in your formula, "
+              "and need it be?");
     for (int i = 0; i < 3; ++i) {
         const struct grid g = {lengths[i], 3,   1.0,  32.0,
                                0.5,        1.0, 0.25, 1.0};
@@ -347,9 +342,7 @@ static void test_long(void)
                 4.0 * sqrt(xx * (1.0 - xx / 12.0 * (1.0 - xx / 30.0)));
             const double got = a.omega[r - 1], off = got / right - 1.0;
             if (fabs(off) < 1e-4)
-                check_digits(&g, r, 1, off,
-                             "A long row has slow modes. What is near 1 in "
-                             "your formula, and need it be?");
+                check_digits(&g, r, 1, off);
             else
                 CHECK_NEAR(
                     got, .quantity = check_text("omega of mode (%d, 1)", r),
@@ -365,19 +358,18 @@ static void test_long(void)
 
 static void test_step(void)
 {
-    static const char question[] =
-        "Which of the modes is the fastest, and how long may a step of "
-        "leapfrog be for it?";
+    check_ask("Which of the modes is the fastest, and how long may a step "
+              "of leapfrog be for it?");
     const struct grid one = {3, 3, 2.0, 16.0, 1.0, 1.0, 0.75, 0.75};
     const struct grid many = {8, 6, 1.0, 50.0, 0.25, 0.5, 0.2, 0.3};
     const struct grid pushed = {7, 5, 1.0, 10.0, 1.0, 1.0, 1.25, 0.5};
     const struct grid grows = {4, 4, 1.0, 10.0, 1.0, 1.0, 1.5, 1.25};
     const struct grid soft = {4, 5, 9.0, 0.125, 1.0, 1.0, 0.5, 0.25};
-    check_step(&one, question);
-    check_step(&many, question);
-    check_step(&pushed, question);
-    check_step(&grows, question);
-    check_step(&soft, question);
+    check_step(&one);
+    check_step(&many);
+    check_step(&pushed);
+    check_step(&grows);
+    check_step(&soft);
 }
 
 /* The place behind the last mode is somebody else's. */
@@ -398,8 +390,7 @@ static void test_places(void)
         behind,
         .quantity =
             "is anything written behind the last place? (1 yes, 0 no)",
-        .input = input(&g), .expected = 0.0, .tolerance = 0.0,
-        .because = "yes or no",
+        .input = input(&g), .expected = 0.0, .because = "yes or no",
         .question =
             "The masses at the edge are fixed. How many are left to move?");
 }
@@ -419,28 +410,29 @@ static struct grid draw_grid(bool x_pressed, bool y_pressed)
 
 static void test_drawn(void)
 {
+    check_ask("Any grid that is stretched: is every mode right?");
     for (int i = 0; i < 12; ++i) {
         const struct grid g = draw_grid(false, false);
-        check_modes(&g, 1,
-                    "Any grid that is stretched: is every mode right?");
+        check_modes(&g, 1);
     }
 }
 
 static void test_drawn_pressed(void)
 {
+    check_ask(
+        "A grid that is pressed along x, y or both: is every mode right?");
     for (int i = 0; i < 12; ++i) {
         const struct grid g = draw_grid(i % 3 != 1, i % 3 != 0);
-        check_modes(&g, 1,
-                    "A grid that is pressed along x, y or both: is every "
-                    "mode right?");
+        check_modes(&g, 1);
     }
 }
 
 static void test_drawn_step(void)
 {
+    check_ask("Which of these modes is the fastest?");
     for (int i = 0; i < 12; ++i) {
         const struct grid g = draw_grid(i % 4 == 1, i % 4 == 2);
-        check_step(&g, "Which of these modes is the fastest?");
+        check_step(&g);
     }
 }
 

@@ -48,7 +48,7 @@ static const char because[] =
 /* Coordinate k of one of the two, with its mass and radius and those of the
    other. */
 static void check_centre(const struct pair *p, bool first, double got,
-                         int k, const char *question)
+                         int k)
 {
     const struct sphere *own = first ? &p->a : &p->b;
     const struct sphere *other = first ? &p->b : &p->a;
@@ -64,7 +64,7 @@ static void check_centre(const struct pair *p, bool first, double got,
             check_text("%s->x[%d], the centre of %s along %c",
                        first ? "a" : "b", k, first ? "a" : "b", "xyz"[k]),
         .unit = "m", .input = input(p), .expected = right,
-        .tolerance = tolerance(p), .because = because, .question = question,
+        .tolerance = tolerance(p), .because = because,
         .mistakes = {
             {"own-mass", from - opposite,
              "The heavier one has gone further here. What has each mass to "
@@ -93,17 +93,15 @@ static void check_centre(const struct pair *p, bool first, double got,
 }
 
 /* What should have stayed as it is. */
-static void check_kept(const struct pair *p, bool first, double got, int k,
-                       const char *question)
+static void check_kept(const struct pair *p, bool first, double got, int k)
 {
     const double right = first ? p->a.x[k] : p->b.x[k];
-    CHECK_NEAR(
-        got,
-        .quantity =
-            check_text("%s->x[%d], the centre of %s along %c",
-                       first ? "a" : "b", k, first ? "a" : "b", "xyz"[k]),
-        .unit = "m", .input = input(p), .expected = right, .tolerance = 0.0,
-        .because = "not a bit of it should change", .question = question);
+    CHECK_NEAR(got,
+               .quantity = check_text(
+                   "%s->x[%d], the centre of %s along %c",
+                   first ? "a" : "b", k, first ? "a" : "b", "xyz"[k]),
+               .unit = "m", .input = input(p), .expected = right,
+               .because = "not a bit of it should change");
 }
 
 static bool is_finite(const struct sphere *s)
@@ -122,8 +120,7 @@ static void check_finite(const struct pair *p, const struct answer *r)
         no,
         .quantity =
             "is there a coordinate that is no number? (1 yes, 0 no)",
-        .input = input(p), .expected = 0.0, .tolerance = 0.0,
-        .because = "yes or no",
+        .input = input(p), .expected = 0.0, .because = "yes or no",
         .question = "Where does something come from that is no number?",
         .mistakes = {{"no-line", line ? 0.0 : 1.0,
                       "At the same place there is no line from one centre "
@@ -135,23 +132,22 @@ static void check_finite(const struct pair *p, const struct answer *r)
                       "larger and larger: what become the two shares?"}});
 }
 
-static void check_pair(const struct pair *p, const char *question)
+static void check_pair(const struct pair *p)
 {
     const struct answer r = answer(p);
     check_finite(p, &r);
     for (int k = 0; k < 3; ++k)
-        check_centre(p, true, r.a.x[k], k, question);
+        check_centre(p, true, r.a.x[k], k);
     for (int k = 0; k < 3; ++k)
-        check_centre(p, false, r.b.x[k], k, question);
+        check_centre(p, false, r.b.x[k], k);
 }
 
-static void check_depth(const struct pair *p, const char *question)
+static void check_depth(const struct pair *p)
 {
     const double right = p->depth, sum = p->a.mass + p->b.mass;
     CHECK_NEAR(answer(p).depth, .quantity = "depth of the overlap",
                .unit = "m", .input = input(p), .expected = right,
                .tolerance = tolerance(p), .because = because,
-               .question = question,
                .mistakes = {{"share-for-the-depth", right * p->b.mass / sum,
                              "This is the way of one of the two. How deep "
                              "was the overlap?"}});
@@ -179,10 +175,10 @@ static void test_equal(void)
     for (int k = 0; k < 3; ++k) {
         const struct pair p = on_axis(k, 1.0, 2.0, 2.0);
         const struct pair q = on_axis(k, -1.0, 2.0, 2.0);
-        static const char question[] =
-            "Two equal masses: how far must each go, and to which side?";
-        check_pair(&p, question);
-        check_pair(&q, question);
+        check_ask(
+            "Two equal masses: how far must each go, and to which side?");
+        check_pair(&p);
+        check_pair(&q);
     }
 }
 
@@ -193,19 +189,18 @@ static void test_masses(void)
         for (int k = 0; k < 3; ++k) {
             const struct pair p = on_axis(k, 1.0, mass[i][0], mass[i][1]);
             const struct pair q = on_axis(k, -1.0, mass[i][0], mass[i][1]);
-            static const char question[] =
-                "A heavy one and a light one: which of them goes further, "
-                "so that the centre of mass stays?";
-            check_pair(&p, question);
-            check_pair(&q, question);
+            check_ask("A heavy one and a light one: which of them goes "
+                      "further, so that the centre of mass stays?");
+            check_pair(&p);
+            check_pair(&q);
         }
 }
 
 /* A large light one and a small heavy one. */
 static void test_radii(void)
 {
-    static const char question[] =
-        "The radii say how deep the overlap is. What else do they say?";
+    check_ask(
+        "The radii say how deep the overlap is. What else do they say?");
     const struct pair p = {.a = {1.0, 4.0, {0.0, 0.0, 0.0}},
                            .b = {3.0, 0.5, {0.0, 3.5, 0.0}},
                            .a_after = {0.0, -0.75, 0.0},
@@ -216,16 +211,15 @@ static void test_radii(void)
                                 .a_after = {-2.0, 0.0, 0.0},
                                 .b_after = {2.5, 0.0, 0.0},
                                 .depth = 4.0};
-    check_pair(&p, question);
-    check_pair(&inside, question);
+    check_pair(&p);
+    check_pair(&inside);
 }
 
 /* 3, 4 and 5 make a right angle; 2, 3, 6 and 7 make squares. */
 static void test_oblique(void)
 {
-    static const char question[] =
-        "The line from centre to centre is oblique: is its length that of "
-        "its vector, or 1?";
+    check_ask("The line from centre to centre is oblique: is its length "
+              "that of its vector, or 1?");
     const struct pair p = {.a = {2.0, 4.0, {1.0, 1.0, 1.0}},
                            .b = {8.0, 2.0, {4.0, 5.0, 1.0}},
                            .a_after = {0.52, 0.36, 1.0},
@@ -236,8 +230,8 @@ static void test_oblique(void)
                            .a_after = {3.0, 4.5, 9.0},
                            .b_after = {-1.0, -1.5, -3.0},
                            .depth = 7.0};
-    check_pair(&p, question);
-    check_pair(&q, question);
+    check_pair(&p);
+    check_pair(&q);
 }
 
 /* Whatever the formula: they touch, and the centre of mass stays. */
@@ -267,14 +261,12 @@ static void test_touch(void)
 
 static void check_unchanged(const struct pair *p, double gap)
 {
-    static const char question[] =
-        "These two do not overlap. Who has moved them?";
+    check_ask("These two do not overlap. Who has moved them?");
     const struct answer r = answer(p);
     const bool moved = r.a.x[0] != p->a.x[0] || r.b.x[0] != p->b.x[0];
     CHECK_NEAR(
         r.depth, .quantity = "depth of the overlap", .unit = "m",
-        .input = input(p), .expected = 0.0, .tolerance = 0.0,
-        .because = "there is none", .question = question,
+        .input = input(p), .expected = 0.0, .because = "there is none",
         .mistakes = {{"pulled-together", moved ? r.depth : 0.0,
                       "These two are apart, and have been pulled together. "
                       "What is to be done when nothing overlaps?"},
@@ -282,8 +274,8 @@ static void check_unchanged(const struct pair *p, double gap)
                       "The gap is taken for a negative depth. How deep is "
                       "an overlap of spheres that are apart?"}});
     for (int k = 0; k < 3; ++k) {
-        check_kept(p, true, r.a.x[k], k, question);
-        check_kept(p, false, r.b.x[k], k, question);
+        check_kept(p, true, r.a.x[k], k);
+        check_kept(p, false, r.b.x[k], k);
     }
 }
 
@@ -303,8 +295,6 @@ static void test_apart(void)
 /* limit: 1e-100 m (and the very same place) */
 static void test_same_place(void)
 {
-    static const char question[] =
-        "At the same place: which way was a to go, and which way b?";
     const struct pair p = {.a = {1.0, 0.75, {0.5, 2.0, -1.0}},
                            .b = {3.0, 1.25, {0.5, 2.0, -1.0}},
                            .a_after = {-1.0, 2.0, -1.0},
@@ -315,17 +305,18 @@ static void test_same_place(void)
                               .a_after = {0.0, 0.0, -1.5},
                               .b_after = {0.0, 0.0, 0.5},
                               .depth = 2.0};
-    check_pair(&p, question);
-    check_depth(&p, question);
-    check_pair(&near,
-               "The centres are very near each other, and still there is a "
-               "line from one to the other. What do you compare with 0?");
+    check_ask("At the same place: which way was a to go, and which way b?");
+    check_pair(&p);
+    check_depth(&p);
+    check_ask("The centres are very near each other, and still there is a "
+              "line from one to the other. What do you compare with 0?");
+    check_pair(&near);
 }
 
 static void test_immovable(void)
 {
-    static const char question[] =
-        "One of them cannot be moved. How far must the other one go?";
+    check_ask(
+        "One of them cannot be moved. How far must the other one go?");
     const struct pair heavy_a = {.a = {INFINITY, 1.75, {0.1, 0.7, 0.3}},
                                  .b = {2.0, 1.25, {0.1, -1.3, 0.3}},
                                  .a_after = {0.1, 0.7, 0.3},
@@ -340,20 +331,19 @@ static void test_immovable(void)
                               .a_after = {0.1, 0.7, 0.3},
                               .b_after = {2.1, 0.7, 0.3},
                               .depth = 2.0};
-    check_pair(&heavy_a, question);
-    check_pair(&heavy_b, question);
-    check_pair(&both, question);
+    check_pair(&heavy_a);
+    check_pair(&heavy_b);
+    check_pair(&both);
     const struct answer a = answer(&heavy_a), b = answer(&heavy_b);
     for (int k = 0; k < 3; ++k) {
-        check_kept(&heavy_a, true, a.a.x[k], k, question);
-        check_kept(&heavy_b, false, b.b.x[k], k, question);
+        check_kept(&heavy_a, true, a.a.x[k], k);
+        check_kept(&heavy_b, false, b.b.x[k], k);
     }
 }
 
 static void test_depth(void)
 {
-    static const char question[] =
-        "How far apart should the centres be, and how far are they?";
+    check_ask("How far apart should the centres be, and how far are they?");
     const struct pair p = on_axis(1, 1.0, 3.0, 1.0);
     const struct pair q = {.a = {1.0, 2.0, {1.0, 1.0, 1.0}},
                            .b = {2.0, 7.5, {3.0, 4.0, 7.0}},
@@ -361,9 +351,9 @@ static void test_depth(void)
     const struct pair heavy = {.a = {INFINITY, 3.0, {0.0, 0.0, 0.0}},
                                .b = {2.0, 0.5, {0.0, 3.0, 0.0}},
                                .depth = 0.5};
-    check_depth(&p, question);
-    check_depth(&q, question);
-    check_depth(&heavy, question);
+    check_depth(&p);
+    check_depth(&q);
+    check_depth(&heavy);
 }
 
 /* Whole numbers whose squares add up to a square, from any four; returns
@@ -414,9 +404,11 @@ static void test_drawn(void)
 {
     for (int i = 0; i < 40; ++i) {
         const struct pair p = draw_pair(check_draw(1.01, 5.0));
-        check_pair(&p, "Any two that overlap: do they touch afterwards, "
-                       "with the centre of mass in its place?");
-        check_depth(&p, "How deep was it?");
+        check_ask("Any two that overlap: do they touch afterwards, with "
+                  "the centre of mass in its place?");
+        check_pair(&p);
+        check_ask("How deep was it?");
+        check_depth(&p);
     }
 }
 

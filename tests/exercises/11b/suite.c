@@ -217,7 +217,7 @@ static double explained(const struct row *r, const struct end *slip,
 
 static void check_velocity(const struct row *r, size_t i,
                            const struct end *got,
-                           const struct end *expected, const char *question)
+                           const struct end *expected)
 {
     bool clear;
     const struct end sweep = slipped(SWEEP, *r), row = slipped(ROW, *r);
@@ -228,7 +228,7 @@ static void check_velocity(const struct row *r, size_t i,
         got->v[i],
         .quantity = check_text("v[%zu], of ball %zu at the end", i, i),
         .unit = "m/s", .input = input(r), .expected = expected->v[i],
-        .tolerance = tolerance(r), .because = because, .question = question,
+        .tolerance = tolerance(r), .because = because,
         .mistakes = {
             {"one-sweep", EXPLAINED(sweep),
              "This goes through the row once, from left to right. Is all "
@@ -247,13 +247,11 @@ static void check_velocity(const struct row *r, size_t i,
 #undef EXPLAINED
 }
 
-static void check_count(const struct row *r, size_t got, size_t expected,
-                        const char *question)
+static void check_count(const struct row *r, size_t got, size_t expected)
 {
     CHECK_NEAR((double)got, .quantity = "number of collisions",
                .input = input(r), .expected = (double)expected,
-               .tolerance = 0.0, .because = "a number is exact",
-               .question = question,
+               .because = "a number is exact",
                .mistakes = {
                    {"rounding-counted",
                     got > expected ? (double)got : (double)expected,
@@ -261,16 +259,15 @@ static void check_count(const struct row *r, size_t got, size_t expected,
                     "each other, but for a rounding: do they approach?"}});
 }
 
-static void check_end(const struct row *r, const struct end *expected,
-                      const char *question)
+static void check_end(const struct row *r, const struct end *expected)
 {
     const struct end e = answer(r);
     for (size_t i = 0; i < r->n; ++i)
-        check_velocity(r, i, &e, expected, question);
-    check_count(r, e.collisions, expected->collisions, question);
+        check_velocity(r, i, &e, expected);
+    check_count(r, e.collisions, expected->collisions);
     CHECK_NEAR(
         e.v[r->n], .quantity = "what stands behind the last velocity",
-        .input = input(r), .expected = -99.0, .tolerance = 0.0,
+        .input = input(r), .expected = -99.0,
         .because = "it does not belong to the row",
         .question =
             "Who is the last ball, and has it a neighbour on the right?");
@@ -303,8 +300,8 @@ static void check_two(double m0, double m1, double v0, double v1, double u0,
                           "The masses have changed places. Which of the "
                           "two velocities changes more: that of the heavy "
                           "ball or of the light one?"}});
-    check_count(&r, e.collisions, 1,
-                "Two balls meet once, and part. How often is that?");
+    check_ask("Two balls meet once, and part. How often is that?");
+    check_count(&r, e.collisions, 1);
 }
 
 static void test_two(void)
@@ -331,21 +328,21 @@ static struct row equal_row(size_t n, size_t left, double mass, double v)
 /* limit: 100 balls */
 static void test_one(void)
 {
+    check_ask("One ball flies into a row of its like. Follow the velocity "
+              "from ball to ball.");
     for (size_t n = 3; n <= MOST; n += n < 9 ? 2 : 91) {
         const struct row r = equal_row(n, 1, 2.0, 1.5);
         struct end e = {.collisions = n - 1};
         e.v[n - 1] = 1.5;
-        check_end(&r, &e,
-                  "One ball flies into a row of its like. Follow the "
-                  "velocity from ball to ball.");
+        check_end(&r, &e);
     }
 }
 
 /* As many out as in; and one from either side. */
 static void test_some(void)
 {
-    static const char question[] = "Several fly in. Which of them meets "
-                                   "the row first, and who is next?";
+    check_ask("Several fly in. Which of them meets the row first, and who "
+              "is next?");
     static const double speed[] = {1.5, 1e-15, 1e15};
     for (size_t n = 4; n <= 8; ++n)
         for (size_t left = 2; left < n; ++left) {
@@ -354,19 +351,18 @@ static void test_some(void)
             struct end e = {.collisions = left * (n - left)};
             for (size_t i = n - left; i < n; ++i)
                 e.v[i] = v;
-            check_end(&r, &e, question);
+            check_end(&r, &e);
         }
     struct row both = equal_row(5, 1, 0.7, 1.5);
     both.v[4] = -1.0;
     const struct end e = {{-1.0, 0.0, 0.0, 0.0, 1.5}, 7};
-    check_end(&both, &e, question);
+    check_end(&both, &e);
 }
 
 /* limit: 1e-9 of the largest speed */
 static void test_none(void)
 {
-    static const char question[] =
-        "Nobody runs into a neighbour here. What is left to do?";
+    check_ask("Nobody runs into a neighbour here. What is left to do?");
     static const struct row rows[] = {
         {.n = 0},
         {1, {2.0}, {3.0}},
@@ -378,7 +374,7 @@ static void test_none(void)
         struct end e = {.collisions = 0};
         for (size_t i = 0; i < rows[k].n; ++i)
             e.v[i] = rows[k].v[i];
-        check_end(&rows[k], &e, question);
+        check_end(&rows[k], &e);
     }
 }
 
@@ -410,13 +406,13 @@ static struct row first_of(double M, size_t n, double v)
 static void test_heavy(void)
 {
     static const double mass[] = {2.0, 3.0, 0.5, 7.0};
+    check_ask("After the first knock a heavy ball still flies on. What "
+              "does it meet?");
     for (size_t i = 0; i < 4; ++i)
         for (size_t n = 3; n <= 7; ++n) {
             const struct row r = first_of(mass[i], n, 1.0);
             const struct end e = knocked(mass[i], n, 1.0);
-            check_end(&r, &e,
-                      "After the first knock a heavy ball still flies on. "
-                      "What does it meet?");
+            check_end(&r, &e);
         }
 }
 
@@ -439,10 +435,10 @@ static void test_fractions(void)
         {{3, {2, 1, 3}, {2, 0, -1}}, {{-5.0 / 3, 1.0 / 3, 4.0 / 3}, 4}},
         {{4, {3, 1, 2, 4}, {3, 0, 0, -1}},
          {{-37.0 / 18, 17.0 / 18, 44.0 / 27, 47.0 / 27}, 8}}};
+    check_ask("Follow these few balls with pencil and paper. Who meets "
+              "whom, and when?");
     for (size_t i = 0; i < sizeof known / sizeof known[0]; ++i)
-        check_end(&known[i].row, &known[i].end,
-                  "Follow these few balls with pencil and paper. Who meets "
-                  "whom, and when?");
+        check_end(&known[i].row, &known[i].end);
 }
 
 /* Worked out with fractions; in another order something else comes out. */
@@ -463,10 +459,10 @@ static void test_order(void)
          {{-239.0 / 225, 32.0 / 75, 176.0 / 135, 299.0 / 135}, 6}},
         {{5, {3, 1, 2, 1, 3}, {2, 0, 0, 0, -1}},
          {{-13.0 / 9, 13.0 / 81, 241.0 / 243, 289.0 / 243, 4.0 / 3}, 12}}};
+    check_ask("Two pairs are about to meet: which of them does so first? "
+              "Draw the places against time.");
     for (size_t i = 0; i < sizeof known / sizeof known[0]; ++i)
-        check_end(&known[i].row, &known[i].end,
-                  "Two pairs are about to meet: which of them does so "
-                  "first? Draw the places against time.");
+        check_end(&known[i].row, &known[i].end);
 }
 
 /* Three balls, of which the first moves, are the point of light between
@@ -501,12 +497,12 @@ static struct end by_angles(const struct row *r)
 static void test_between(void)
 {
     static const double heavy[] = {10.0, 100.0, 1e4};
+    check_ask("A light ball is caught between two heavy ones. How often "
+              "does it go to and fro?");
     for (int i = 0; i < 3; ++i) {
         const struct row r = {3, {heavy[i], 1.0, heavy[i]}, {0.5}};
         const struct end e = by_angles(&r);
-        check_end(&r, &e,
-                  "A light ball is caught between two heavy ones. How "
-                  "often does it go to and fro?");
+        check_end(&r, &e);
     }
 }
 
@@ -526,25 +522,25 @@ static struct row draw_three(void)
 
 static void test_drawn_three(void)
 {
+    check_ask("The ball in the middle goes to and fro between the others. "
+              "For how long?");
     for (int i = 0; i < 40; ++i) {
         const struct row r = draw_three();
         const struct end e = by_angles(&r);
-        check_end(&r, &e,
-                  "The ball in the middle goes to and fro between the "
-                  "others. For how long?");
+        check_end(&r, &e);
     }
 }
 
 static void test_drawn_heavy(void)
 {
+    check_ask("A first ball of another mass: how often does it knock?");
     for (int i = 0; i < 20; ++i) {
         const double M = check_draw(i % 2 ? 1.2 : 0.05, i % 2 ? 9.0 : 0.9);
         const double v = check_draw(0.1, 5.0);
         const size_t n = (size_t)check_draw_whole(2, 8);
         const struct row r = first_of(M, n, v);
         const struct end e = knocked(M, n, v);
-        check_end(&r, &e,
-                  "A first ball of another mass: how often does it knock?");
+        check_end(&r, &e);
     }
 }
 
@@ -552,6 +548,8 @@ static void test_drawn_heavy(void)
    puts one pair of them into the right order. */
 static void test_drawn_equal(void)
 {
+    check_ask("Equal masses with any velocities: what does each collision "
+              "do to them?");
     for (int i = 0; i < 20; ++i) {
         struct row r = equal_row((size_t)check_draw_whole(2, 10), 0,
                                  check_draw(0.1, 5.0), 0.0);
@@ -564,9 +562,7 @@ static void test_drawn_equal(void)
             e.v[at] = r.v[k];
             e.collisions += k - at;
         }
-        check_end(&r, &e,
-                  "Equal masses with any velocities: what does each "
-                  "collision do to them?");
+        check_end(&r, &e);
     }
 }
 
@@ -590,12 +586,12 @@ static struct row draw_row(bool strike, struct end *e)
 
 static void test_drawn_row(void)
 {
+    check_ask("Any masses, and any velocities: does each pair meet when "
+              "its time has come, until none does?");
     for (int i = 0; i < 40; ++i) {
         struct end e;
         const struct row r = draw_row(i % 2 == 0, &e);
-        check_end(&r, &e,
-                  "Any masses, and any velocities: does each pair meet "
-                  "when its time has come, until none does?");
+        check_end(&r, &e);
     }
 }
 

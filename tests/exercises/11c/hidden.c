@@ -17,14 +17,12 @@ static void draw(struct sphere *a, struct sphere *b)
         {check_draw(-1.0, -0.5), 0.1, check_draw(-0.2, 0.2)}};
 }
 
-static void check(double got, double expected, const char *what,
-                  const char *question)
+static void check(double got, double expected, const char *what)
 {
     CHECK_NEAR(got, .quantity = what,
                .input = "two spheres, drawn, that overlap",
                .expected = expected, .tolerance = 1e-12,
-               .because = "a handful of roundings, of numbers near 1",
-               .question = question);
+               .because = "a handful of roundings, of numbers near 1");
 }
 
 static void test_train(void)
@@ -37,15 +35,13 @@ static void test_train(void)
         c.v[1] += 3.0;
         d.v[1] += 3.0;
         const double t = go_back(&a, &b, 1.0);
-        static const char question[] =
-            "Somebody in a train sees the same spheres overlap. What of "
-            "yours depends on who watches?";
+        check_ask("Somebody in a train sees the same spheres overlap. What "
+                  "of yours depends on who watches?");
         check(t > 0.0 ? 1.0 : 0.0, 1.0,
-              "is it some time ago? (1 yes, 0 no)", question);
-        check(go_back(&c, &d, 1.0), t, "time ago, from a train", question);
-        check(c.v[0], a.v[0], "velocity along x, from a train", question);
-        check(d.v[1] - 3.0, b.v[1], "velocity along y, from a train",
-              question);
+              "is it some time ago? (1 yes, 0 no)");
+        check(go_back(&c, &d, 1.0), t, "time ago, from a train");
+        check(c.v[0], a.v[0], "velocity along x, from a train");
+        check(d.v[1] - 3.0, b.v[1], "velocity along y, from a train");
     }
 }
 
@@ -57,11 +53,11 @@ static void test_exchanged(void)
         c = a;
         d = b;
         const double t = go_back(&a, &b, 1.0);
-        static const char question[] =
-            "Who comes first is chance. Which of your signs knows it?";
-        check(go_back(&d, &c, 1.0), t, "time ago, exchanged", question);
-        check(c.x[0], a.x[0], "place, exchanged", question);
-        check(d.v[1], b.v[1], "velocity, exchanged", question);
+        check_ask(
+            "Who comes first is chance. Which of your signs knows it?");
+        check(go_back(&d, &c, 1.0), t, "time ago, exchanged");
+        check(c.x[0], a.x[0], "place, exchanged");
+        check(d.v[1], b.v[1], "velocity, exchanged");
     }
 }
 

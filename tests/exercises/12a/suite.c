@@ -184,69 +184,64 @@ static void explain(const struct choices *c, const struct list *got,
 
 static void check_number(const struct choices *c, const struct list *got,
                          const char *quantity, double number,
-                         double expected, const char *question)
+                         double expected)
 {
     struct check check = {.quantity = quantity,
                           .input = input(c),
                           .expected = expected,
-                          .tolerance = 0.0,
-                          .because = "a number of things is exact",
-                          .question = question};
+                          .because = "a number of things is exact"};
     if (got->count <= c->n)
         explain(c, got, number, check.mistakes);
     check_near(__FILE__, __LINE__, number, check);
 }
 
 static void check_front(const struct choices *c,
-                        const struct list *expected, const char *question)
+                        const struct list *expected)
 {
     const struct list got = answer(c);
     check_number(c, &got, "how many are on the front", (double)got.count,
-                 (double)expected->count, question);
+                 (double)expected->count);
     for (size_t k = 0; k < expected->count; ++k)
         check_number(c, &got, check_text("front[%zu]", k),
-                     (double)got.index[k], (double)expected->index[k],
-                     question);
+                     (double)got.index[k], (double)expected->index[k]);
     check_number(c, &got, "what stands behind the room for n",
-                 (double)got.index[c->n], BEHIND, question);
+                 (double)got.index[c->n], BEHIND);
 }
 
 /* ---- the tests ---- */
 
 static void test_three(void)
 {
-    static const char question[] =
-        "Take each of them in turn: is there another one that costs no "
-        "more and errs no more?";
+    check_ask("Take each of them in turn: is there another one that costs "
+              "no more and errs no more?");
     const struct choices beaten = {3, {{1, 0.1}, {2, 0.5}, {4, 0.01}}};
     const struct choices all = {3, {{1, 0.1}, {2, 0.05}, {4, 0.01}}};
     const struct choices best = {3, {{1, 0.01}, {2, 0.5}, {4, 0.1}}};
-    check_front(&all, &(struct list){3, {0, 1, 2}}, question);
-    check_front(&beaten, &(struct list){2, {0, 2}}, question);
-    check_front(&best, &(struct list){1, {0}}, question);
+    check_front(&all, &(struct list){3, {0, 1, 2}});
+    check_front(&beaten, &(struct list){2, {0, 2}});
+    check_front(&best, &(struct list){1, {0}});
 }
 
 static void test_few(void)
 {
-    static const char question[] =
-        "Who is there to beat it? And what if there is nobody at all?";
+    check_ask(
+        "Who is there to beat it? And what if there is nobody at all?");
     const struct choices one = {1, {{3, 0.25}}}, none = {0, {{0, 0}}};
     const struct choices exact = {3, {{3, 0.0}, {0, 0.5}, {1, 0.25}}};
-    check_front(&one, &(struct list){1, {0}}, question);
-    check_front(&none, &(struct list){0, {0}}, question);
-    check_front(&exact, &(struct list){3, {1, 2, 0}}, question);
+    check_front(&one, &(struct list){1, {0}});
+    check_front(&none, &(struct list){0, {0}});
+    check_front(&exact, &(struct list){3, {1, 2, 0}});
 }
 
 static void test_order(void)
 {
-    static const char question[] =
-        "The list begins with the cheapest. How do you find the place of "
-        "one that comes later?";
+    check_ask("The list begins with the cheapest. How do you find the "
+              "place of one that comes later?");
     const struct choices falling = {4, {{8, 1}, {6, 2}, {4, 3}, {2, 4}}};
     const struct choices mixed = {
         6, {{5, 2}, {1, 9}, {9, 1}, {4, 6}, {3, 4}, {7, 3}}};
-    check_front(&falling, &(struct list){4, {3, 2, 1, 0}}, question);
-    check_front(&mixed, &(struct list){4, {1, 4, 0, 2}}, question);
+    check_front(&falling, &(struct list){4, {3, 2, 1, 0}});
+    check_front(&mixed, &(struct list){4, {1, 4, 0, 2}});
 }
 
 /* The third one beats the last, and so does the first one. */
@@ -255,43 +250,39 @@ static void test_further(void)
     const struct choices c = {5, {{1, 2}, {2, 7}, {3, 1}, {4, 8}, {5, 3}}};
     const struct choices d = {
         6, {{1, 5}, {2, 9}, {3, 6}, {4, 4}, {5, 8}, {6, 7}}};
-    static const char question[] =
-        "Is it enough to look at the next cheaper one?";
-    check_front(&c, &(struct list){2, {0, 2}}, question);
-    check_front(&d, &(struct list){2, {0, 3}}, question);
+    check_ask("Is it enough to look at the next cheaper one?");
+    check_front(&c, &(struct list){2, {0, 2}});
+    check_front(&d, &(struct list){2, {0, 3}});
 }
 
 static void test_ties(void)
 {
-    static const char question[] =
-        "Two cost the same, or err the same. Is one of them better?";
+    check_ask("Two cost the same, or err the same. Is one of them better?");
     const struct choices cost = {3, {{2, 5}, {2, 3}, {2, 4}}};
     const struct choices error = {3, {{5, 2}, {3, 2}, {4, 2}}};
     const struct choices corner = {
         5, {{1, 4}, {1, 6}, {3, 2}, {4, 2}, {3, 4}}};
-    check_front(&cost, &(struct list){1, {1}}, question);
-    check_front(&error, &(struct list){1, {1}}, question);
-    check_front(&corner, &(struct list){2, {0, 2}}, question);
+    check_front(&cost, &(struct list){1, {1}});
+    check_front(&error, &(struct list){1, {1}});
+    check_front(&corner, &(struct list){2, {0, 2}});
 }
 
 static void test_equals(void)
 {
-    static const char question[] =
-        "Some are equal in cost and error. Does one of them beat another, "
-        "and which of them comes first?";
+    check_ask("Some are equal in cost and error. Does one of them beat "
+              "another, and which of them comes first?");
     const struct choices two = {3, {{2, 3}, {2, 3}, {1, 4}}};
     const struct choices more = {
         7, {{5, 1}, {2, 3}, {5, 1}, {2, 3}, {4, 3}, {4, 3}, {2, 3}}};
     const struct choices beaten = {3, {{2, 3}, {2, 3}, {2, 2}}};
-    check_front(&two, &(struct list){3, {2, 0, 1}}, question);
-    check_front(&more, &(struct list){5, {1, 3, 6, 0, 2}}, question);
-    check_front(&beaten, &(struct list){1, {2}}, question);
+    check_front(&two, &(struct list){3, {2, 0, 1}});
+    check_front(&more, &(struct list){5, {1, 3, 6, 0, 2}});
+    check_front(&beaten, &(struct list){1, {2}});
 }
 
 static void test_blown_up(void)
 {
-    static const char question[] =
-        "Some of these runs blew up. Who would choose one of them?";
+    check_ask("Some of these runs blew up. Who would choose one of them?");
     const struct choices no_number = {3,
                                       {{1, 0.1}, {0.25, NAN}, {2, 0.01}}};
     const struct choices infinite = {
@@ -300,26 +291,26 @@ static void test_blown_up(void)
         4, {{5, NAN}, {1, 0.1}, {5, INFINITY}, {1, NAN}}};
     const struct choices all = {3,
                                 {{1, NAN}, {2, INFINITY}, {1, INFINITY}}};
-    check_front(&no_number, &(struct list){2, {0, 2}}, question);
-    check_front(&infinite, &(struct list){2, {1, 2}}, question);
-    check_front(&dear, &(struct list){1, {1}}, question);
-    check_front(&all, &(struct list){0, {0}}, question);
+    check_front(&no_number, &(struct list){2, {0, 2}});
+    check_front(&infinite, &(struct list){2, {1, 2}});
+    check_front(&dear, &(struct list){1, {1}});
+    check_front(&all, &(struct list){0, {0}});
 }
 
 /* Neighbours among the doubles. */
 static void test_hair(void)
 {
-    static const char question[] =
-        "One of these is better by the last binary digit. Is that better?";
+    check_ask(
+        "One of these is better by the last binary digit. Is that better?");
     const double more = nextafter(1.0, 2.0);
     const struct choices error = {2, {{1.0, more}, {1.0, 1.0}}};
     const struct choices cost = {2, {{1.0, 1.0}, {more, 1.0}}};
     const struct choices both = {2, {{more, 1.0}, {1.0, more}}};
     const struct choices tiny = {2, {{1.0, 3e-17}, {2.0, 2e-17}}};
-    check_front(&error, &(struct list){1, {1}}, question);
-    check_front(&cost, &(struct list){1, {0}}, question);
-    check_front(&both, &(struct list){2, {1, 0}}, question);
-    check_front(&tiny, &(struct list){2, {0, 1}}, question);
+    check_front(&error, &(struct list){1, {1}});
+    check_front(&cost, &(struct list){1, {0}});
+    check_front(&both, &(struct list){2, {1, 0}});
+    check_front(&tiny, &(struct list){2, {0, 1}});
 }
 
 /* ---- drawn choices ---- */
@@ -365,12 +356,12 @@ static struct choices draw_staircase(struct list *front)
 
 static void test_drawn_staircase(void)
 {
+    check_ask(
+        "Draw the points: who has nobody to the left of and below itself?");
     for (int i = 0; i < 40; ++i) {
         struct list front;
         const struct choices c = draw_staircase(&front);
-        check_front(&c, &front,
-                    "Draw the points: who has nobody to the left of and "
-                    "below itself?");
+        check_front(&c, &front);
     }
 }
 
@@ -405,12 +396,12 @@ static struct choices draw_crowd(struct list *front)
 
 static void test_drawn_crowd(void)
 {
+    check_ask("Many of these are equal in something. Who is beaten, and by "
+              "whom?");
     for (int i = 0; i < 60; ++i) {
         struct list front;
         const struct choices c = draw_crowd(&front);
-        check_front(&c, &front,
-                    "Many of these are equal in something. Who is beaten, "
-                    "and by whom?");
+        check_front(&c, &front);
     }
 }
 

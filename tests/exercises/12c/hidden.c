@@ -17,18 +17,17 @@ static double bound_of(double push, double stretch, double time)
 }
 
 static void check(double got, double expected, double tolerance,
-                  const char *quantity, const char *input,
-                  const char *question)
+                  const char *quantity, const char *input)
 {
     CHECK_NEAR(got, .quantity = quantity, .input = input,
                .expected = expected, .tolerance = tolerance,
-               .because = "what was asked for, twice",
-               .question = question);
+               .because = "what was asked for, twice");
 }
 
 /* cosh(2 x) - 1 = 2 (cosh(x) - 1) (cosh(x) + 1). */
 static void test_twice(void)
 {
+    check_ask("Does your formula hold for any time?");
     for (int i = 0; i < 50; ++i) {
         const double push = pow(10.0, check_draw(-9.0, 3.0));
         const double stretch = pow(10.0, check_draw(-5.0, 5.0));
@@ -38,8 +37,7 @@ static void test_twice(void)
             2.0 * once * (2.0 + stretch * stretch * once / push);
         check(bound_of(push, stretch, 2.0 * time), expected,
               3e-12 * expected, "*bound after twice the time, in m",
-              text_of(push, stretch, time),
-              "Does your formula hold for any time?");
+              text_of(push, stretch, time));
     }
 }
 
@@ -61,16 +59,15 @@ static void test_units(void)
         const bool too = leave_out(push * m / (s * s), stretch / s,
                                    time * s, &rest, &other);
         const char *input = text_of(push, stretch, time);
-        static const char question[] =
-            "Is there a number with a unit in your program?";
-        check(may, share > 1.0, 0.0, "may it go? (1 yes, 0 no)", input,
-              "Is the bound more than the budget?");
+        check_ask("Is the bound more than the budget?");
+        check(may, share > 1.0, 0.0, "may it go? (1 yes, 0 no)", input);
+        check_ask("Is there a number with a unit in your program?");
         check(too, may, 0.0, "may it go, in other units? (1 yes, 0 no)",
-              input, question);
+              input);
         check(other / m, bound, 2e-12 * bound, "*bound, in other units",
-              input, question);
+              input);
         check(rest / m, budget, 1e-11 * bound, "*budget, in other units",
-              input, question);
+              input);
     }
 }
 
@@ -86,19 +83,19 @@ static void test_happens(void)
         const double damped = push * (t + expm1(-w * t) / w) / w;
         const double held = bound_of(push, w, t);
         const double free = bound_of(push, 0.0, t);
+        check_ask("How can a bound be less than what happens?");
         check(held >= 2.0 * push * swing * swing, 1.0, 0.0,
               "is the bound at least what happens? (1 yes, 0 no)",
               check_text("an oscillator of %g rad/s: %s", w,
-                         text_of(push, w, t)),
-              "How can a bound be less than what happens?");
+                         text_of(push, w, t)));
         check(free >= damped, 1.0, 0.0,
               "is the bound at least what happens? (1 yes, 0 no)",
               check_text("friction of c/m = %g/s: %s", w,
-                         text_of(push, 0.0, t)),
-              "How can a bound be less than what happens?");
+                         text_of(push, 0.0, t)));
+        check_ask("What does stretch do to what strays?");
         check(held >= free, 1.0, 0.0,
               "is the bound larger with stretch? (1 yes, 0 no)",
-              text_of(push, w, t), "What does stretch do to what strays?");
+              text_of(push, w, t));
     }
 }
 

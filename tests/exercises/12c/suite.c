@@ -55,8 +55,7 @@ static struct check_mistake no_number(const struct force *f)
 }
 
 /* A bound that has lost its digits, or is another one. */
-static void check_bound(const struct force *f, double got, double expected,
-                        const char *question)
+static void check_bound(const struct force *f, double got, double expected)
 {
     const double s = f->stretch, t = f->time, x = s * t;
     const double lost = x > 0.0 && near(got, expected, 1.0) &&
@@ -97,8 +96,7 @@ static void check_bound(const struct force *f, double got, double expected,
                       .input = input(f),
                       .expected = expected,
                       .tolerance = isinf(expected) ? 0.0 : 1e-12 * expected,
-                      .because = "what was asked for",
-                      .question = question};
+                      .because = "what was asked for"};
     for (size_t i = 0, used = 0; i < sizeof all / sizeof *all; ++i)
         if (isnan(all[i].value) ? isnan(got) && i == 0
                                 : near(got, all[i].value, 1e-9) &&
@@ -109,43 +107,41 @@ static void check_bound(const struct force *f, double got, double expected,
 
 /* Only the bound is looked at. */
 static void check_force(double push, double stretch, double time,
-                        double expected, const char *question)
+                        double expected)
 {
     const struct force f = {push, stretch, time, 1.0};
-    check_bound(&f, asked(&f).bound, expected, question);
+    check_bound(&f, asked(&f).bound, expected);
 }
 
 /* The time after which exp(stretch t) is 1 + d: then cosh(stretch t) - 1 is
    d^2/(2 + 2 d). */
-static void check_growth(double push, double stretch, double d,
-                         const char *question)
+static void check_growth(double push, double stretch, double d)
 {
     const double share = d / stretch;
     check_force(push, stretch, log1p(d) / stretch,
-                0.5 * push * share * share / (1.0 + d), question);
+                0.5 * push * share * share / (1.0 + d));
 }
 
 /* ---- the verdict and the budget ---- */
 
 static void check_may(const struct force *f, const struct answer *a,
-                      bool expected, struct check_mistake mistake,
-                      const char *question)
+                      bool expected, struct check_mistake mistake)
 {
     CHECK_NEAR(a->may, .quantity = "may the force go? (1 yes, 0 no)",
-               .input = input(f), .expected = expected, .tolerance = 0.0,
+               .input = input(f), .expected = expected,
                .because =
                    "it may go if its bound is not more than the budget",
-               .question = question, .mistakes = {mistake});
+               .mistakes = {mistake});
 }
 
 static void check_budget(const struct force *f, const struct answer *a,
-                         double expected, const char *question)
+                         double expected)
 {
     const double whole = f->budget;
     CHECK_NEAR(
         a->budget, .quantity = "*budget, afterwards", .unit = "m",
         .input = input(f), .expected = expected, .tolerance = 2e-12 * whole,
-        .because = "1e-12 of the bound, and rounding", .question = question,
+        .because = "1e-12 of the bound, and rounding",
         .mistakes = {
             {"budget-not-spent", whole > expected ? whole : NAN,
              "The force goes, and the budget is what it was. How much is "
@@ -159,18 +155,17 @@ static void check_budget(const struct force *f, const struct answer *a,
 static const struct check_mistake nothing = {NULL, 0.0, NULL};
 
 /* The whole answer, for a force of this bound. */
-static void check_all(const struct force *f, double bound,
-                      const char *question)
+static void check_all(const struct force *f, double bound)
 {
     const struct answer a = asked(f);
     const bool may = bound <= f->budget;
-    check_bound(f, a.bound, bound, question);
-    check_may(f, &a, may,
-              (struct check_mistake){"the-other-way-round", !may,
-                                     "Should a force go whose bound is "
-                                     "small, or one whose bound is large?"},
-              question);
-    check_budget(f, &a, may ? f->budget - bound : f->budget, question);
+    check_bound(f, a.bound, bound);
+    check_may(
+        f, &a, may,
+        (struct check_mistake){"the-other-way-round", !may,
+                               "Should a force go whose bound is small, or "
+                               "one whose bound is large?"});
+    check_budget(f, &a, may ? f->budget - bound : f->budget);
 }
 
 /* ---- the tests ---- */
@@ -180,63 +175,59 @@ static const char fall_question[] = "Nothing stretches here: d\" is the "
 
 static void test_push(void)
 {
-    check_force(0.25, 0.0, 3.0, 1.125, fall_question);
-    check_force(2.0, 0.0, 1.0, 1.0, fall_question);
-    check_force(9.81, 0.0, 1e-3, 4.905e-6, fall_question);
-    check_force(1e-12, 0.0, 1e4, 5e-5, fall_question);
+    check_ask(fall_question);
+    check_force(0.25, 0.0, 3.0, 1.125);
+    check_force(2.0, 0.0, 1.0, 1.0);
+    check_force(9.81, 0.0, 1e-3, 4.905e-6);
+    check_force(1e-12, 0.0, 1e4, 5e-5);
 }
 
 /* After ln 2/stretch the cosine is 5/4, after ln 3/stretch 5/3. */
 static void test_pencil(void)
 {
-    static const char question[] =
-        "A pencil on its tip, and somebody pushes it: which function has "
-        "itself, and a constant, for its second derivative?";
-    check_growth(1.0, 1.0, 1.0, question);
-    check_growth(3.0, 1.0, 2.0, question);
-    check_growth(2.0, 0.25, 1.0, question);
-    check_growth(0.7, 5.0, 9.0, question);
-    check_growth(0.7, 5.0, 1e6, question);
+    check_ask("A pencil on its tip, and somebody pushes it: which function "
+              "has itself, and a constant, for its second derivative?");
+    check_growth(1.0, 1.0, 1.0);
+    check_growth(3.0, 1.0, 2.0);
+    check_growth(2.0, 0.25, 1.0);
+    check_growth(0.7, 5.0, 9.0);
+    check_growth(0.7, 5.0, 1e6);
 }
 
 /* limit: 1e-9 (stretch times time; from 1e-12 to 0.1) */
 /* limit: 1e-12 of the bound */
 static void test_little(void)
 {
-    static const char question[] =
-        "Little stretch is nearly none. How many digits of cosh(x) - 1 are "
-        "left when x is small?";
+    check_ask("Little stretch is nearly none. How many digits of cosh(x) - "
+              "1 are left when x is small?");
     for (int i = 12; i > 0; --i) {
         const double x = pow(10.0, -i), q = x * x;
         check_force(2.0, x, 1.0,
-                    1.0 + q / 12.0 * (1.0 + q / 30.0 * (1.0 + q / 56)),
-                    question);
-        check_growth(2.0, 1.0, x, question);
+                    1.0 + q / 12.0 * (1.0 + q / 30.0 * (1.0 + q / 56)));
+        check_growth(2.0, 1.0, x);
     }
 }
 
 static void test_nothing(void)
 {
-    static const char question[] =
-        "No force, or no time: how far does anything go?";
-    check_force(0.0, 0.0, 5.0, 0.0, question);
-    check_force(0.0, 2.0, 5.0, 0.0, question);
-    check_force(3.0, 2.0, 0.0, 0.0, question);
-    check_force(3.0, 0.0, 0.0, 0.0, question);
-    check_force(0.0, 2.0, 5000.0, 0.0, question);
+    check_ask("No force, or no time: how far does anything go?");
+    check_force(0.0, 0.0, 5.0, 0.0);
+    check_force(0.0, 2.0, 5.0, 0.0);
+    check_force(3.0, 2.0, 0.0, 0.0);
+    check_force(3.0, 0.0, 0.0, 0.0);
+    check_force(0.0, 2.0, 5000.0, 0.0);
 }
 
 /* limit: 1000 (stretch times time) */
 static void test_much(void)
 {
-    static const char question[] =
-        "Here d grows by a factor of e in each 1/stretch, and there are "
-        "many of these. How large can a number be?";
-    check_growth(1e-9, 2.0, 1e12, question);
-    check_growth(1e-9, 2.0, 1e100, question);
-    check_force(1e-9, 2.0, 500.0, INFINITY, question);
-    check_force(1e-9, 1.0, 2000.0, INFINITY, question);
-    check_force(5.0, 100.0, 1e6, INFINITY, question);
+    check_ask("Here d grows by a factor of e in each 1/stretch, and there "
+              "are many of these. How large can a number be?");
+    check_growth(1e-9, 2.0, 1e12);
+    check_growth(1e-9, 2.0, 1e100);
+    check_force(1e-9, 2.0, 500.0, INFINITY);
+    check_force(1e-9, 1.0, 2000.0, INFINITY);
+    check_force(5.0, 100.0, 1e6, INFINITY);
 }
 
 /* A bound of 1 m, and budgets above, below, and just that. */
@@ -247,21 +238,21 @@ static void test_verdict(void)
         "The bound is just the budget, and that is not more than it. May "
         "the force go, and is it the budget as it was that you compare "
         "with, or what is left?"};
-    static const char question[] =
-        "The bound is 1 m. Is that more than the budget?";
     const struct force above = {2.0, 0.0, 1.0, 4.0};
     const struct force below = {2.0, 0.0, 1.0, 0.5};
     const struct force just = {2.0, 0.0, 1.0, 1.0};
     const struct force none = {0.0, 3.0, 1.0, 0.0};
     const struct force never = {1e-9, 3.0, 1000.0, 1e9};
     const struct answer a = asked(&just), b = asked(&none);
-    check_all(&above, 1.0, question);
-    check_all(&below, 1.0, question);
-    check_may(&just, &a, true, strict, question);
-    check_budget(&just, &a, 0.0, question);
-    check_may(&none, &b, true, strict, "There is no force: may it go?");
-    check_all(&never, INFINITY,
-              "The bound is beyond all numbers. May the force go?");
+    check_ask("The bound is 1 m. Is that more than the budget?");
+    check_all(&above, 1.0);
+    check_all(&below, 1.0);
+    check_may(&just, &a, true, strict);
+    check_budget(&just, &a, 0.0);
+    check_ask("There is no force: may it go?");
+    check_may(&none, &b, true, strict);
+    check_ask("The bound is beyond all numbers. May the force go?");
+    check_all(&never, INFINITY);
 }
 
 /* One budget for all: the second would fit alone, and the fourth is as
@@ -274,13 +265,12 @@ static void test_budget(void)
     for (int i = 0; i < 5; ++i) {
         const struct force f = {push[i], 0.0, 1.0, budget};
         const struct answer a = asked(&f);
-        static const char question[] =
-            "The forces are left out one after the other, and bounds add. "
-            "How much is left of the budget for this one?";
+        check_ask("The forces are left out one after the other, and bounds "
+                  "add. How much is left of the budget for this one?");
         budget = may[i] ? budget - 0.5 * push[i] : budget;
-        check_bound(&f, a.bound, 0.5 * push[i], question);
-        check_may(&f, &a, may[i], nothing, question);
-        check_budget(&f, &a, budget, question);
+        check_bound(&f, a.bound, 0.5 * push[i]);
+        check_may(&f, &a, may[i], nothing);
+        check_budget(&f, &a, budget);
     }
 }
 
@@ -310,13 +300,13 @@ static void test_friction(void)
 
 static void test_drawn_bound(void)
 {
+    check_ask(
+        "Does your formula keep its digits for any stretch and any time?");
     for (int i = 0; i < 50; ++i) {
         const double push = pow(10.0, check_draw(-12.0, 2.0));
         const double stretch = pow(10.0, check_draw(-3.0, 3.0));
         const double d = pow(10.0, check_draw(-9.0, 9.0));
-        check_growth(push, stretch, d,
-                     "Does your formula keep its digits for any stretch "
-                     "and any time?");
+        check_growth(push, stretch, d);
     }
 }
 
@@ -324,6 +314,8 @@ static void test_drawn_bound(void)
    bounds are clear of what is left. */
 static void test_drawn_budget(void)
 {
+    check_ask(
+        "What is left of the budget, and is it enough for this force?");
     for (int i = 0; i < 20; ++i) {
         struct force f = {0.0, check_draw(0.1, 2.0), 0.0, 0.0};
         const double d = check_draw(0.5, 9.0);
@@ -335,9 +327,7 @@ static void test_drawn_budget(void)
             const double bound = f.budget * (go ? check_draw(0.01, 0.8)
                                                 : check_draw(1.01, 3.0));
             f.push = bound / unit;
-            check_all(&f, bound,
-                      "What is left of the budget, and is it enough for "
-                      "this force?");
+            check_all(&f, bound);
             f.budget -= go ? bound : 0.0;
         }
     }

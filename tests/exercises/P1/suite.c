@@ -5,16 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#ifndef PROJECT_YEAR
-#define PROJECT_YEAR 2026
-#endif
-
 enum { MOST = 10, COLUMNS = 2 + 2 * MOST, TEXT = 1000 };
-
-static double draw(double low, double high)
-{
-    return project_draw(PROJECT_YEAR, low, high);
-}
 
 struct scene {
     int n;
@@ -212,10 +203,9 @@ static const char root_again[] =
     "equation. Which of the two roots is the bounce to come? "
     "[root-zero-again]";
 
-static void check_form(const struct scene *s, const struct run *r,
-                       const char *input)
+static void check_form(const struct scene *s, const struct run *r)
 {
-    project_form(r, input, (size_t)s->rows + 1, 2 + 2 * (size_t)s->n,
+    project_form(r, (size_t)s->rows + 1, 2 + 2 * (size_t)s->n,
                  "A row is t, E, and x and v of each bead. Which of them "
                  "is missing, or what is there besides?");
 }
@@ -305,7 +295,7 @@ static void mistakes(struct check *w, const struct scene *s,
 
 /* Compares row by row; the energy, which is made of the others, last. */
 static void check_rows(const struct scene *s, const struct table *t,
-                       const struct run *r, const char *input, double slack,
+                       const struct run *r, double slack,
                        const char *question)
 {
     static const char because[] =
@@ -338,7 +328,6 @@ static void check_rows(const struct scene *s, const struct table *t,
                         : c == 1 ? "J"
                         : c % 2  ? "m/s"
                                  : "m",
-                .input = input,
                 .expected = want,
                 .tolerance = most,
                 .because = because,
@@ -355,14 +344,12 @@ static void check_rows(const struct scene *s, const struct table *t,
         }
 }
 
-static void check_remark(const struct run *r, const char *input,
-                         const char *words, double want,
-                         const char *question)
+static void check_remark(const struct run *r, const char *words,
+                         double want, const char *question)
 {
     const double got = project_remark(r, words, &question);
-    CHECK_NEAR(got, .quantity = words, .input = input, .expected = want,
-               .tolerance = 0.0, .equation = "eq:gap-time",
-               .question = question);
+    CHECK_NEAR(got, .quantity = words, .expected = want,
+               .equation = "eq:gap-time", .question = question);
 }
 
 /* Runs a scene and compares all of it. */
@@ -370,18 +357,16 @@ static void check_scene(const struct scene *s, double slack, bool counts,
                         const char *question)
 {
     static struct table t;
-    const struct run_order *o =
-        order(s, 0, s->g > 0.0 ? root_again : for_ever);
-    const char *input = run_text(o);
-    const struct run *r = run_program(o);
+    const struct run *r =
+        run_program(order(s, 0, s->g > 0.0 ? root_again : for_ever));
     simulate(s, NONE, &t);
-    check_form(s, r, input);
-    check_rows(s, &t, r, input, slack, question);
+    check_form(s, r);
+    check_rows(s, &t, r, slack, question);
     if (counts) {
-        check_remark(r, input, "# collisions", (double)t.collisions,
+        check_remark(r, "# collisions", (double)t.collisions,
                      "The rows are right. What do you count as a "
                      "collision: pairs, and nothing else?");
-        check_remark(r, input, "# bounces", (double)t.bounces,
+        check_remark(r, "# bounces", (double)t.bounces,
                      "The rows are right. What do you count as a bounce: "
                      "both stops?");
     }
@@ -396,7 +381,7 @@ static struct scene draw_scene(int n, double length, double g, bool equal)
     for (int i = 0; i < n; ++i) {
         s.m[i] = equal ? mass : draw(0.5, 8.0);
         s.x[i] = draw((i + 0.1) * part, (i + 0.9) * part);
-        s.v[i] = draw(0.3, 1.5) * (check_draw_whole(0, 1) ? 1.0 : -1.0);
+        s.v[i] = draw(0.3, 1.5) * either_sign();
     }
     return s;
 }
@@ -434,20 +419,13 @@ static void check_read(const struct scene *s, const char *beads)
     static struct table t;
     struct run_order o = *order(s, 0, for_ever);
     o.files[0].text = beads;
-    const char *input = run_text(&o);
     const struct run *r = run_program(&o);
     simulate(s, NONE, &t);
-    CHECK_NEAR(
-        r->status, .quantity = "the status with which it ended",
-        .input = input, .expected = 0.0, .tolerance = 0.0,
-        .question = "What did it complain about? There is nothing wrong "
-                    "with this input.",
-        .mistakes = {{"input-refused", 2.0,
-                      "A remark may fill a line, a line may be empty, a "
-                      "bead may lie on a stop, and two may share a place. "
-                      "Which of these does your program refuse?"}});
-    check_form(s, r, input);
-    check_rows(s, &t, r, input, 1e-9,
+    project_reads(r, "A remark may fill a line, a line may be empty, a "
+                     "bead may lie on a stop, and two may share a place. "
+                     "Which of these does your program refuse?");
+    check_form(s, r);
+    check_rows(s, &t, r, 1e-9,
                "Two beads in one place meet only if they come nearer. "
                "Which velocities say so?");
 }
@@ -496,8 +474,7 @@ static void check_crowd(void)
                        "%d %d.5 %d\n", 1 + i % 3, i, i % 2 ? -1 : 1);
     o.files[0].text = beads;
     memcpy(o.arguments + 1, words, sizeof words);
-    const char *input = run_text(&o);
-    check_form(&s, run_program(&o), input);
+    check_form(&s, run_program(&o));
 }
 
 /* An input that makes no sense: beads, or one of the words behind them. */
@@ -559,38 +536,34 @@ static void check_long(void)
     struct scene s = draw_scene(MOST, draw(1.0, 2.0), 0.0, false);
     s.tc = 0.5;
     s.rows = 2000;
-    const struct run_order *o = order(&s, 0, for_ever);
-    const char *input = run_text(o);
-    const struct run *r = run_program(o);
-    check_form(&s, r, input);
+    const struct run *r = run_program(order(&s, 0, for_ever));
+    check_form(&s, r);
     for (size_t k = 0; k < r->rows; ++k) {
         const double *row = r->numbers + k * r->columns;
         double last = 0.0, energy = 0.0;
         for (int i = 0; i < s.n; ++i) {
             const double here = row[2 + 2 * i];
             energy += s.m[i] * row[3 + 2 * i] * row[3 + 2 * i] / 2.0;
-            CHECK_NEAR(here < last - 1e-9 ? here - last : 0.0,
-                       .quantity =
-                           check_text("how far bead %d has passed its "
-                                      "neighbour or its stop in row %zu",
-                                      i + 1, k),
-                       .unit = "m", .input = input, .expected = 0.0,
-                       .tolerance = 0.0, .equation = "eq:gap-time",
-                       .question = "Which collision was missed?");
+            CHECK_NEAR(
+                here < last - 1e-9 ? here - last : 0.0,
+                .quantity = check_text("how far bead %d has passed its "
+                                       "neighbour or its stop in row %zu",
+                                       i + 1, k),
+                .unit = "m", .expected = 0.0, .equation = "eq:gap-time",
+                .question = "Which collision was missed?");
             last = here;
         }
         const double off = last > s.length + 1e-9 ? last - s.length : 0.0;
         CHECK_NEAR(off,
                    .quantity = check_text(
                        "how far the last bead is outside in row %zu", k),
-                   .unit = "m", .input = input, .expected = 0.0,
-                   .tolerance = 0.0, .equation = "eq:gap-time",
+                   .unit = "m", .expected = 0.0, .equation = "eq:gap-time",
                    .question = "Which bounce was missed?");
         CHECK_NEAR(
             energy,
             .quantity =
                 check_text("the energy of the velocities in row %zu", k),
-            .unit = "J", .input = input, .expected = r->numbers[1],
+            .unit = "J", .expected = r->numbers[1],
             .tolerance = 1e-9 * fabs(r->numbers[1]),
             .because = "rounding in each of the collisions",
             .equation = "eq:energy",
@@ -608,16 +581,13 @@ static void check_galperin(void)
                             .length = INFINITY,
                             .tc = 0.5,
                             .rows = 40};
-    const struct run_order *o = order(&s, 0, for_ever);
-    const char *input = run_text(o);
-    const struct run *r = run_program(o);
+    const struct run *r = run_program(order(&s, 0, for_ever));
     double pairs = NAN, stops = NAN;
-    check_form(&s, r, input);
+    check_form(&s, r);
     run_remark(r, "# collisions", &pairs, 1);
     run_remark(r, "# bounces", &stops, 1);
     CHECK_NEAR(pairs + stops, .quantity = "collisions and bounces",
-               .input = input, .expected = 314.0, .tolerance = 0.0,
-               .because = "they can be counted on paper",
+               .expected = 314.0, .because = "they can be counted on paper",
                .equation = "eq:galperin",
                .question =
                    "Behind # collisions and # bounces stand their numbers. "
@@ -660,17 +630,15 @@ static void stage_clock(void)
     struct scene s = draw_scene(1, draw(1.0, 3.0), 0.0, true);
     s.tc = 0.1;
     s.rows = ROWS;
-    const struct run_order *o = order(&s, 0, for_ever);
-    const char *input = run_text(o);
-    const struct run *r = run_program(o);
-    check_form(&s, r, input);
+    const struct run *r = run_program(order(&s, 0, for_ever));
+    check_form(&s, r);
     const bool cut = short_times(r, s.tc, ROWS);
     double sum = 0.0;
     for (int k = 0; k <= ROWS; ++k, sum += s.tc)
         CHECK_NEAR(
             r->numbers[4 * k] - k * s.tc,
             .quantity = check_text("t in row %d, less %d TC", k, k),
-            .unit = "s", .input = input, .expected = 0.0, .tolerance = 0.0,
+            .unit = "s", .expected = 0.0,
             .because = "k TC is one multiplication", .equation = "eq:clock",
             .question =
                 "How does the program know what time it is in this row?",
@@ -686,7 +654,7 @@ static void stage_clock(void)
         const double off = fabs(remainder(way, 2.0 * s.length));
         CHECK_NEAR(r->numbers[4 * k + 2],
                    .quantity = check_text("x1 in row %d", k), .unit = "m",
-                   .input = input, .expected = off, .tolerance = 1e-8,
+                   .expected = off, .tolerance = 1e-8,
                    .because = "ten thousand bounces, each rounded",
                    .equation = "eq:clock",
                    .question = "The times are right. From which time on "
@@ -749,21 +717,19 @@ static void check_law(const struct scene *s, int law)
         "is right three thousand times, and then loses a hundredth",
         "is right, and rounds in another way"};
     const bool right = law == 0 || law == LAWS - 1;
-    const struct run_order *o =
+    const struct run *r = run_program(
         order(s, law,
               "This collide conserves energy and momentum. What else does "
-              "a collision do? [nothing-happened]");
-    const char *input = check_text("a collide that %.60s, and %.390s",
-                                   laws[law], run_text(o));
-    const struct run *r = run_program(o);
+              "a collision do? [nothing-happened]"));
+    check_about(check_text("a collide that %.60s, and %.390s", laws[law],
+                           check_about(NULL)));
     CHECK_NEAR(r->status, .quantity = "the status with which it ended",
-               .input = input, .expected = right ? 0.0 : 1.0,
-               .tolerance = 0.0, .equation = "eq:difference",
+               .expected = right ? 0.0 : 1.0, .equation = "eq:difference",
                .question = "With which status does your program end when "
                            "it finds something wrong?",
                .mistakes = {misjudged(right, law)});
     CHECK_NEAR(*r->complaint != '\0', .quantity = "a line on stderr",
-               .input = input, .expected = !right, .tolerance = 0.0,
+               .expected = !right,
                .question = "It should say what broke, and only then.");
 }
 
@@ -890,7 +856,7 @@ static struct scene draw_shared(bool upright)
     struct scene s = {.n = 4, .rows = 40000};
     for (int i = 0; i < s.n; ++i) {
         s.x[i] = draw(0.1 + 0.2 * i, 0.25 + 0.2 * i);
-        s.v[i] = draw(0.3, 1.0) * (check_draw_whole(0, 1) ? 1.0 : -1.0);
+        s.v[i] = draw(0.3, 1.0) * either_sign();
         fast += masses[i] * s.v[i] * s.v[i] / 2.0;
         high += masses[i] * s.x[i];
     }
@@ -920,23 +886,23 @@ static double of_rows(const struct run *r, int column, double *error)
     return sqrt(two);
 }
 
-static void check_numbers(const char *name, const char *input, bool upright,
+static void check_numbers(const char *name, bool upright,
                           const double got[3], double theory, double run,
                           double naive, double spread)
 {
     const double error = got[1] / (theory * spread);
-    CHECK_NEAR(
-        got[2], .quantity = check_text("the theory of %s", name),
-        .input = input, .expected = theory, .tolerance = 1e-6 * theory,
-        .because = "the digits of the masses",
-        .equation = "eq:equipartition",
-        .question = *name == 'r' ? "Is it lightest over heaviest?"
-                    : upright ? "How many squares are there in the energy? "
-                                "A height is no square: what is its share?"
-                              : "How many squares are there in the energy, "
-                                "and which share of it has each?");
+    CHECK_NEAR(got[2], .quantity = check_text("the theory of %s", name),
+               .expected = theory, .tolerance = 1e-6 * theory,
+               .because = "the digits of the masses",
+               .equation = "eq:equipartition",
+               .question =
+                   *name == 'r' ? "Is it lightest over heaviest?"
+                   : upright ? "How many squares are there in the energy? "
+                               "A height is no square: what is its share?"
+                             : "How many squares are there in the energy, "
+                               "and which share of it has each?");
     CHECK_NEAR(got[0], .quantity = check_text("the run of %s", name),
-               .input = input, .expected = run, .tolerance = 1e-3 * run,
+               .expected = run, .tolerance = 1e-3 * run,
                .because = "it was computed again from the rows",
                .equation = "eq:equipartition",
                .question = "The root of the mean of the squares: of which "
@@ -945,8 +911,7 @@ static void check_numbers(const char *name, const char *input, bool upright,
         error,
         .quantity =
             check_text("the error of %s, in units of the true one", name),
-        .input = input, .expected = 1.0,
-        .tolerance = error < 1.0 ? 0.42 : 0.6,
+        .expected = 1.0, .tolerance = error < 1.0 ? 0.42 : 0.6,
         .because = "found from 250 runs; an error has an error",
         .equation = "eq:block",
         .question = "How long are your blocks, and how many? And is it the "
@@ -958,7 +923,7 @@ static void check_numbers(const char *name, const char *input, bool upright,
     CHECK_NEAR(
         (got[0] - theory) / got[1],
         .quantity = check_text("%s: run less theory, in errors", name),
-        .input = input, .expected = 0.0, .tolerance = 5.0,
+        .expected = 0.0, .tolerance = 5.0,
         .because = "beyond lies less than one run in a hundred thousand",
         .equation = "eq:equipartition",
         .question = "Theory and run do not agree. Which of them do you "
@@ -971,22 +936,19 @@ static void check_thousand(void)
 {
     struct scene s = draw_apart(2, draw(1.0, 2.0), 0.0, true, 999);
     for (; s.rows <= 1000; ++s.rows) {
-        const struct run_order *o = order(&s, 0, for_ever);
-        const char *input = run_text(o);
-        const struct run *r = run_program(o);
+        const struct run *r = run_program(order(&s, 0, for_ever));
         double got[3] = {0.0}, naive;
-        check_form(&s, r, input);
+        check_form(&s, r);
         const int count = run_remark(r, "# lightest", got, 3);
         CHECK_NEAR(
-            count, .quantity = "numbers behind # lightest", .input = input,
-            .expected = s.rows < 1000 ? 0.0 : 3.0, .tolerance = 0.0,
+            count, .quantity = "numbers behind # lightest",
+            .expected = s.rows < 1000 ? 0.0 : 3.0,
             .question =
                 "From how many ROWS on does the contract ask for them?");
         const double run = of_rows(r, 3, &naive);
         if (count == 3)
             CHECK_NEAR(got[0], .quantity = "the run of lightest",
-                       .input = input, .expected = run,
-                       .tolerance = 1e-3 * run,
+                       .expected = run, .tolerance = 1e-3 * run,
                        .because = "it was computed again from the rows",
                        .question = "Both weigh the same: which of them "
                                    "does the contract take?");
@@ -1002,10 +964,8 @@ static void check_among(void)
     const int heavy = check_draw_whole(1, 2);
     s.m[heavy] = 9.0;
     s.m[3 - heavy] = 0.4;
-    const struct run_order *o = order(&s, 0, for_ever);
-    const char *input = run_text(o);
-    const struct run *r = run_program(o);
-    check_form(&s, r, input);
+    const struct run *r = run_program(order(&s, 0, for_ever));
+    check_form(&s, r);
     for (int k = 0; k < 2; ++k) {
         double got[3] = {NAN, NAN, NAN}, naive;
         const int bead = k ? heavy : 3 - heavy;
@@ -1013,7 +973,7 @@ static void check_among(void)
         run_remark(r, names[k], got, 3);
         CHECK_NEAR(got[0],
                    .quantity = check_text("the run of %s", names[k]),
-                   .input = input, .expected = run, .tolerance = 1e-3 * run,
+                   .expected = run, .tolerance = 1e-3 * run,
                    .because = "it was computed again from the rows",
                    .question = "Which of these beads is it?");
     }
@@ -1021,12 +981,12 @@ static void check_among(void)
 
 /* Six errors know more together than each: of a hundred blocks the mean of
    their logarithms scatters by 0.05. */
-static void check_errors(double mean_log, const char *input)
+static void check_errors(double mean_log)
 {
     CHECK_NEAR(exp(mean_log),
                .quantity =
                    "the six errors together, in units of the true ones",
-               .input = input, .expected = 1.0, .tolerance = 0.25,
+               .expected = 1.0, .tolerance = 0.25,
                .because = "found from 250 runs; and an error has an error",
                .equation = "eq:block",
                .question = "Each error alone could be chance, all of them "
@@ -1043,10 +1003,8 @@ static void stage_theory(void)
         const struct scene s = draw_shared(upright);
         const double *spread = true_errors[upright];
         double got[3][3], naive[3], run[3], energy = 0.0, theory[3];
-        const struct run_order *o = order(&s, 0, for_ever);
-        const char *input = run_text(o);
-        const struct run *r = run_program(o);
-        check_form(&s, r, input);
+        const struct run *r = run_program(order(&s, 0, for_ever));
+        check_form(&s, r);
         for (int i = 0; i < s.n; ++i)
             energy += s.m[i] * (s.v[i] * s.v[i] / 2.0 + s.g * s.x[i]);
         const double share = energy / s.n * (upright ? 2.0 / 3.0 : 2.0);
@@ -1064,16 +1022,15 @@ static void stage_theory(void)
             const int count = run_remark(r, words, got[i], 3);
             CHECK_NEAR(
                 count, .quantity = check_text("numbers behind %s", words),
-                .input = input, .expected = 3.0, .tolerance = 0.0,
-                .equation = "eq:equipartition",
+                .expected = 3.0, .equation = "eq:equipartition",
                 .question = "The contract asks for the run, its standard "
                             "error, and the theory, when ROWS >= 1000.");
-            check_numbers(names[i], input, upright, got[i], theory[i],
-                          run[i], naive[i], spread[i]);
+            check_numbers(names[i], upright, got[i], theory[i], run[i],
+                          naive[i], spread[i]);
             mean_log += log(got[i][1] / (theory[i] * spread[i])) / 6.0;
         }
         if (upright)
-            check_errors(mean_log, input);
+            check_errors(mean_log);
     }
 }
 

@@ -5,21 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#ifndef PROJECT_YEAR
-#define PROJECT_YEAR 2026
-#endif
-
 enum { MOST = 8, PER_BODY = 4, COLUMNS = 2 + PER_BODY * MOST };
-
-static double draw(double low, double high)
-{
-    return project_draw(PROJECT_YEAR, low, high);
-}
-
-static double either_sign(void)
-{
-    return check_draw_whole(0, 1) ? 1.0 : -1.0;
-}
 
 enum method { EULER, LEAPFROG, FOURTH };
 static const char *const method_names[] = {"euler", "leapfrog", "fourth"};
@@ -280,10 +266,9 @@ static const struct run_order *order(const struct scene *s)
     return &o;
 }
 
-static void check_form(const struct scene *s, const struct run *r,
-                       const char *input)
+static void check_form(const struct scene *s, const struct run *r)
 {
-    project_form(r, input, (size_t)s->rows + 1, 2 + PER_BODY * (size_t)s->n,
+    project_form(r, (size_t)s->rows + 1, 2 + PER_BODY * (size_t)s->n,
                  "A row is t, E, and x, y, vx and vy of each body. Which "
                  "of them is missing, or what is there besides?");
 }
@@ -382,8 +367,8 @@ static void energy_mistakes(struct check *check, const struct scene *s,
 
 /* Compares row by row; the energy, which is made of the others, last. */
 static void check_rows(const struct scene *s, const double *want,
-                       const struct run *r, const char *input,
-                       const enum fault *faults, const char *question)
+                       const struct run *r, const enum fault *faults,
+                       const char *question)
 {
     /* Rounding: a step errs by some 1e-16 of each number, and neighbours
        part in these short runs by less than a factor of 1e3 in 200 steps.
@@ -418,7 +403,6 @@ static void check_rows(const struct scene *s, const double *want,
                                      (c - 2) / PER_BODY + 1, k,
                                      want[k * columns]),
                 .unit = units[kind],
-                .input = input,
                 .expected = expected,
                 .tolerance = most,
                 .because = "rounding, and what the forces make of it",
@@ -442,12 +426,10 @@ static void check_scene(const struct scene *s, const enum fault *faults,
                         const char *question)
 {
     static double *want;
-    const struct run_order *o = order(s);
-    const char *input = run_text(o);
-    const struct run *r = run_program(o);
+    const struct run *r = run_program(order(s));
     simulate(s, NONE, &want);
-    check_form(s, r, input);
-    check_rows(s, want, r, input, faults, question);
+    check_form(s, r);
+    check_rows(s, want, r, faults, question);
 }
 
 /* ---- stage 1: special cases ---- */
@@ -625,21 +607,14 @@ static void check_read(void)
     o.files[0].text =
         "# m r x y vx vy\n\nspring 1 2 2 0.75 # a remark\n1 0 0 0.5 0 "
         "0.25\n  # and another\n\t2 0   1 0.5 0 -0.25";
-    const char *input = run_text(&o);
     const struct run *r = run_program(&o);
     simulate(&s, NONE, &want);
-    CHECK_NEAR(
-        r->status, .quantity = "the status with which it ended",
-        .input = input, .expected = 0.0, .tolerance = 0.0,
-        .question = "What did it complain about? There is nothing wrong "
-                    "with this input.",
-        .mistakes = {
-            {"input-refused", 2.0,
-             "A remark may fill a line, a line may be empty, a spring may "
-             "stand before its bodies, and the last line need not end. "
-             "Which of these does your program refuse?"}});
-    check_form(&s, r, input);
-    check_rows(&s, want, r, input, none,
+    project_reads(r,
+                  "A remark may fill a line, a line may be empty, a spring "
+                  "may stand before its bodies, and the last line need not "
+                  "end. Which of these does your program refuse?");
+    check_form(&s, r);
+    check_rows(&s, want, r, none,
                "Bodies are counted from 1, in the order of their lines.");
 }
 
@@ -665,23 +640,21 @@ static void check_room(void)
         .files = {{"bodies.txt", bodies}},
         .late = for_ever,
     };
-    const char *input = run_text(&o);
     const struct run *r = run_program(&o);
     static const char question[] =
         "There are 64 bodies and 64 springs, and so many are allowed. How "
         "many does each of your arrays hold?";
     CHECK_NEAR(r->status, .quantity = "the status with which it ended",
-               .input = input, .expected = 0.0, .tolerance = 0.0,
-               .question = question,
+               .expected = 0.0, .question = question,
                .mistakes = {{"too-little-room", 2.0, question}});
-    project_form(r, input, 3, WIDTH, question);
-    CHECK_NEAR(
-        r->numbers[2 * WIDTH + 2 + PER_BODY * (ALL - 1)],
-        .quantity = "x of body 64 in row 2", .unit = "m", .input = input,
-        .expected = ALL - 1 + 0.125, .tolerance = 1e-9,
-        .because = "no spring pulls", .equation = "eq:verlet",
-        .question = "All springs are at their lengths, and all bodies have "
-                    "one velocity. What pulls this one?");
+    project_form(r, 3, WIDTH, question);
+    CHECK_NEAR(r->numbers[2 * WIDTH + 2 + PER_BODY * (ALL - 1)],
+               .quantity = "x of body 64 in row 2", .unit = "m",
+               .expected = ALL - 1 + 0.125, .tolerance = 1e-9,
+               .because = "no spring pulls", .equation = "eq:verlet",
+               .question =
+                   "All springs are at their lengths, and all bodies have "
+                   "one velocity. What pulls this one?");
 }
 
 static void stage_general(void)
@@ -766,22 +739,19 @@ static void check_order(struct scene s, int steps, const char *what)
     const struct state truth = exactly(&s, s.dt, 100);
     const double whole = s.dt;
     double error[2];
-    const char *input = NULL;
     s.method = FOURTH;
     s.rows = 1;
     for (int k = 0; k < 2; ++k) {
         s.every = steps * (k + 1);
         s.dt = whole / s.every;
-        const struct run_order *o = order(&s);
-        input = run_text(o);
-        const struct run *r = run_program(o);
-        check_form(&s, r, input);
+        const struct run *r = run_program(order(&s));
+        check_form(&s, r);
         error[k] = error_of(&s, r, &truth);
     }
     const double size = hypot(s.x[2], s.x[3]);
     CHECK_NEAR(log2(error[0] / error[1]),
                .quantity = check_text("the order of fourth, from %s", what),
-               .input = input, .expected = 4.0, .tolerance = 0.5,
+               .expected = 4.0, .tolerance = 0.5,
                .because = "the next power of the step",
                .equation = "eq:order",
                .question =
@@ -799,7 +769,7 @@ static void check_order(struct scene s, int steps, const char *what)
         error[1] / size,
         .quantity = check_text(
             "how far from its place the worst body is, after %s", what),
-        .input = input, .expected = 0.0, .tolerance = 2e-3,
+        .expected = 0.0, .tolerance = 2e-3,
         .because =
             "a part of the orbit's size; methods of order 4 differ much",
         .equation = "eq:order",
@@ -826,13 +796,11 @@ static void check_stated(const struct scene *s, double t)
 {
     const struct state truth = exactly(s, t, 200);
     const struct state half = exactly(s, t / 2.0, 100);
-    const struct run_order *o = order(s);
-    const char *input = run_text(o);
-    const struct run *r = run_program(o);
+    const struct run *r = run_program(order(s));
     const char *question =
         "Run once more with half the step, over the same time. The "
         "difference of the two ends is which part of the error?";
-    check_form(s, r, input);
+    check_form(s, r);
     static const int power[] = {1, 2, 4};
     const int p = power[s->method];
     const double *last = r->numbers + (r->rows - 1) * r->columns;
@@ -848,7 +816,6 @@ static void check_stated(const struct scene *s, double t)
     const double stated = project_remark(r, "# error", &question);
     struct check check = {
         .quantity = "log10 of the stated error over the true one",
-        .input = input,
         .expected = 0.0,
         .tolerance = log10(3.0),
         .because = "a factor of 3",
@@ -972,17 +939,15 @@ static const char limit_question[] =
 
 /* What the program names, in units of 1/omega; NAN unless it has ended with
    this status. */
-static double named(const struct scene *s, int status, const char **input)
+static double named(const struct scene *s, int status)
 {
     const struct run_order *o = order(s);
     const char *question = limit_question;
-    *input = run_text(o);
     const struct run *r = run_program(o);
     const double got = project_remark(r, "# limit", &question);
     CHECK_NEAR(
         r->status, .quantity = "the status with which it ended",
-        .input = *input, .expected = status, .tolerance = 0.0,
-        .equation = "eq:stability-limit",
+        .expected = status, .equation = "eq:stability-limit",
         .question = status ? "With this step the springs blow up. What "
                              "should the program do before its first row?"
                            : "This step is short enough: it is four tenths "
@@ -994,17 +959,15 @@ static double named(const struct scene *s, int status, const char **input)
                     : "Your program refuses a step that is short enough. "
                       "Where does its limit come from?"}});
     CHECK_NEAR(status ? (double)r->rows : 0.0,
-               .quantity = "rows of a run that is refused", .input = *input,
-               .expected = 0.0, .tolerance = 0.0,
+               .quantity = "rows of a run that is refused", .expected = 0.0,
                .question = "It is refused before it begins.");
     CHECK_NEAR(*r->complaint != '\0', .quantity = "a line on stderr",
-               .input = *input, .expected = status, .tolerance = 0.0,
+               .expected = status,
                .question = "It should say why it stops, and only then.");
     if (!status)
-        check_form(s, r, *input);
+        check_form(s, r);
     CHECK_NEAR(isnan(got), .quantity = "a # limit that is missing",
-               .input = *input, .expected = 0.0, .tolerance = 0.0,
-               .question = question);
+               .expected = 0.0, .question = question);
     return got * fastest(s);
 }
 
@@ -1012,16 +975,14 @@ static double named(const struct scene *s, int status, const char **input)
    does: no shorter than a bound from sums of K/m can be, 0.7 of it. */
 static void check_limit(struct scene s)
 {
-    const char *input;
     double alone = 0.0;
     for (int k = 0; k < s.springs; ++k)
         alone =
             fmax(alone, s.spring[k].k * (1.0 / s.m[k] + 1.0 / s.m[k + 1]));
     s.dt = 0.8 / fastest(&s);
-    const double with = named(&s, 0, &input);
+    const double with = named(&s, 0);
     struct check check = {
         .quantity = "the limit that it names, in units of the true one",
-        .input = input,
         .expected = 0.85,
         .tolerance = 0.151,
         .because = "a bound may be too careful by a root of 2",
@@ -1051,7 +1012,7 @@ static void check_limit(struct scene s)
                         "How fast do two swing that are both free?");
     check_near(__FILE__, __LINE__, with / 2.0, check);
     s.dt = 2.05 / fastest(&s);
-    named(&s, 1, &input);
+    named(&s, 1);
 }
 
 /* The limit that it names for its own method: it holds there, and beyond it
@@ -1059,20 +1020,17 @@ static void check_limit(struct scene s)
 static void check_own_limit(void)
 {
     struct scene s = draw_chain(2, FOURTH);
-    const char *input;
     s.dt = 0.3 / fastest(&s);
-    const double limit = named(&s, 0, &input);
-    CHECK_NEAR(
-        limit < 1.0 ? 1.0 - limit : 0.0,
-        .quantity = "how far below 1/omega the limit is", .input = input,
-        .expected = 0.0, .tolerance = 0.0, .equation = "eq:stability-limit",
-        .question = "Every method of order 4 in the book goes further. "
-                    "Where does the matrix of yours cease to be stable?");
+    const double limit = named(&s, 0);
+    CHECK_NEAR(limit < 1.0 ? 1.0 - limit : 0.0,
+               .quantity = "how far below 1/omega the limit is",
+               .expected = 0.0, .equation = "eq:stability-limit",
+               .question =
+                   "Every method of order 4 in the book goes further. "
+                   "Where does the matrix of yours cease to be stable?");
     s.dt = 0.98 * limit / fastest(&s);
-    const struct run_order *o = order(&s);
-    input = run_text(o);
-    const struct run *r = run_program(o);
-    check_form(&s, r, input);
+    const struct run *r = run_program(order(&s));
+    check_form(&s, r);
     /* Just below its limit a method may let the energy swing widely; what
        is unstable grows by a fifth a step, in 400 of them without end. */
     double most = 0.0;
@@ -1083,8 +1041,7 @@ static void check_own_limit(void)
     CHECK_NEAR(most < 1e4 * r->numbers[1],
                .quantity =
                    "1 if the energy stays within 10000 times what it was",
-               .input = input, .expected = 1.0, .tolerance = 0.0,
-               .equation = "eq:stability-limit",
+               .expected = 1.0, .equation = "eq:stability-limit",
                .question = "This step is just below the limit that your "
                            "program has named.",
                .mistakes = {
@@ -1092,7 +1049,7 @@ static void check_own_limit(void)
                     "At 0.98 of the limit that your program names, its own "
                     "method blows up. For which method is that limit?"}});
     s.dt = 1.02 * limit / fastest(&s);
-    named(&s, 1, &input);
+    named(&s, 1);
 }
 
 static void stage_stiff(void)
@@ -1141,9 +1098,7 @@ static void check_meeting(const struct scene *s, int i, int j, double t,
         "points-meet-nothing", 0.0,
         "One of these two has a radius, and the other is a point. Which "
         "two can never touch?"};
-    const struct run_order *o = order(s);
-    const char *input = run_text(o);
-    const struct run *r = run_program(o);
+    const struct run *r = run_program(order(s));
     double got[3] = {NAN, NAN, NAN};
     run_remark(r, "# meet", got, 3);
     static const char when[] =
@@ -1152,26 +1107,23 @@ static void check_meeting(const struct scene *s, int i, int j, double t,
         "distance change?";
     const double ends = ceil(t / s->dt) * s->dt;
     CHECK_NEAR(r->status, .quantity = "the status with which it ended",
-               .input = input, .expected = 1.0, .tolerance = 0.0,
-               .equation = "eq:back-time",
+               .expected = 1.0, .equation = "eq:back-time",
                .question = "Two of these bodies meet.",
                .mistakes = {*(s->r[i] > 0.0 ? &through : &point)});
     CHECK_NEAR(*r->complaint != '\0', .quantity = "a line on stderr",
-               .input = input, .expected = 1.0, .tolerance = 0.0,
-               .question = "It should say why it stops.");
+               .expected = 1.0, .question = "It should say why it stops.");
     CHECK_NEAR(got[0] * 10.0 + got[1],
                .quantity = "the two numbers behind # meet, as ten times "
                            "the first and the second",
-               .input = input, .expected = 10.0 * (i + 1) + j + 1,
-               .tolerance = 0.0, .equation = "eq:back-time",
+               .expected = 10.0 * (i + 1) + j + 1,
+               .equation = "eq:back-time",
                .question = "Which two are they, the lower number first?",
                .mistakes = {{"first-pair", s->n > 2 ? 12.0 : NAN,
                              "These two meet as well, later in the same "
                              "step. Who is first?"}});
     CHECK_NEAR(
         got[2], .quantity = "the time at which they meet", .unit = "s",
-        .input = input, .expected = t, .tolerance = slack,
-        .equation = "eq:back-time",
+        .expected = t, .tolerance = slack, .equation = "eq:back-time",
         .because = slack > 1e-6 * s->dt ? "how much a path bends in a step"
                                         : "they fly straight",
         .question = when,
@@ -1184,24 +1136,20 @@ static void check_meeting(const struct scene *s, int i, int j, double t,
                      {"nearest-approach", nearest,
                       "There they are nearest to each other, and one "
                       "inside the other. When do they begin to touch?"}});
-    CHECK_NEAR(
-        (double)r->rows, .quantity = "rows before they meet",
-        .input = input, .expected = floor(t / (s->every * s->dt)) + 1.0,
-        .tolerance = 0.0,
-        .question = "Rows up to the meeting stand, and none after it.");
+    CHECK_NEAR((double)r->rows, .quantity = "rows before they meet",
+               .expected = floor(t / (s->every * s->dt)) + 1.0,
+               .question =
+                   "Rows up to the meeting stand, and none after it.");
 }
 
 static void check_miss(const struct scene *s,
                        struct check_mistake false_alarm)
 {
-    const struct run_order *o = order(s);
-    const char *input = run_text(o);
-    const struct run *r = run_program(o);
+    const struct run *r = run_program(order(s));
     CHECK_NEAR(r->status, .quantity = "the status with which it ended",
-               .input = input, .expected = 0.0, .tolerance = 0.0,
-               .equation = "eq:back-time", .question = "These do not meet.",
-               .mistakes = {false_alarm});
-    check_form(s, r, input);
+               .expected = 0.0, .equation = "eq:back-time",
+               .question = "These do not meet.", .mistakes = {false_alarm});
+    check_form(s, r);
 }
 
 /* Four: the two that meet first have the higher numbers. */

@@ -6,16 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#ifndef PROJECT_YEAR
-#define PROJECT_YEAR 2026
-#endif
-
 enum { MOST = 4, MOST_STEPS = 50000 };
-
-static double draw(double low, double high)
-{
-    return project_draw(PROJECT_YEAR, low, high);
-}
 
 /* The laws of remote.c, by their numbers. */
 enum law { GRAVITY, SOFTENED, SPRINGS, NOTHING };
@@ -308,7 +299,6 @@ static const struct run_order *order_of(const struct request *q)
 
 /* What a program has answered. */
 struct answer {
-    const char *input;
     const struct run *run;
     int order;
     long steps;
@@ -323,42 +313,51 @@ static const char wasteful[] =
     "Which of your runs teaches nothing that a shorter one would not? When "
     "is it clear that a method will not win?";
 
+static const struct run *run_request(const struct request *q)
+{
+    const struct run *r = run_program(order_of(q));
+    check_about(
+        check_text("%s, and %.440s", law_names[q->law], check_about(NULL)));
+    return r;
+}
+
+static const char *with_pick(const struct answer *a)
+{
+    return check_text("order %d with %ld steps; %.440s", a->order, a->steps,
+                      check_about(NULL));
+}
+
 /* Whether there is an answer that can be read. */
 static void answered(const struct request *q, struct answer *a)
 {
-    const struct run_order *o = order_of(q);
-    a->input = check_text("%s, and %.440s", law_names[q->law], run_text(o));
-    const struct run *r = a->run = run_program(o);
+    const struct run *r = a->run = run_request(q);
     if (q->most > 0.0)
         CHECK_NEAR(r->calls, .quantity = "all calls of force, counted",
-                   .input = a->input, .expected = fmin(r->calls, q->most),
-                   .tolerance = 0.0,
+                   .expected = fmin(r->calls, q->most),
                    .because =
                        "60 times the cheapest known; more are not answered",
                    .equation = "eq:choose-cost", .question = wasteful);
     double pick[3] = {NAN, NAN, NAN};
     CHECK_NEAR(
         r->status, .quantity = "the status with which it ended",
-        .input = a->input, .expected = 0.0, .tolerance = 0.0,
+        .expected = 0.0,
         .question = "What did it complain about? This request can be held.",
         .mistakes = {
             {"refused-in-vain", 1.0,
              "This request can be held with 50000 steps. After which of "
              "its runs does your program give up, and why?"}});
     project_form(
-        r, a->input, 1, 1 + 4 * (size_t)q->n,
+        r, 1, 1 + 4 * (size_t)q->n,
         "The row is t, and x, y, vx and vy of each body at the end. Which "
         "of them is missing, or what is there besides?");
     const int count = run_remark(r, "# pick", pick, 3);
-    CHECK_NEAR(count, .quantity = "numbers behind # pick",
-               .input = a->input, .expected = 3.0, .tolerance = 0.0,
+    CHECK_NEAR(count, .quantity = "numbers behind # pick", .expected = 3.0,
                .question = what_pick);
     CHECK_NEAR(pick[0] == 1.0 || pick[0] == 2.0 || pick[0] == 4.0,
-               .quantity = "1 if the order is 1, 2 or 4", .input = a->input,
-               .expected = 1.0, .tolerance = 0.0, .question = what_pick);
+               .quantity = "1 if the order is 1, 2 or 4", .expected = 1.0,
+               .question = what_pick);
     CHECK_NEAR(pick[1] >= 1.0 && pick[1] <= MOST_STEPS,
-               .quantity = "1 if the steps are 1 to 50000",
-               .input = a->input, .expected = 1.0, .tolerance = 0.0,
+               .quantity = "1 if the steps are 1 to 50000", .expected = 1.0,
                .question = what_pick);
     a->order = (int)pick[0];
     a->steps = (long)pick[1];
@@ -369,20 +368,17 @@ static void answered(const struct request *q, struct answer *a)
     }
     const long least = cost(a->order, a->steps);
     CHECK_NEAR(r->calls, .quantity = "1 if force was called at all",
-               .input = a->input, .expected = fmax(r->calls, 1.0),
-               .tolerance = 0.0,
+               .expected = fmax(r->calls, 1.0),
                .question = "Which forces did this run take?",
                .mistakes = {{"own-force", 0.0,
                              "Your program has not asked the header's "
                              "force. Which law can it know by itself?"}});
-    CHECK_NEAR(r->calls, .quantity = "calls of force, counted",
-               .input = check_text("order %d with %ld steps; %.440s",
-                                   a->order, a->steps, a->input),
-               .expected = fmax(r->calls, (double)least), .tolerance = 0.0,
-               .because = "the pick needs so many",
-               .equation = "eq:choose-cost",
-               .question = "This method needs more calls for so many "
-                           "steps. Where do the other forces come from?");
+    CHECK_NEAR(
+        r->calls, .quantity = "calls of force, counted",
+        .input = with_pick(a), .expected = fmax(r->calls, (double)least),
+        .because = "the pick needs so many", .equation = "eq:choose-cost",
+        .question = "This method needs more calls for so many steps. Where "
+                    "do the other forces come from?");
 }
 
 /* How far velocities are apart at most, in units of the largest: those of
@@ -412,8 +408,7 @@ static void check_velocities(const struct request *q,
     struct check check = {
         .quantity = "how far the velocities of the row are from those of "
                     "its pick, in the largest of them",
-        .input = check_text("order %d with %ld steps; %.440s", a->order,
-                            a->steps, a->input),
+        .input = with_pick(a),
         .expected = 0.0,
         .tolerance = 1e-6,
         .because = "the same steps, but for rounding",
@@ -439,8 +434,7 @@ static void held(const struct request *q, const struct answer *a,
     const double other = apart(q, &a->end, &own) / q->tol;
     struct check check = {
         .quantity = "how far the row is from that of its pick, in TOL",
-        .input = check_text("order %d with %ld steps; %.440s", a->order,
-                            a->steps, a->input),
+        .input = with_pick(a),
         .expected = 0.0,
         .tolerance = 1e-3 + 1e-9 / q->tol,
         .because = "the same steps, but for rounding",
@@ -454,14 +448,14 @@ static void held(const struct request *q, const struct answer *a,
                         "This row is that of twice the steps. Which run "
                         "have you picked, and which one printed?");
     CHECK_NEAR(a->run->numbers[0], .quantity = "t", .unit = "s",
-               .input = a->input, .expected = q->t,
-               .tolerance = 1e-9 * q->t, .because = "it is T",
+               .expected = q->t, .tolerance = 1e-9 * q->t,
+               .because = "it is T",
                .question = "At which time is the row?");
     check_near(__FILE__, __LINE__, other, check);
     check_velocities(q, a, &own);
     CHECK_NEAR(error > 1.0 ? error : 1.0,
                .quantity = "the error of the worst place, in TOL",
-               .input = a->input, .expected = 1.0, .tolerance = 1e-9,
+               .expected = 1.0, .tolerance = 1e-9,
                .because = "what was asked for", .equation = "eq:order",
                .question =
                    "The tolerance is not held. From which of your runs do "
@@ -483,18 +477,11 @@ static void check_read(void)
     struct run_order o = *order_of(&q);
     o.files[0].text =
         "# m x y vx vy\n\n\t2 1   2 0.5 -0.25 # below\n1 1 3 0.5 0";
-    const char *input = run_text(&o);
     const struct run *r = run_program(&o);
-    CHECK_NEAR(
-        r->status, .quantity = "the status with which it ended",
-        .input = input, .expected = 0.0, .tolerance = 0.0,
-        .question = "What did it complain about? There is nothing wrong "
-                    "with this input.",
-        .mistakes = {{"input-refused", 2.0,
-                      "A remark may fill a line, a line may be empty, two "
-                      "bodies may have one x, and the last line need not "
-                      "end. Which of these does your program refuse?"}});
-    project_form(r, input, 1, 9, "Two bodies: nine numbers.");
+    project_reads(r, "A remark may fill a line, a line may be empty, two "
+                     "bodies may have one x, and the last line need not "
+                     "end. Which of these does your program refuse?");
+    project_form(r, 1, 9, "Two bodies: nine numbers.");
 }
 
 /* limit: 8 bodies */
@@ -514,13 +501,12 @@ static void check_crowd(void)
         at += snprintf(bodies + at, sizeof bodies - (size_t)at,
                        "1 %d 0 0.25 0.5\n", i);
     o.files[0].text = bodies;
-    const char *input = run_text(&o);
     const struct run *r = run_program(&o);
     static const char question[] = "There are 8 bodies, and so many are "
                                    "allowed. How many do your arrays hold?";
-    project_form(r, input, 1, WIDTH, question);
+    project_form(r, 1, WIDTH, question);
     CHECK_NEAR(r->numbers[1 + PER_BODY * (ALL - 1)],
-               .quantity = "x of body 8", .unit = "m", .input = input,
+               .quantity = "x of body 8", .unit = "m",
                .expected = ALL - 1 + 0.25 * q.t, .tolerance = q.tol,
                .because = "nothing pulls", .question = question);
 }
@@ -572,8 +558,8 @@ static void stage_special(void)
         if (i == 0)
             CHECK_NEAR(
                 (double)cost(a.order, a.steps),
-                .quantity = "forces of the pick", .input = a.input,
-                .expected = 1.0, .tolerance = 3.0,
+                .quantity = "forces of the pick", .expected = 1.0,
+                .tolerance = 3.0,
                 .because = "one step is exact, by any method",
                 .question =
                     "Nothing pulls. How many steps does a straight line "
@@ -602,7 +588,7 @@ static void stage_hold(void)
         CHECK_NEAR(
             error > 1.0 ? error : 1.0,
             .quantity = "the error of the worst place, in TOL",
-            .input = a.input, .expected = 1.0, .tolerance = 1e-9,
+            .expected = 1.0, .tolerance = 1e-9,
             .because = "what was asked for", .equation = "eq:order",
             .question = "From which of your runs do you know the error of "
                         "this one?",
@@ -616,7 +602,7 @@ static void stage_hold(void)
 }
 
 /* Whether all picks hold, and cost at most so many times the cheapest. */
-static void check_picks(double most, const char *question)
+static void check_picks(double most)
 {
     struct request q[REQUESTS];
     struct answer a;
@@ -629,13 +615,11 @@ static void check_picks(double most, const char *question)
         const double times = (double)cost(a.order, a.steps) / k.cheapest;
         struct check check = {
             .quantity = "forces of the pick, over those of the cheapest",
-            .input = check_text("order %d with %ld steps; %.440s", a.order,
-                                a.steps, a.input),
+            .input = with_pick(&a),
             .expected = 1.0,
             .tolerance = most - 1.0 + 0.01,
             .because = "so many times the cheapest known",
             .equation = "eq:choose-cost",
-            .question = question,
         };
         if (a.order == 4 && k.of[2] == k.cheapest)
             project_mistake(
@@ -652,21 +636,24 @@ static void check_picks(double most, const char *question)
 
 static void stage_four(void)
 {
-    check_picks(4.0, "Which method is it, and how much smaller than TOL is "
-                     "the error of your run?");
+    check_ask("Which method is it, and how much smaller than TOL is the "
+              "error of your run?");
+    check_picks(4.0);
 }
 
 static void stage_two(void)
 {
-    check_picks(2.0, "Who doubles the steps until it is enough has up to "
-                     "twice as many as are needed. What does the last run "
-                     "say about the number that would just do?");
+    check_ask("Who doubles the steps until it is enough has up to twice as "
+              "many as are needed. What does the last run say about the "
+              "number that would just do?");
+    check_picks(2.0);
 }
 
 static void stage_best(void)
 {
-    check_picks(1.2, "How near to TOL does your program dare to go? How "
-                     "well does it know the error that it will make?");
+    check_ask("How near to TOL does your program dare to go? How well does "
+              "it know the error that it will make?");
+    check_picks(1.2);
 }
 
 /* For the third request and the last the forces come from another process,
@@ -686,8 +673,7 @@ static void stage_search(void)
         q[i].most = i == 2 || i == 4 ? 60.0 * (double)k.cheapest : 0.0;
         answered(&q[i], &a);
         held(&q[i], &a, &truth);
-        CHECK_NEAR(a.calls, .quantity = "CALLS", .input = a.input,
-                   .expected = a.run->calls, .tolerance = 0.0,
+        CHECK_NEAR(a.calls, .quantity = "CALLS", .expected = a.run->calls,
                    .because = "it was counted",
                    .question = "Where does your program count, and is "
                                "there a call that it does not?",
@@ -697,7 +683,7 @@ static void stage_search(void)
                                  "cost to find it?"}});
         CHECK_NEAR(a.run->calls / (double)k.cheapest,
                    .quantity = "all calls, over the cheapest known",
-                   .input = a.input, .expected = 1.0, .tolerance = 59.0,
+                   .expected = 1.0, .tolerance = 59.0,
                    .because = "60 times the cheapest known",
                    .equation = "eq:choose-cost", .question = wasteful);
     }
@@ -710,25 +696,20 @@ static void stage_horizon(void)
 {
     const struct request far = draw_ring(SOFTENED, 900.0, 1e-4);
     const struct request long_way = draw_planet(draw(38.0, 42.0), 1e-4);
-    const struct run_order *o = order_of(&far);
     struct answer a;
-    const char *input =
-        check_text("%s, and %.440s", law_names[far.law], run_text(o));
-    const struct run *r = run_program(o);
+    const struct run *r = run_request(&far);
     CHECK_NEAR(
         r->status, .quantity = "the status with which it ended",
-        .input = input, .expected = 1.0, .tolerance = 0.0,
-        .equation = "eq:order",
+        .expected = 1.0, .equation = "eq:order",
         .question = "No run of 50000 steps knows where these bodies are.",
         .mistakes = {{"beyond-the-horizon", 0.0,
                       "No run of 50000 steps knows where these bodies are. "
                       "What do two of your runs say of each other, with "
                       "steps of different length?"}});
-    CHECK_NEAR((double)r->rows, .quantity = "rows", .input = input,
-               .expected = 0.0, .tolerance = 0.0,
+    CHECK_NEAR((double)r->rows, .quantity = "rows", .expected = 0.0,
                .question = "What is refused has no row.");
     CHECK_NEAR(*r->complaint != '\0', .quantity = "a line on stderr",
-               .input = input, .expected = 1.0, .tolerance = 0.0,
+               .expected = 1.0,
                .question = "It should say why it gives up.");
     const struct state truth = truth_of(&long_way);
     answered(&long_way, &a);

@@ -92,12 +92,11 @@ struct check_overrun {
    ends the test as failed, so what follows a check runs only if the check
    has passed. A NaN never agrees. An infinity agrees only with the same
    infinity. */
-void check_near(const char *file, int line, double got, struct check c);
+void check_near(double got, struct check c);
 
-/* Calls check_near with the file and line of the call. The arguments after
-   the first are fields of a struct check: CHECK_NEAR(v, .expected = 1). */
-#define CHECK_NEAR(got, ...)                                               \
-    check_near(__FILE__, __LINE__, (got), (struct check){__VA_ARGS__})
+/* Calls check_near. The arguments after the first are fields of a struct
+   check: CHECK_NEAR(v, .expected = 1). */
+#define CHECK_NEAR(got, ...) check_near((got), (struct check){__VA_ARGS__})
 
 /* Set the question and the input of all further checks of the test that
    have none. check_about returns the input; NULL does not change it. */

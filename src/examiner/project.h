@@ -12,16 +12,10 @@
 /* Returns a number between low and high, drawn as by check_draw. It depends
    on the year of the course and, in the grader, on the grader's seed. */
 double project_draw(int year, double low, double high);
+#define draw(low, high) project_draw(PROJECT_YEAR, low, high)
 
-static inline double draw(double low, double high)
-{
-    return project_draw(PROJECT_YEAR, low, high);
-}
-
-static inline double either_sign(void)
-{
-    return check_draw_whole(0, 1) ? 1.0 : -1.0;
-}
+/* Draws 1 or -1. */
+#define either_sign() (check_draw_whole(0, 1) ? 1.0 : -1.0)
 
 /* Checks that the program ended with status 0. The hint is for a program
    that refused the input with status 2; it may be NULL. */
@@ -30,8 +24,8 @@ void project_reads(const struct run *run, const char *hint);
 /* Checks that the program ended with status 0 and printed `rows` rows of
    `columns` numbers. If the number of columns is wrong, the report asks the
    student the question. */
-void project_form(const struct run *run, size_t rows,
-                  size_t columns, const char *question);
+void project_form(const struct run *run, size_t rows, size_t columns,
+                  const char *question);
 
 /* Checks that the program refuses this input with status 2 and a line on
    standard error. `what` describes the mistake in the input. */

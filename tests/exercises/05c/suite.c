@@ -413,7 +413,7 @@ static void check(const struct job *j, look *see, size_t which,
     if (!(fabs(got - c.expected) <= c.tolerance))
         for (size_t i = 0; i < room && first + i < SLIPS; ++i)
             c.mistakes[i] = mistake(j, see, which, first + i, &b);
-    check_near(__FILE__, __LINE__, got, c);
+    check_near(got, c);
 }
 
 /* Ten flights, and each place or time is the sum of what was flown before:

@@ -256,7 +256,7 @@ static void check_z(const struct record *r, int k, double expected)
         if (fabs(got - slip[i].value) <= 1e-12 * (fabs(got) + expected))
             c.mistakes[used++] = (struct check_mistake){
                 slip[i].name, slip[i].value, slip[i].hint};
-    check_near(__FILE__, __LINE__, got, c);
+    check_near(got, c);
 }
 
 /* One disk of 6 kg and radius 0.5 m, 1 m/s: between walls that are 5 m

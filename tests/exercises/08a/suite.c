@@ -159,7 +159,7 @@ static void check_step(struct point p, double dt, struct point expected)
             if (near(s.x[0], slip[i].end.x) && near(s.v[0], slip[i].end.v))
                 c.mistakes[used++] =
                     (struct check_mistake){slip[i].name, got, slip[i].hint};
-        check_near(__FILE__, __LINE__, got, c);
+        check_near(got, c);
     }
 }
 

@@ -125,7 +125,7 @@ static void check_entry(const struct table *table, int i, int j)
             c.mistakes[used] = known[kind];
             c.mistakes[used++].value = got;
         }
-    check_near(__FILE__, __LINE__, got, c);
+    check_near(got, c);
 }
 
 static void test_rows(void)
@@ -289,7 +289,7 @@ static void check_two(const struct table *w, double t, double h, double y,
     for (int i = 0; i < SLIPS; ++i)
         c.mistakes[i] =
             (struct check_mistake){slip[i].name, slip[i].end, slip[i].hint};
-    check_near(__FILE__, __LINE__, got[0], c);
+    check_near(got[0], c);
 }
 
 /* By hand. The midpoint: k_1 = 5, the middle is 1 + 0.25 * 5 at t = 1.25,

@@ -191,7 +191,7 @@ static void check_order(const struct runs *r, double got, double p)
         if (same(got, slip[i].value))
             c.mistakes[used++] = (struct check_mistake){
                 slip[i].name, slip[i].value, slip[i].hint};
-    check_near(__FILE__, __LINE__, got, c);
+    check_near(got, c);
 }
 
 static const char *verdict_name(enum verdict verdict)

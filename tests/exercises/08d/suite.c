@@ -179,7 +179,7 @@ static void check_limit(const struct method *m, double most,
     for (size_t i = 0, used = 2; i < sizeof more / sizeof *more; ++i)
         if (!isnan(more[i].value) && used < 8)
             c.mistakes[used++] = more[i];
-    check_near(__FILE__, __LINE__, got, c);
+    check_near(got, c);
 }
 
 static struct method plain(const char *text, enum kind kind, int order,

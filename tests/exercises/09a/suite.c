@@ -205,7 +205,7 @@ static void check_value(const struct bodies *b, size_t i, double expected)
         if (near(got, slip[k].value))
             c.mistakes[used++] = (struct check_mistake){
                 slip[k].name, slip[k].value, slip[k].hint};
-    check_near(__FILE__, __LINE__, got, c);
+    check_near(got, c);
 }
 
 static void check_behind(const struct bodies *b)

@@ -91,7 +91,7 @@ static void check_binary(const struct binary *b, const double expected[2])
         for (size_t i = 0, used = 0; i < 8; ++i)
             if (c.mistakes[i].name)
                 c.mistakes[used++] = c.mistakes[i];
-        check_near(__FILE__, __LINE__, got[k], c);
+        check_near(got[k], c);
     }
 }
 

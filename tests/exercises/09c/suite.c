@@ -122,7 +122,7 @@ void check_anomaly(double e, double mean, double solution,
         check_digits(e, mean, solution, got);
         return;
     }
-    check_near(__FILE__, __LINE__, got, c);
+    check_near(got, c);
 }
 
 /* ---- the tests ---- */

@@ -192,7 +192,7 @@ static void check_number(const struct choices *c, const struct list *got,
                           .because = "a number of things is exact"};
     if (got->count <= c->n)
         explain(c, got, number, check.mistakes);
-    check_near(__FILE__, __LINE__, number, check);
+    check_near(number, check);
 }
 
 static void check_front(const struct choices *c,

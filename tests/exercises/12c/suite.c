@@ -102,7 +102,7 @@ static void check_bound(const struct force *f, double got, double expected)
                                 : near(got, all[i].value, 1e-9) &&
                                       !near(expected, all[i].value, 1e-12))
             c.mistakes[used++] = all[i];
-    check_near(__FILE__, __LINE__, got, c);
+    check_near(got, c);
 }
 
 /* Only the bound is looked at. */

@@ -340,7 +340,7 @@ static void check_rows(const struct scene *s, const struct table *t,
                                   "energy made of?",
             };
             mistakes(&check, s, t, r, k, c);
-            check_near(__FILE__, __LINE__, got, check);
+            check_near(got, check);
         }
 }
 

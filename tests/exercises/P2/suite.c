@@ -314,7 +314,7 @@ static void check_rows(const struct scene *s, const struct table *want,
                 project_mistake(&check, faults[like].name,
                                 other.row[k][c] - late, faults[like].hint);
             }
-            check_near(__FILE__, __LINE__, got, check);
+            check_near(got, check);
         }
     CHECK_NEAR(0.0, .quantity = "rows that differ", .expected = 0.0);
     if (!want->torn[s->rows]) {
@@ -733,7 +733,7 @@ static void check_thrown(int n, double r, int seed, int samples)
         const double word = h.error[i] / spread;
         const double of_one =
             fabs(word / sqrt(samples) - 1.0) < 0.35 ? word : NAN;
-        check_near(__FILE__, __LINE__, h.density[i], check);
+        check_near(h.density[i], check);
         CHECK_NEAR(
             word,
             .quantity = check_text("the error of slice %d, in units of "
@@ -927,7 +927,7 @@ static void check_word(const char *what, double word, double slack,
         project_mistake(&check, "size-for-spread", exp(word),
                         "Do your blocks differ so much, or are they so "
                         "large? From where is a spread measured?");
-    check_near(__FILE__, __LINE__, exp(fabs(word)), check);
+    check_near(exp(fabs(word)), check);
 }
 
 /* How many looks at pairs there must have been at least, and are not. */
@@ -1014,7 +1014,7 @@ static void check_watched(void)
                     &check, "row-0-counted", in[k][i] * one,
                     "The start was chosen, and has not come about. Which "
                     "row is the first to be counted, and which the last?");
-        check_near(__FILE__, __LINE__, h.density[i], check);
+        check_near(h.density[i], check);
     }
 }
 
@@ -1200,8 +1200,8 @@ static void check_pair(int n, double r, double small)
             .unit = "m", .expected = 0.0, .tolerance = 1e-9,
             .question =
                 "From which distance to which do the ten slices go?");
-        check_near(__FILE__, __LINE__, row[4], theory);
-        check_near(__FILE__, __LINE__, row[2], run_of_it);
+        check_near(row[4], theory);
+        check_near(row[2], run_of_it);
         CHECK_NEAR(
             row[3] / spread,
             .quantity = check_text(

@@ -418,7 +418,7 @@ static void check_rows(const struct scene *s, const double *want,
                 energy_mistakes(&check, s, r->numbers + k * columns);
             else if (c > 1)
                 mistakes(&check, s, k, c, faults);
-            check_near(__FILE__, __LINE__, got, check);
+            check_near(got, check);
         }
 }
 
@@ -838,7 +838,7 @@ static void check_stated(const struct scene *s, double t)
     project_mistake(
         &check, "one-body-alone", log10(first / error),
         "That is the error of one body. Which body is farthest off?");
-    check_near(__FILE__, __LINE__, log10(stated / error), check);
+    check_near(log10(stated / error), check);
 }
 
 /* Two on a spring, free to turn. */
@@ -1010,7 +1010,7 @@ static void check_limit(struct scene s)
                         fastest(&s) / sqrt(s.spring[0].k / s.m[0]),
                         "That would be right if the other end stood still. "
                         "How fast do two swing that are both free?");
-    check_near(__FILE__, __LINE__, with / 2.0, check);
+    check_near(with / 2.0, check);
     s.dt = 2.05 / fastest(&s);
     named(&s, 1);
 }

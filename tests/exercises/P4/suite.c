@@ -421,7 +421,7 @@ static void check_velocities(const struct request *q,
             &check, "last-kick-forgotten", got,
             "The last half kick is missing. If two half kicks are made "
             "into one, what is left to do at the end?");
-    check_near(__FILE__, __LINE__, got, check);
+    check_near(got, check);
 }
 
 /* Whether the end is within the tolerance, and that of the pick. */
@@ -451,7 +451,7 @@ static void held(const struct request *q, const struct answer *a,
                .expected = q->t, .tolerance = 1e-9 * q->t,
                .because = "it is T",
                .question = "At which time is the row?");
-    check_near(__FILE__, __LINE__, other, check);
+    check_near(other, check);
     check_velocities(q, a, &own);
     CHECK_NEAR(error > 1.0 ? error : 1.0,
                .quantity = "the error of the worst place, in TOL",
@@ -630,7 +630,7 @@ static void check_picks(double most)
             project_mistake(&check, "fourth-order-is-cheaper", times,
                             "Here a method of order 4 needs fewer forces. "
                             "Has your program tried it?");
-        check_near(__FILE__, __LINE__, times, check);
+        check_near(times, check);
     }
 }
 

@@ -2,8 +2,8 @@
 # Projects: the stub of each, right programs of different structure, and one
 # wrong program for each mistake that its suite knows. At home once; the others
 # run as in the grader, the judge beside the sandbox's program, without its walls.
-# The wrong ones are changes of the worked solution, tests/exercises/P1/*.sed,
-# whose first lines name the mistake, the stage that finds it, which of the
+# The wrong ones, and some right ones, are changes of the worked solution,
+# tests/exercises/P1/*.sed; the first line of a wrong one names the mistake, the stage that finds it, which of the
 # functions that the suite hands out it comes to, and whether it never ends.
 #   tests/examiner/projects.sh [PROJECT]...      all, or P1
 . tests/programs/common
@@ -182,8 +182,13 @@ in_the_grader() {
     # shellcheck disable=SC2086
     $cc -o "$out/box" "$box" -lm -Wl,-u,sandbox_main,--defsym=main=sandbox_main || exit 1
     quickly=
-    for file in $home/right-*.c; do
+    for file in "$home"/right-*.c; do
         holds "$file passes, and what is hidden too" all_stages "$file"
+    done
+    for file in "$home"/right-*.sed; do
+        [ -e "$file" ] || continue
+        sed -f "$file" "$solution" >"$out/right.c"
+        holds "$file passes, and what is hidden too" all_stages "$out/right.c"
     done
     for file in "$home"/wrong-*.sed; do
         about=$(sed -n '1s/^# mistake: //p' "$file")
@@ -220,6 +225,6 @@ for ex; do
     in_the_grader
     planned=$((planned + 8 + 8 * $(echo "$ex" | grep -c P1) +
         2 * $(echo "$ex" | grep -c P4) +
-        $(ls "$home"/right-*.c "$home"/wrong-*.sed | wc -l)))
+        $(ls "$home"/right-* "$home"/wrong-*.sed | wc -l)))
 done
 echo "1..$planned"

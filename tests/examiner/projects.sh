@@ -3,8 +3,9 @@
 # wrong program for each mistake that its suite knows. At home once; the others
 # run as in the grader, the judge beside the sandbox's program, without its walls.
 # The wrong ones, and some right ones, are changes of the worked solution,
-# tests/exercises/P1/*.sed; the first line of a wrong one names the mistake, the stage that finds it, which of the
-# functions that the suite hands out it comes to, and whether it never ends.
+# tests/exercises/P1/*.sed. The first line of a wrong one names the mistake, the
+# stage that finds it, which of the functions that the suite hands out it comes
+# to, and whether it never ends.
 #   tests/examiner/projects.sh [PROJECT]...      all, or P1
 . tests/programs/common
 out=$work/out

@@ -98,6 +98,17 @@ void check_near(double got, struct check c);
    check: CHECK_NEAR(v, .expected = 1). */
 #define CHECK_NEAR(got, ...) check_near((got), (struct check){__VA_ARGS__})
 
+/* Defines a test that runs its body this many times. In the body, i is the
+   number of the run, from 0. */
+#define CHECK_TIMES(times, test, i)                                        \
+    static void test##_case(int i);                                        \
+    static void test(void)                                                 \
+    {                                                                      \
+        for (int turn = 0; turn < (times); ++turn)                         \
+            test##_case(turn);                                             \
+    }                                                                      \
+    static void test##_case(int i __attribute__((unused)))
+
 /* Set the question and the input of all further checks of the test that
    have none. check_about returns the input; NULL does not change it. */
 void check_ask(const char *question);

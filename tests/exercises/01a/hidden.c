@@ -24,47 +24,42 @@ static void check_pair(const double v[2], const double u[2],
 /* Made from the answer, as in the suite: the centre's velocity c, and the
    same momentum for both as seen from there. Units are powers of two, which
    round nothing. An atom has some 2^86 per kg, the Moon 2^-76. */
-static void test_units(void)
+CHECK_TIMES(40, test_units, i)
 {
     check_ask("Only other units. Which number in your function has a unit "
               "of its own?");
-    for (int i = 0; i < 40; ++i) {
-        const int fast = check_draw_whole(-60, 60);
-        const int light = check_draw_whole(-80, 80);
-        const double a = check_draw_whole(1, 30);
-        const double b = check_draw_whole(1, 30);
-        const double c = check_draw_whole(-50, 50);
-        const double w = i % 2 ? -2.0 : 2.0;
-        const double im[] = {ldexp(a, light), ldexp(b, light)};
-        const double u[] = {ldexp(c + w * a, fast), ldexp(c - w * b, fast)};
-        const double after[] = {ldexp(c - w * a, fast),
-                                ldexp(c + w * b, fast)};
-        double v[] = {NAN, NAN};
-        velocities_after(u[0], u[1], im[0], im[1], v);
-        check_pair(v, u, im, after,
-                   12.0 * DBL_EPSILON * fmax(fabs(u[0]), fabs(u[1])),
-                   "12 epsilons of the faster velocity");
-    }
+    const int fast = check_draw_whole(-60, 60);
+    const int light = check_draw_whole(-80, 80);
+    const double a = check_draw_whole(1, 30);
+    const double b = check_draw_whole(1, 30);
+    const double c = check_draw_whole(-50, 50);
+    const double w = i % 2 ? -2.0 : 2.0;
+    const double im[] = {ldexp(a, light), ldexp(b, light)};
+    const double u[] = {ldexp(c + w * a, fast), ldexp(c - w * b, fast)};
+    const double after[] = {ldexp(c - w * a, fast), ldexp(c + w * b, fast)};
+    double v[] = {NAN, NAN};
+    velocities_after(u[0], u[1], im[0], im[1], v);
+    check_pair(v, u, im, after,
+               12.0 * DBL_EPSILON * fmax(fabs(u[0]), fabs(u[1])),
+               "12 epsilons of the faster velocity");
 }
 
 /* Who collides twice moves as before. The second collision starts from
    velocities up to three times as large, with errors as large as the
    suite allows; it may triple these and adds its own. */
-static void test_twice(void)
+CHECK_TIMES(40, test_twice, i)
 {
     check_ask("The velocities after were given to your function once more. "
               "What undoes a collision?");
-    for (int i = 0; i < 40; ++i) {
-        const double u[] = {check_draw(-9.0, 9.0), check_draw(-9.0, 9.0)};
-        const double im[] = {i % 8 == 3 ? 0.0 : check_draw(1e-3, 1e3),
-                             i % 8 == 7 ? 0.0 : check_draw(1e-3, 1e3)};
-        double v[] = {NAN, NAN}, back[] = {NAN, NAN};
-        velocities_after(u[0], u[1], im[0], im[1], v);
-        velocities_after(v[0], v[1], im[0], im[1], back);
-        check_pair(back, u, im, u,
-                   412.0 * DBL_EPSILON * fmax(fabs(u[0]), fabs(u[1])),
-                   "72 epsilons of the faster velocity: two collisions");
-    }
+    const double u[] = {check_draw(-9.0, 9.0), check_draw(-9.0, 9.0)};
+    const double im[] = {i % 8 == 3 ? 0.0 : check_draw(1e-3, 1e3),
+                         i % 8 == 7 ? 0.0 : check_draw(1e-3, 1e3)};
+    double v[] = {NAN, NAN}, back[] = {NAN, NAN};
+    velocities_after(u[0], u[1], im[0], im[1], v);
+    velocities_after(v[0], v[1], im[0], im[1], back);
+    check_pair(back, u, im, u,
+               412.0 * DBL_EPSILON * fmax(fabs(u[0]), fabs(u[1])),
+               "72 epsilons of the faster velocity: two collisions");
 }
 
 const struct check_test check_hidden[] = {

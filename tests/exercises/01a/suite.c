@@ -215,39 +215,34 @@ static void test_wall(void)
    is as fast as the inverse mass times w, so that their momenta cancel. A
    collision turns both round. All of it in sixteenths, without a rounding;
    every fourth pair are twins. */
-static void test_drawn(void)
+CHECK_TIMES(40, test_drawn, i)
 {
-    for (int i = 0; i < 40; ++i) {
-        const double c = check_draw_whole(-80, 80) / 8.0;
-        const double w =
-            (i % 2 ? -1.0 : 1.0) * check_draw_whole(1, 12) / 4.0;
-        const double im1 = check_draw_whole(1, 20) / 4.0;
-        const double im2 = i % 4 == 3 ? im1 : check_draw_whole(1, 20) / 4.0;
-        check_ask(check_text(
-            "The centre of mass of these two moves at %g m/s. How fast is "
-            "each body for somebody who moves with it, before and after?",
-            c));
-        check_both(c + w * im1, c - w * im2, im1, im2, c - w * im1,
-                   c + w * im2);
-    }
+    const double c = check_draw_whole(-80, 80) / 8.0;
+    const double w = (i % 2 ? -1.0 : 1.0) * check_draw_whole(1, 12) / 4.0;
+    const double im1 = check_draw_whole(1, 20) / 4.0;
+    const double im2 = i % 4 == 3 ? im1 : check_draw_whole(1, 20) / 4.0;
+    check_ask(check_text(
+        "The centre of mass of these two moves at %g m/s. How fast is each "
+        "body for somebody who moves with it, before and after?",
+        c));
+    check_both(c + w * im1, c - w * im2, im1, im2, c - w * im1,
+               c + w * im2);
 }
 
 /* Somebody who sits on the wall sees u_body - u_wall come in and the same
    go out. */
-static void test_drawn_wall(void)
+CHECK_TIMES(40, test_drawn_wall, i)
 {
-    for (int i = 0; i < 40; ++i) {
-        const double wall = check_draw(-9.0, 9.0);
-        const double body = check_draw(-9.0, 9.0);
-        const double im = check_draw(0.01, 50.0);
-        const double after = wall - (body - wall);
-        if (i % 2) {
-            check_beside_wall(0, wall, body, 0.0, im, wall);
-            check_beside_wall(1, wall, body, 0.0, im, after);
-        } else {
-            check_beside_wall(0, body, wall, im, 0.0, after);
-            check_beside_wall(1, body, wall, im, 0.0, wall);
-        }
+    const double wall = check_draw(-9.0, 9.0);
+    const double body = check_draw(-9.0, 9.0);
+    const double im = check_draw(0.01, 50.0);
+    const double after = wall - (body - wall);
+    if (i % 2) {
+        check_beside_wall(0, wall, body, 0.0, im, wall);
+        check_beside_wall(1, wall, body, 0.0, im, after);
+    } else {
+        check_beside_wall(0, body, wall, im, 0.0, after);
+        check_beside_wall(1, body, wall, im, 0.0, wall);
     }
 }
 

@@ -44,39 +44,33 @@ static void check_meeting(struct meeting m)
 /* A spring between the two, which the blow lets go, drives them apart
    faster than they came; and a bullet that goes through a board leaves it
    behind: its restitution is negative. */
-static void test_springs_and_bullets(void)
+CHECK_TIMES(40, test_springs_and_bullets, i)
 {
     check_ask("Whether the restitution lies between 0 and 1 was not asked. "
               "Who asks it?");
-    for (int i = 0; i < 40; ++i) {
-        const struct meeting m = {check_draw_whole(1, 20),
-                                  check_draw_whole(1, 20),
-                                  i % 2 ? -0.25 : 0.25,
-                                  (i % 4 < 2 ? check_draw_whole(17, 48)
-                                             : check_draw_whole(-12, -1)) /
-                                      16.0,
-                                  check_draw_whole(-40, 40) / 4.0};
-        check_meeting(m);
-    }
+    const struct meeting m = {
+        check_draw_whole(1, 20), check_draw_whole(1, 20),
+        i % 2 ? -0.25 : 0.25,
+        (i % 4 < 2 ? check_draw_whole(17, 48) : check_draw_whole(-12, -1)) /
+            16.0,
+        check_draw_whole(-40, 40) / 4.0};
+    check_meeting(m);
 }
 
 /* Mass ratios of 2^-16 to 2^16, and velocities of a nanometre to ten
    thousand kilometres a second. Powers of two round nothing. */
-static void test_units(void)
+CHECK_TIMES(40, test_units, i)
 {
     check_ask(
         "Which number in your function is small, and compared with what?");
-    for (int i = 0; i < 40; ++i) {
-        const int unit = check_draw_whole(-30, 23);
-        const int heavy = check_draw_whole(0, 16);
-        const double large = ldexp(1.0, heavy);
-        const struct meeting m = {
-            i % 2 ? large : 1.0, i % 2 ? 1.0 : large,
-            ldexp(i % 4 < 2 ? -1.0 : 1.0, unit - heavy),
-            check_draw_whole(0, 8) / 8.0,
-            ldexp(check_draw_whole(-8, 8), unit)};
-        check_meeting(m);
-    }
+    const int unit = check_draw_whole(-30, 23);
+    const int heavy = check_draw_whole(0, 16);
+    const double large = ldexp(1.0, heavy);
+    const struct meeting m = {i % 2 ? large : 1.0, i % 2 ? 1.0 : large,
+                              ldexp(i % 4 < 2 ? -1.0 : 1.0, unit - heavy),
+                              check_draw_whole(0, 8) / 8.0,
+                              ldexp(check_draw_whole(-8, 8), unit)};
+    check_meeting(m);
 }
 
 const struct check_test check_hidden[] = {

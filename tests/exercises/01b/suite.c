@@ -315,44 +315,38 @@ static void test_impossible(void)
 /* Made from the answer. Seen from the centre of mass, which moves at c,
    each body comes in with the other's mass times p, and leaves with e times
    that in the opposite direction. All of it without a rounding. */
-static void test_drawn(void)
+CHECK_TIMES(40, test_drawn, i)
 {
-    for (int i = 0; i < 40; ++i) {
-        const double m1 = check_draw_whole(1, 20);
-        const double m2 = check_draw_whole(1, 20);
-        const double e = check_draw_whole(0, 16) / 16.0;
-        const double c = check_draw_whole(-40, 40) / 4.0;
-        const double p =
-            (i % 2 ? -1.0 : 1.0) * check_draw_whole(1, 8) / 4.0;
-        check_both(
-            (struct seen){c + p * m2, c - p * m1, c - e * p * m2,
-                          c + e * p * m1},
-            m1 / m2, e,
-            check_text("The centre of mass of these two moves at %g m/s. "
-                       "What does somebody see who moves with it?",
-                       c));
-    }
+    const double m1 = check_draw_whole(1, 20);
+    const double m2 = check_draw_whole(1, 20);
+    const double e = check_draw_whole(0, 16) / 16.0;
+    const double c = check_draw_whole(-40, 40) / 4.0;
+    const double p = (i % 2 ? -1.0 : 1.0) * check_draw_whole(1, 8) / 4.0;
+    check_both((struct seen){c + p * m2, c - p * m1, c - e * p * m2,
+                             c + e * p * m1},
+               m1 / m2, e,
+               check_text("The centre of mass of these two moves at %g "
+                          "m/s. What does somebody see who moves with it?",
+                          c));
 }
 
 /* Two that move alike before, two that miss each other, and two that both
    lose a and b, or gain them. */
-static void test_drawn_refused(void)
+CHECK_TIMES(40, test_drawn_refused, i)
 {
-    for (int i = 0; i < 40; ++i) {
-        const double u = check_draw(-9.0, 9.0), w = check_draw(-9.0, 9.0);
-        const double sign = i % 2 ? -1.0 : 1.0;
-        const double a = sign * check_draw(0.01, 5.0);
-        const double b = sign * check_draw(0.01, 5.0);
-        check_refused((struct seen){u, u, u - a, u + b}, "never-refuses",
-                      "The two moved alike before. Who could have caught "
-                      "up with whom?");
-        check_refused((struct seen){u, w, u, w}, "never-refuses",
-                      "Nothing has changed here. What can be learned of "
-                      "bodies that nothing has happened to?");
-        check_refused((struct seen){u, w, u - a, w - b}, "negative-mass",
-                      "Both velocities have changed in the same direction. "
-                      "Who lost the momentum, and who gained it?");
-    }
+    const double u = check_draw(-9.0, 9.0), w = check_draw(-9.0, 9.0);
+    const double sign = i % 2 ? -1.0 : 1.0;
+    const double a = sign * check_draw(0.01, 5.0);
+    const double b = sign * check_draw(0.01, 5.0);
+    check_refused(
+        (struct seen){u, u, u - a, u + b}, "never-refuses",
+        "The two moved alike before. Who could have caught up with whom?");
+    check_refused((struct seen){u, w, u, w}, "never-refuses",
+                  "Nothing has changed here. What can be learned of bodies "
+                  "that nothing has happened to?");
+    check_refused((struct seen){u, w, u - a, w - b}, "negative-mass",
+                  "Both velocities have changed in the same direction. Who "
+                  "lost the momentum, and who gained it?");
 }
 
 const struct check_suite check_suite = {

@@ -197,47 +197,42 @@ static void test_too_heavy(void)
    velocity each ball shall leave the one below, and give it the mass with
    which it does: of the momentum m w that comes up, the lower ball keeps
    what it needs to be slower by e times the upper one's velocity. */
-static void test_drawn(void)
+CHECK_TIMES(40, test_drawn, i)
 {
     enum { MOST = 6 };
     check_ask("Follow the blow from ball to ball. With which velocity does "
               "each one part from the falling stack?");
-    for (int i = 0; i < 40; ++i) {
-        const size_t n = 1 + (size_t)i % MOST;
-        const double speed = check_draw(0.5, 20.0);
-        const double e = i % 4 == 3 ? 1.0 : check_draw(0.2, 1.0);
-        double masses[MOST] = {check_draw(0.1, 5.0)};
-        double w = speed + e * speed;
-        for (size_t k = 1; k < n; ++k) {
-            const double up = w * (1.0 + e) * check_draw(0.2, 0.9);
-            masses[k] = masses[k - 1] * (w - (up - e * w)) / up;
-            w = up;
-        }
-        check_top(n, masses, speed, e, w - speed);
+    const size_t n = 1 + (size_t)i % MOST;
+    const double speed = check_draw(0.5, 20.0);
+    const double e = i % 4 == 3 ? 1.0 : check_draw(0.2, 1.0);
+    double masses[MOST] = {check_draw(0.1, 5.0)};
+    double w = speed + e * speed;
+    for (size_t k = 1; k < n; ++k) {
+        const double up = w * (1.0 + e) * check_draw(0.2, 0.9);
+        masses[k] = masses[k - 1] * (w - (up - e * w)) / up;
+        w = up;
     }
+    check_top(n, masses, speed, e, w - speed);
 }
 
 /* Each ball has q times the mass of the one below: then every step
    multiplies by the same number, and a power does for all. */
-static void test_drawn_powers(void)
+CHECK_TIMES(40, test_drawn_powers, i)
 {
     enum { MOST = 8 };
-    for (int i = 0; i < 40; ++i) {
-        const size_t n = 1 + (size_t)i % MOST;
-        const double speed = check_draw(0.5, 20.0);
-        const double e = check_draw(0.0, 1.0);
-        const double q = check_draw_whole(1, 12) / 4.0;
-        double masses[MOST];
-        for (size_t k = 0; k < n; ++k)
-            masses[k] = pow(q, (double)k);
-        const double times =
-            pow((1.0 + e) / (1.0 + q), (double)n) * (1.0 + q);
-        check_ask(check_text(
-            "Each ball has %g times the mass of the one below it. Which "
-            "share of its velocity does a ball give on?",
-            q));
-        check_top(n, masses, speed, e, (times - 1.0) * speed);
-    }
+    const size_t n = 1 + (size_t)i % MOST;
+    const double speed = check_draw(0.5, 20.0);
+    const double e = check_draw(0.0, 1.0);
+    const double q = check_draw_whole(1, 12) / 4.0;
+    double masses[MOST];
+    for (size_t k = 0; k < n; ++k)
+        masses[k] = pow(q, (double)k);
+    const double times = pow((1.0 + e) / (1.0 + q), (double)n) * (1.0 + q);
+    check_ask(
+        check_text("Each ball has %g times the mass of the one below it. "
+                   "Which share of its velocity does a ball give on?",
+                   q));
+    check_top(n, masses, speed, e, (times - 1.0) * speed);
 }
 
 const struct check_suite check_suite = {

@@ -212,64 +212,55 @@ static void test_out_of_reach(void)
 
 /* A target that nothing moves is a mirror, and equal disks leave at a right
    angle: in both cases the aim is the cosine of an angle that is given. */
-static void test_drawn_special(void)
+CHECK_TIMES(30, test_drawn_special, i)
 {
-    for (int i = 0; i < 30; ++i) {
-        const double r1 = check_draw(0.1, 2.0), r2 = check_draw(0.1, 2.0);
-        const double im = check_draw(0.2, 5.0);
-        const double wide = check_draw(0.6, 3.0);
-        const double sharp = check_draw(0.1, 1.4);
-        check_ask(
-            "Where does a mirror stand that turns a ray by this angle?");
-        check_aim((struct shot){r1, r2, im, 0.0, wide},
-                  (r1 + r2) * sin(0.5 * (pi() - wide)));
-        check_ask("Equal disks part at a right angle. In which direction "
-                  "does the target go, and where was it hit?");
-        check_aim((struct shot){r1, r2, im, im, sharp},
-                  (r1 + r2) * cos(sharp));
-    }
+    const double r1 = check_draw(0.1, 2.0), r2 = check_draw(0.1, 2.0);
+    const double im = check_draw(0.2, 5.0);
+    const double wide = check_draw(0.6, 3.0);
+    const double sharp = check_draw(0.1, 1.4);
+    check_ask("Where does a mirror stand that turns a ray by this angle?");
+    check_aim((struct shot){r1, r2, im, 0.0, wide},
+              (r1 + r2) * sin(0.5 * (pi() - wide)));
+    check_ask("Equal disks part at a right angle. In which direction does "
+              "the target go, and where was it hit?");
+    check_aim((struct shot){r1, r2, im, im, sharp}, (r1 + r2) * cos(sharp));
 }
 
 /* Made from the answer: we aim, carry the blow out in more digits, and ask
    for the aim. Where the moving disk is the heavier, a blow is the softer
    one of two if it turns the disk by less than acos(-im1/im2) as seen from
    the centre of mass; we stay well below. */
-static void test_drawn(void)
+CHECK_TIMES(40, test_drawn, i)
 {
     check_ask("A disk was aimed, hit, and went off at this angle. From "
               "which angle, as seen from the centre of mass, does the "
               "other one come about?");
-    for (int i = 0; i < 40; ++i) {
-        struct shot s = {.r1 = check_draw(0.1, 2.0),
-                         .r2 = check_draw(0.1, 2.0),
-                         .im1 = check_draw(0.2, 5.0),
-                         .im2 = check_draw(0.2, 5.0)};
-        const double most =
-            s.im2 > s.im1 ? 0.9 * acos(-s.im1 / s.im2) : 2.5;
-        const long double phi = 0.5 * (pi() - most * check_draw(0.05, 1.0));
-        const long double blow = 2.0L * cosl(phi) / (1.0L + s.im2 / s.im1);
-        s.deflection =
-            (double)atan2l(blow * sinl(phi), 1.0L - blow * cosl(phi));
-        check_aim(s, (double)((s.r1 + s.r2) * sinl(phi)));
-    }
+    struct shot s = {.r1 = check_draw(0.1, 2.0),
+                     .r2 = check_draw(0.1, 2.0),
+                     .im1 = check_draw(0.2, 5.0),
+                     .im2 = check_draw(0.2, 5.0)};
+    const double most = s.im2 > s.im1 ? 0.9 * acos(-s.im1 / s.im2) : 2.5;
+    const long double phi = 0.5 * (pi() - most * check_draw(0.05, 1.0));
+    const long double blow = 2.0L * cosl(phi) / (1.0L + s.im2 / s.im1);
+    s.deflection =
+        (double)atan2l(blow * sinl(phi), 1.0L - blow * cosl(phi));
+    check_aim(s, (double)((s.r1 + s.r2) * sinl(phi)));
 }
 
 /* Beyond the largest angle, on the way to pi; for equal disks that is a
    right angle. */
-static void test_drawn_out_of_reach(void)
+CHECK_TIMES(40, test_drawn_out_of_reach, i)
 {
-    for (int i = 0; i < 40; ++i) {
-        struct shot s = {.r1 = check_draw(0.1, 2.0),
-                         .r2 = check_draw(0.1, 2.0),
-                         .im1 = check_draw(0.2, 5.0)};
-        s.im2 = i % 5 == 4 ? s.im1 : s.im1 * check_draw(1.01, 8.0);
-        const double most = asin(s.im1 / s.im2);
-        s.deflection = most + check_draw(0.02, 0.99) * (pi() - most);
-        check_ask(check_text("This target can turn the disk by %.4g rad at "
-                             "most. Is it asked for more?",
-                             most));
-        check_out_of_reach(s);
-    }
+    struct shot s = {.r1 = check_draw(0.1, 2.0),
+                     .r2 = check_draw(0.1, 2.0),
+                     .im1 = check_draw(0.2, 5.0)};
+    s.im2 = i % 5 == 4 ? s.im1 : s.im1 * check_draw(1.01, 8.0);
+    const double most = asin(s.im1 / s.im2);
+    s.deflection = most + check_draw(0.02, 0.99) * (pi() - most);
+    check_ask(check_text("This target can turn the disk by %.4g rad at "
+                         "most. Is it asked for more?",
+                         most));
+    check_out_of_reach(s);
 }
 
 const struct check_suite check_suite = {

@@ -40,30 +40,27 @@ static double gap_after(const struct ring *r, size_t k, double time)
 
 /* Let all beads fly for the time that was found. Nobody may have come
    through a neighbour, and the two that were named must be at one place. */
-static void test_flown(void)
+CHECK_TIMES(30, test_flown, i)
 {
-    for (int i = 0; i < 30; ++i) {
-        const struct ring r = draw_ring();
-        size_t left = r.n;
-        const double time = next_meeting(r.n, r.length, r.x, r.v, &left);
-        double smallest = INFINITY;
-        for (size_t k = 0; k < r.n; ++k)
-            smallest = fmin(smallest, gap_after(&r, k, time));
-        const double gaps[] = {
-            smallest, left < r.n ? gap_after(&r, left, time) : NAN};
-        for (int k = 0; k < 2; ++k)
-            CHECK_NEAR(
-                gaps[k],
-                .quantity =
-                    k ? "gap of the two that you named, after the time "
-                        "that you returned"
-                      : "smallest gap after the time that you returned",
-                .unit = "m", .input = input(&r, 1.0), .expected = 0.0,
-                .tolerance = 8.0 * DBL_EPSILON * (r.length + 3.5 * time),
-                .because = "8 epsilons of the length and of the way",
-                .question = "Let all beads fly until then. Who is through "
-                            "whom, or who has not yet met?");
-    }
+    const struct ring r = draw_ring();
+    size_t left = r.n;
+    const double time = next_meeting(r.n, r.length, r.x, r.v, &left);
+    double smallest = INFINITY;
+    for (size_t k = 0; k < r.n; ++k)
+        smallest = fmin(smallest, gap_after(&r, k, time));
+    const double gaps[] = {smallest,
+                           left < r.n ? gap_after(&r, left, time) : NAN};
+    for (int k = 0; k < 2; ++k)
+        CHECK_NEAR(gaps[k],
+                   .quantity =
+                       k ? "gap of the two that you named, after the time "
+                           "that you returned"
+                         : "smallest gap after the time that you returned",
+                   .unit = "m", .input = input(&r, 1.0), .expected = 0.0,
+                   .tolerance = 8.0 * DBL_EPSILON * (r.length + 3.5 * time),
+                   .because = "8 epsilons of the length and of the way",
+                   .question = "Let all beads fly until then. Who is "
+                               "through whom, or who has not yet met?");
 }
 
 /* Whether two pairs meet at nearly the same time. */
@@ -77,39 +74,36 @@ static bool is_tie(const struct ring *r, double time)
 
 /* A ring in a mirror: the order of the beads and all velocities turn round,
    and the times stay. In other units it is the same ring, too. */
-static void test_mirror(void)
+CHECK_TIMES(30, test_mirror, i)
 {
     static const char question[] =
         "A mirror and other units change no time, and the other one of the "
         "two is on the left. What does your function take for small, or "
         "for the right?";
-    for (int i = 0; i < 30; ++i) {
-        const struct ring r = draw_ring();
-        const double unit = ldexp(1.0, check_draw_whole(-60, 60));
-        const double edge = 0.5 * (r.length + r.x[r.n - 1]);
-        struct ring m = {.n = r.n, .length = r.length * unit};
-        for (size_t k = 0; k < r.n; ++k) {
-            m.x[k] = (edge - r.x[r.n - 1 - k]) * unit;
-            m.v[k] = -r.v[r.n - 1 - k] * unit;
-        }
-        size_t left = r.n, mirrored = r.n;
-        const double time = next_meeting(r.n, r.length, r.x, r.v, &left);
-        const double again =
-            next_meeting(m.n, m.length, m.x, m.v, &mirrored);
-        if (is_tie(&r, time))
-            continue;
-        CHECK_NEAR(again, .quantity = "time in the mirror", .unit = "s",
-                   .input = input(&m, unit), .expected = time,
-                   .tolerance = 1e-9 * time,
-                   .because =
-                       "a billionth: the places in the mirror are rounded",
-                   .question = question);
-        CHECK_NEAR((double)mirrored, .quantity = "*left in the mirror",
-                   .input = input(&m, unit),
-                   .expected = (double)((2 * r.n - 2 - left) % r.n),
-                   .because = "a number of a bead is exact",
-                   .question = question);
+    const struct ring r = draw_ring();
+    const double unit = ldexp(1.0, check_draw_whole(-60, 60));
+    const double edge = 0.5 * (r.length + r.x[r.n - 1]);
+    struct ring m = {.n = r.n, .length = r.length * unit};
+    for (size_t k = 0; k < r.n; ++k) {
+        m.x[k] = (edge - r.x[r.n - 1 - k]) * unit;
+        m.v[k] = -r.v[r.n - 1 - k] * unit;
     }
+    size_t left = r.n, mirrored = r.n;
+    const double time = next_meeting(r.n, r.length, r.x, r.v, &left);
+    const double again = next_meeting(m.n, m.length, m.x, m.v, &mirrored);
+    if (is_tie(&r, time))
+        return;
+    CHECK_NEAR(again, .quantity = "time in the mirror", .unit = "s",
+               .input = input(&m, unit), .expected = time,
+               .tolerance = 1e-9 * time,
+               .because =
+                   "a billionth: the places in the mirror are rounded",
+               .question = question);
+    CHECK_NEAR((double)mirrored, .quantity = "*left in the mirror",
+               .input = input(&m, unit),
+               .expected = (double)((2 * r.n - 2 - left) % r.n),
+               .because = "a number of a bead is exact",
+               .question = question);
 }
 
 const struct check_test check_hidden[] = {

@@ -419,45 +419,41 @@ static const char film_question[] =
     "long has the film run, and who meets at its end?";
 
 /* Every third time all pairs that can meet do so at one time. */
-static void test_drawn(void)
+CHECK_TIMES(60, test_drawn, take)
 {
     check_ask(film_question);
-    for (int take = 0; take < 60; ++take) {
-        struct film f = draw_film(check_draw_whole(1, 40) / 8.0);
-        const size_t left = let_meet(&f, take % 3 == 2);
-        const struct ring r = first_picture(&f);
-        if (left == f.n)
-            check_never(r);
-        else
-            check_both(r, f.time, left);
-    }
+    struct film f = draw_film(check_draw_whole(1, 40) / 8.0);
+    const size_t left = let_meet(&f, take % 3 == 2);
+    const struct ring r = first_picture(&f);
+    if (left == f.n)
+        check_never(r);
+    else
+        check_both(r, f.time, left);
 }
 
 /* All pairs that do not approach touch, but not across the seam; every
    third time one of these, or of those that meet at once, is in the wrong
    order by a rounding. */
-static void test_drawn_touching(void)
+CHECK_TIMES(60, test_drawn_touching, take)
 {
     check_ask("Several pairs touch here, or nearly. Which of them press on "
               "each other, which part, and who meets next?");
-    for (int take = 0; take < 60; ++take) {
-        struct film f =
-            draw_film(take % 2 ? 0.0 : check_draw_whole(1, 40) / 8.0);
-        const size_t left = let_meet(&f, false);
-        if (left == f.n && f.time == 0.0)
-            continue;
-        let_touch(&f);
-        struct ring r = first_picture(&f);
-        for (size_t i = 0; take % 3 == 0 && i + 1 < r.n; ++i)
-            if (r.x[i] == r.x[i + 1]) {
-                r.x[i] *= 1.0 + DBL_EPSILON;
-                break;
-            }
-        if (left == f.n)
-            check_never(r);
-        else
-            check_both(r, f.time, left);
-    }
+    struct film f =
+        draw_film(take % 2 ? 0.0 : check_draw_whole(1, 40) / 8.0);
+    const size_t left = let_meet(&f, false);
+    if (left == f.n && f.time == 0.0)
+        return;
+    let_touch(&f);
+    struct ring r = first_picture(&f);
+    for (size_t i = 0; take % 3 == 0 && i + 1 < r.n; ++i)
+        if (r.x[i] == r.x[i + 1]) {
+            r.x[i] *= 1.0 + DBL_EPSILON;
+            break;
+        }
+    if (left == f.n)
+        check_never(r);
+    else
+        check_both(r, f.time, left);
 }
 
 const struct check_suite check_suite = {

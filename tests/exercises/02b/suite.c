@@ -381,19 +381,17 @@ static struct walk draw_walk(void)
     return w;
 }
 
-static void test_drawn(void)
+CHECK_TIMES(40, test_drawn, i)
 {
     check_ask("This path was walked in small steps. At which of its events "
               "does your ball lose the way?");
-    for (int i = 0; i < 40; ++i) {
-        const struct walk w = draw_walk();
-        const size_t steps = (size_t)check_draw_whole(1, 90);
-        const struct job j = {w.events, w.path, (double)steps / 64.0,
-                              (w.steps - 1) / steps};
-        const double *x = answer(&j);
-        for (size_t k = 1; k <= j.samples; ++k)
-            check_sample(&j, x, k, w.place[k * steps]);
-    }
+    const struct walk w = draw_walk();
+    const size_t steps = (size_t)check_draw_whole(1, 90);
+    const struct job j = {w.events, w.path, (double)steps / 64.0,
+                          (w.steps - 1) / steps};
+    const double *x = answer(&j);
+    for (size_t k = 1; k <= j.samples; ++k)
+        check_sample(&j, x, k, w.place[k * steps]);
 }
 
 const struct check_suite check_suite = {

@@ -37,33 +37,30 @@ static void check_body(const struct gas *a, const struct gas *expected,
 /* When each ghost has gone an odd number of lengths, it is in the mirror of
    the place where it began, and on its way back: the whole box is turned
    round, in any unit. All of it without a rounding. */
-static void test_half_period(void)
+CHECK_TIMES(30, test_half_period, i)
 {
     check_ask("Each of these would go to and fro in twice this time, an "
               "odd number of times. What does the box look like half-way?");
-    for (int i = 0; i < 30; ++i) {
-        const double metre = ldexp(1.0, check_draw_whole(-40, 40));
-        const double second = ldexp(1.0, check_draw_whole(-40, 40));
-        struct gas g = {.n = (size_t)check_draw_whole(1, MOST)};
-        double place = 0.0;
-        for (size_t k = 0; k < g.n; ++k) {
-            place += check_draw_whole(1, 64) / 64.0;
-            g.x[k] = place * metre;
-        }
-        g.length = (ceil(place) + 1.0) * metre;
-        for (size_t k = 0; k < g.n; ++k)
-            g.v[k] =
-                (2.0 * check_draw_whole(-9, 8) + 1.0) * g.length / second;
-        struct gas turned = g;
-        for (size_t k = 0; k < g.n; ++k) {
-            turned.x[k] = g.length - g.x[g.n - 1 - k];
-            turned.v[k] = -g.v[g.n - 1 - k];
-        }
-        const struct gas a = answer(&g, second);
-        for (size_t k = 0; k < g.n; ++k)
-            check_body(&a, &turned, k, second,
-                       4.0 * DBL_EPSILON * 18.0 * g.length);
+    const double metre = ldexp(1.0, check_draw_whole(-40, 40));
+    const double second = ldexp(1.0, check_draw_whole(-40, 40));
+    struct gas g = {.n = (size_t)check_draw_whole(1, MOST)};
+    double place = 0.0;
+    for (size_t k = 0; k < g.n; ++k) {
+        place += check_draw_whole(1, 64) / 64.0;
+        g.x[k] = place * metre;
     }
+    g.length = (ceil(place) + 1.0) * metre;
+    for (size_t k = 0; k < g.n; ++k)
+        g.v[k] = (2.0 * check_draw_whole(-9, 8) + 1.0) * g.length / second;
+    struct gas turned = g;
+    for (size_t k = 0; k < g.n; ++k) {
+        turned.x[k] = g.length - g.x[g.n - 1 - k];
+        turned.v[k] = -g.v[g.n - 1 - k];
+    }
+    const struct gas a = answer(&g, second);
+    for (size_t k = 0; k < g.n; ++k)
+        check_body(&a, &turned, k, second,
+                   4.0 * DBL_EPSILON * 18.0 * g.length);
 }
 
 /* Whether any two bodies, or a body and a wall, nearly touch; so does what
@@ -81,29 +78,26 @@ static bool touches(const struct gas *g)
 
 /* To look twice is as good as to look once. Where two bodies nearly touch,
    at either time, we do not look. */
-static void test_two_parts(void)
+CHECK_TIMES(40, test_two_parts, i)
 {
     check_ask(
         "Whether somebody looks in between changes nothing. What does?");
-    for (int i = 0; i < 40; ++i) {
-        struct gas g = {.n = (size_t)check_draw_whole(1, 40)};
-        for (size_t k = 0; k < g.n; ++k) {
-            g.x[k] = g.length + check_draw(0.1, 1.0);
-            g.length = g.x[k] + 0.5;
-            g.v[k] = check_draw(-3.0, 3.0);
-        }
-        const double t1 = check_draw(0.0, 500.0);
-        const double t2 = check_draw(0.0, 500.0);
-        const struct gas half = answer(&g, t1);
-        const struct gas whole = answer(&g, t1 + t2);
-        if (touches(&half) || touches(&whole))
-            continue;
-        const struct gas a = answer(&half, t2);
-        for (size_t k = 0; k < g.n; ++k)
-            check_body(&a, &whole, k, t1 + t2,
-                       8.0 * DBL_EPSILON *
-                           (2.0 * g.length + 3.0 * (t1 + t2)));
+    struct gas g = {.n = (size_t)check_draw_whole(1, 40)};
+    for (size_t k = 0; k < g.n; ++k) {
+        g.x[k] = g.length + check_draw(0.1, 1.0);
+        g.length = g.x[k] + 0.5;
+        g.v[k] = check_draw(-3.0, 3.0);
     }
+    const double t1 = check_draw(0.0, 500.0);
+    const double t2 = check_draw(0.0, 500.0);
+    const struct gas half = answer(&g, t1);
+    const struct gas whole = answer(&g, t1 + t2);
+    if (touches(&half) || touches(&whole))
+        return;
+    const struct gas a = answer(&half, t2);
+    for (size_t k = 0; k < g.n; ++k)
+        check_body(&a, &whole, k, t1 + t2,
+                   8.0 * DBL_EPSILON * (2.0 * g.length + 3.0 * (t1 + t2)));
 }
 
 const struct check_test check_hidden[] = {

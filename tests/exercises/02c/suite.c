@@ -453,23 +453,21 @@ static struct gas draw_gas(void)
     return g;
 }
 
-static void test_drawn(void)
+CHECK_TIMES(40, test_drawn, i)
 {
     check_ask(
         "Every collision in this box has been carried out, one after the "
         "other. Which body, and which wall, have your ghosts not come to?");
-    for (int i = 0; i < 40; ++i) {
-        const struct gas g = draw_gas();
-        double t, x[MOST];
-        struct box b;
-        do {
-            t = check_draw(0.0, 40.0);
-            b = collided(&g, t);
-        } while (touches(&b));
-        for (size_t k = 0; k < g.n; ++k)
-            x[k] = (double)b.x[k + 1];
-        check_gas(&g, t, x, b.v + 1);
-    }
+    const struct gas g = draw_gas();
+    double t, x[MOST];
+    struct box b;
+    do {
+        t = check_draw(0.0, 40.0);
+        b = collided(&g, t);
+    } while (touches(&b));
+    for (size_t k = 0; k < g.n; ++k)
+        x[k] = (double)b.x[k + 1];
+    check_gas(&g, t, x, b.v + 1);
 }
 
 const struct check_suite check_suite = {

@@ -55,27 +55,24 @@ static void check_edge(const char *quantity, size_t bins, double got,
                            "law lies, or on an earlier call?");
 }
 
-static void test_mirror(void)
+CHECK_TIMES(3, test_mirror, i)
 {
-    for (int i = 0; i < 3; ++i) {
-        draw_law();
-        const size_t bins = (size_t)check_draw_whole(2, MOST / 2);
-        double edge[MOST + 1], other[MOST + 1];
-        equal_bins(below, low, high, bins, edge);
-        equal_bins(mirrored, -high, -low, bins, other);
-        const size_t one = (size_t)check_draw_whole(0, (int)bins - 1);
-        const double more = below(edge[one + 1]) - below(edge[one]);
-        CHECK_NEAR(more,
-                   .quantity = check_text("probability of bin %zu", one),
-                   .input = input(bins), .expected = 1.0 / (double)bins,
-                   .tolerance = 2.0 * tolerance() / (high - low) *
-                                (1.0 + 0.5 * hump),
-                   .because = "that of two edges, times the density",
-                   .question = "Has every bin the same probability?");
-        for (size_t k = 0; k <= bins; ++k)
-            check_edge(check_text("edge[%zu] of the law in a mirror", k),
-                       bins, other[k], -edge[bins - k]);
-    }
+    draw_law();
+    const size_t bins = (size_t)check_draw_whole(2, MOST / 2);
+    double edge[MOST + 1], other[MOST + 1];
+    equal_bins(below, low, high, bins, edge);
+    equal_bins(mirrored, -high, -low, bins, other);
+    const size_t one = (size_t)check_draw_whole(0, (int)bins - 1);
+    const double more = below(edge[one + 1]) - below(edge[one]);
+    CHECK_NEAR(more, .quantity = check_text("probability of bin %zu", one),
+               .input = input(bins), .expected = 1.0 / (double)bins,
+               .tolerance =
+                   2.0 * tolerance() / (high - low) * (1.0 + 0.5 * hump),
+               .because = "that of two edges, times the density",
+               .question = "Has every bin the same probability?");
+    for (size_t k = 0; k <= bins; ++k)
+        check_edge(check_text("edge[%zu] of the law in a mirror", k), bins,
+                   other[k], -edge[bins - k]);
 }
 
 /* In micrometres and in megametres the edges are the same places. */

@@ -367,25 +367,22 @@ static void check_shares(const struct law *l, size_t bins)
                                "its two edges is at fault?");
 }
 
-static void test_shares(void)
+CHECK_TIMES(3, test_shares, i)
 {
-    for (int i = 0; i < 3; ++i) {
-        for (int k = 0; k < 3; ++k)
-            part[k] = check_draw_whole(1, 9);
-        mixed_low = check_draw_whole(-36, 36) / 4.0;
-        mixed_width = check_draw_whole(8, 80) / 4.0;
-        const struct law mixed = {
-            check_text("(%d y + %d y^2 + %d y^5)/%d with y = (x - "
-                       "low)/(high - low)",
-                       part[0], part[1], part[2],
-                       part[0] + part[1] + part[2]),
-            mixed_below,
-            NULL,
-            NULL,
-            mixed_low,
-            mixed_low + mixed_width};
-        check_shares(&mixed, (size_t)check_draw_whole(2, 12));
-    }
+    for (int k = 0; k < 3; ++k)
+        part[k] = check_draw_whole(1, 9);
+    mixed_low = check_draw_whole(-36, 36) / 4.0;
+    mixed_width = check_draw_whole(8, 80) / 4.0;
+    const struct law mixed = {
+        check_text(
+            "(%d y + %d y^2 + %d y^5)/%d with y = (x - low)/(high - low)",
+            part[0], part[1], part[2], part[0] + part[1] + part[2]),
+        mixed_below,
+        NULL,
+        NULL,
+        mixed_low,
+        mixed_low + mixed_width};
+    check_shares(&mixed, (size_t)check_draw_whole(2, 12));
 }
 
 /* limit: 1 (bin) */

@@ -43,26 +43,23 @@ static void test_signs(void)
                     "needs one?");
 }
 
-static void test_units(void)
+CHECK_TIMES(6, test_units, i)
 {
-    for (int i = 0; i < 6; ++i) {
-        const double unit = i % 2 ? -1e6 : 1e-6;
-        double error = NAN, scaled = NAN;
-        draw_signs(check_draw(0.06, 0.8));
-        for (size_t k = 0; k < N; ++k)
-            other[k] = unit * (x[k] + 7.0);
-        mean_and_error(N, x, &error);
-        mean_and_error(N, other, &scaled);
-        CHECK_NEAR(
-            scaled / fabs(unit) / error,
-            .quantity = "error in other units, by the error",
-            .input = check_text(
-                "a series of -1 and 1, and the same plus 7 and times %g",
-                unit),
-            .expected = 1.0, .tolerance = 1e-6, .because = "roundings",
-            .question = "The same measurement in other units, from another "
-                        "zero. Which of your steps minds?");
-    }
+    const double unit = i % 2 ? -1e6 : 1e-6;
+    double error = NAN, scaled = NAN;
+    draw_signs(check_draw(0.06, 0.8));
+    for (size_t k = 0; k < N; ++k)
+        other[k] = unit * (x[k] + 7.0);
+    mean_and_error(N, x, &error);
+    mean_and_error(N, other, &scaled);
+    CHECK_NEAR(
+        scaled / fabs(unit) / error,
+        .quantity = "error in other units, by the error",
+        .input = check_text(
+            "a series of -1 and 1, and the same plus 7 and times %g", unit),
+        .expected = 1.0, .tolerance = 1e-6, .because = "roundings",
+        .question = "The same measurement in other units, from another "
+                    "zero. Which of your steps minds?");
 }
 
 const struct check_test check_hidden[] = {

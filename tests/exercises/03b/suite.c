@@ -112,35 +112,31 @@ static double error_of(size_t n, const double x[], double *mean)
 /* limit: 6000 values */
 /* All values are 1 but for the first and the last two: 1 + n/2, and twice
    1 + n. */
-static void test_mean(void)
+CHECK_TIMES(8, test_mean, i)
 {
     static const char question[] =
         "How many values are there, and what is their sum?";
     static const char left_out[] =
         "The last values are not in your mean. They may fill no block; but "
         "are they no measurements?";
-    for (int i = 0; i < 8; ++i) {
-        const size_t n =
-            i == 0 ? 6000 : (size_t)check_draw_whole(6000, MOST);
-        double mean;
-        for (size_t k = 0; k < n; ++k)
-            s.x[k] = 1.0;
-        s.x[0] += 0.5 * (double)n;
-        s.x[n - 1] = s.x[n - 2] = 1.0 + (double)n;
-        error_of(n, s.x, &mean);
-        CHECK_NEAR(
-            mean, .quantity = "the mean",
-            .input = check_text("%zu values: all are 1, but the first is "
-                                "%g and the last two are %zu",
-                                n, s.x[0], n + 1),
-            .expected = 3.5, .tolerance = 1e-11,
-            .because = "the roundings of thousands of additions",
-            .question = question,
-            .mistakes = {
-                {"rest-left-out", mean < 2.6 ? mean : 3.5, left_out},
-                {"sum-for-mean", 3.5 * (double)n,
-                 "This is the sum of all values. How many are there?"}});
-    }
+    const size_t n = i == 0 ? 6000 : (size_t)check_draw_whole(6000, MOST);
+    double mean;
+    for (size_t k = 0; k < n; ++k)
+        s.x[k] = 1.0;
+    s.x[0] += 0.5 * (double)n;
+    s.x[n - 1] = s.x[n - 2] = 1.0 + (double)n;
+    error_of(n, s.x, &mean);
+    CHECK_NEAR(mean, .quantity = "the mean",
+               .input = check_text("%zu values: all are 1, but the first "
+                                   "is %g and the last two are %zu",
+                                   n, s.x[0], n + 1),
+               .expected = 3.5, .tolerance = 1e-11,
+               .because = "the roundings of thousands of additions",
+               .question = question,
+               .mistakes = {
+                   {"rest-left-out", mean < 2.6 ? mean : 3.5, left_out},
+                   {"sum-for-mean", 3.5 * (double)n,
+                    "This is the sum of all values. How many are there?"}});
 }
 
 /* Stands for what a mistake would give, where it is not what was got. */

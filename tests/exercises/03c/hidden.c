@@ -32,18 +32,15 @@ static double integral(int n)
 }
 
 /* In units of the largest velocity the squares of all n add up to 1. */
-static void test_energy(void)
+CHECK_TIMES(3, test_energy, i)
 {
-    for (int i = 0; i < 3; ++i) {
-        const int n = check_draw_whole(2, 40);
-        CHECK_NEAR(1.0 - 2.0 * integral(n),
-                   .quantity = "mean square velocity under your law",
-                   .input = check_text("n = %d movers", n),
-                   .expected = 1.0 / n, .tolerance = 1e-9,
-                   .because = "an integral in 30 strips",
-                   .question = "All movers are alike and share the energy. "
-                               "Which part of it has each, on average?");
-    }
+    const int n = check_draw_whole(2, 40);
+    CHECK_NEAR(1.0 - 2.0 * integral(n),
+               .quantity = "mean square velocity under your law",
+               .input = check_text("n = %d movers", n), .expected = 1.0 / n,
+               .tolerance = 1e-9, .because = "an integral in 30 strips",
+               .question = "All movers are alike and share the energy. "
+                           "Which part of it has each, on average?");
 }
 
 /* The probability of more than 1 - e: an odd number of movers has a
@@ -64,22 +61,20 @@ static double tail(int n, double e)
 
 /* The arcsine is steep at its end, where a rounding of u counts: not
    nearer than 1e-5. */
-static void test_tails(void)
+CHECK_TIMES(40, test_tails, i)
 {
     static const int movers[] = {2, 3, 5, 7, 9};
-    for (int i = 0; i < 40; ++i) {
-        const int n = movers[i % 5];
-        const double u = 1.0 - check_draw(1e-5, i % 2 ? 1e-3 : 0.2);
-        const double side = i % 4 < 2 ? 1.0 : -1.0;
-        const double past = tail(n, 1.0 - u);
-        CHECK_NEAR(
-            velocity_below(n, side * u), .quantity = "probability below u",
-            .input = check_text("n = %d movers, u = %.10g", n, side * u),
-            .expected = side > 0.0 ? 1.0 - past : past, .tolerance = 1e-13,
-            .because = "what was asked for",
-            .question = "Little is left beyond this velocity. Which of "
-                        "your terms should nearly cancel there?");
-    }
+    const int n = movers[i % 5];
+    const double u = 1.0 - check_draw(1e-5, i % 2 ? 1e-3 : 0.2);
+    const double side = i % 4 < 2 ? 1.0 : -1.0;
+    const double past = tail(n, 1.0 - u);
+    CHECK_NEAR(velocity_below(n, side * u),
+               .quantity = "probability below u",
+               .input = check_text("n = %d movers, u = %.10g", n, side * u),
+               .expected = side > 0.0 ? 1.0 - past : past,
+               .tolerance = 1e-13, .because = "what was asked for",
+               .question = "Little is left beyond this velocity. Which of "
+                           "your terms should nearly cancel there?");
 }
 
 const struct check_test check_hidden[] = {

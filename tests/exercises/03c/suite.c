@@ -268,20 +268,18 @@ static double by_area(int n, double u)
     return (double)(0.5L + 0.5L * gauss(n - 2, asin(u)) / half);
 }
 
-static void test_drawn(void)
+CHECK_TIMES(24, test_drawn, i)
 {
-    for (int i = 0; i < 24; ++i) {
-        const int n = i < 16 ? i / 2 + 2 : check_draw_whole(10, 100);
-        const double u = check_draw(-0.99, 0.99);
-        const double expected = by_area(n, u);
-        if (n < 4) {
-            check_ask("Which law is known at sight here?");
-            check_first(n, u, expected);
-        } else {
-            check_ask("From which law do your steps of two start here, and "
-                      "how many are there?");
-            check_later(n, u, expected);
-        }
+    const int n = i < 16 ? i / 2 + 2 : check_draw_whole(10, 100);
+    const double u = check_draw(-0.99, 0.99);
+    const double expected = by_area(n, u);
+    if (n < 4) {
+        check_ask("Which law is known at sight here?");
+        check_first(n, u, expected);
+    } else {
+        check_ask("From which law do your steps of two start here, and how "
+                  "many are there?");
+        check_later(n, u, expected);
     }
 }
 

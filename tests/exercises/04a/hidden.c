@@ -68,24 +68,22 @@ static void check_middle(struct box b)
                    (b.f * b.length * (3.0 * b.mass + b.gas)));
 }
 
-static void test_mirror(void)
+CHECK_TIMES(30, test_mirror, i)
 {
-    for (int i = 0; i < 30; ++i) {
-        const struct box b = draw_box();
-        check_middle(b);
-        const struct box mirror = {b.f,     b.length, b.mass,         b.gas,
-                                   b.right, b.left,   b.length - b.x, -b.v};
-        const struct box small = {
-            b.f,           b.length * 1e3, b.mass * 1e6, b.gas * 1e6,
-            b.left * 1e12, b.right * 1e12, b.x * 1e3,    b.v * 1e3};
-        const struct slopes a = answer(&b), m = answer(&mirror),
-                            s = answer(&small);
-        check_same("slope[1] of the box in a mirror", &b, m.v, -a.v);
-        check_same("slope[1] in m/s^2, when all is given in mm, mg and s",
-                   &b, s.v * 1e-3, a.v);
-        check_same("slope[0] in m/s, when all is given in mm, mg and s", &b,
-                   s.x * 1e-3, b.v);
-    }
+    const struct box b = draw_box();
+    check_middle(b);
+    const struct box mirror = {b.f,     b.length, b.mass,         b.gas,
+                               b.right, b.left,   b.length - b.x, -b.v};
+    const struct box small = {b.f,         b.length * 1e3, b.mass * 1e6,
+                              b.gas * 1e6, b.left * 1e12,  b.right * 1e12,
+                              b.x * 1e3,   b.v * 1e3};
+    const struct slopes a = answer(&b), m = answer(&mirror),
+                        s = answer(&small);
+    check_same("slope[1] of the box in a mirror", &b, m.v, -a.v);
+    check_same("slope[1] in m/s^2, when all is given in mm, mg and s", &b,
+               s.v * 1e-3, a.v);
+    check_same("slope[0] in m/s, when all is given in mm, mg and s", &b,
+               s.x * 1e-3, b.v);
 }
 
 /* Stored in the gases, and moving: of the gas one third counts. */
@@ -114,29 +112,26 @@ static void step(struct box *b, double dt)
 
 /* Let go at rest, a third from a wall or nearer the middle, for a time in
    which the piston crosses the box a few times at most. */
-static void test_swing(void)
+CHECK_TIMES(4, test_swing, i)
 {
-    for (int i = 0; i < 4; ++i) {
-        struct box b = draw_box();
-        b.x = b.length * check_draw(0.35, 0.65);
-        b.v = 0.0;
-        b.right = b.left * check_draw(0.8, 1.25);
-        const struct box start = b;
-        const double whole = energy(&b);
-        const double fast = sqrt((b.left + b.right) / (b.mass + b.gas / 3));
-        for (int k = 0; k < 500; ++k)
-            step(&b, 0.004 * b.length / fast);
-        CHECK_NEAR(energy(&b) / whole,
-                   .quantity = "energy of piston and gases after a swing "
-                               "with your slopes, in units of that before",
-                   .input = input(&start), .expected = 1.0,
-                   .tolerance = 1e-5,
-                   .because = "the method alone errs by less than 5e-6",
-                   .equation = "eq:piston-energy",
-                   .question = "What the gases give, the piston and the "
-                               "gas that rides along get. Does your force "
-                               "fit the energy, and your mass the motion?");
-    }
+    struct box b = draw_box();
+    b.x = b.length * check_draw(0.35, 0.65);
+    b.v = 0.0;
+    b.right = b.left * check_draw(0.8, 1.25);
+    const struct box start = b;
+    const double whole = energy(&b);
+    const double fast = sqrt((b.left + b.right) / (b.mass + b.gas / 3));
+    for (int k = 0; k < 500; ++k)
+        step(&b, 0.004 * b.length / fast);
+    CHECK_NEAR(energy(&b) / whole,
+               .quantity = "energy of piston and gases after a swing with "
+                           "your slopes, in units of that before",
+               .input = input(&start), .expected = 1.0, .tolerance = 1e-5,
+               .because = "the method alone errs by less than 5e-6",
+               .equation = "eq:piston-energy",
+               .question = "What the gases give, the piston and the gas "
+                           "that rides along get. Does your force fit the "
+                           "energy, and your mass the motion?");
 }
 
 const struct check_test check_hidden[] = {

@@ -457,15 +457,13 @@ static void check_drawn(const struct box *b, struct state s)
                       "which the velocity changes. Which unit has that?"}});
 }
 
-static void test_drawn(void)
+CHECK_TIMES(40, test_drawn, i)
 {
-    for (int i = 0; i < 40; ++i) {
-        const struct box b = draw_box();
-        const struct state s = {check_draw(0.12, 0.88) * b.length,
-                                check_draw(-3.0, 3.0)};
-        check_velocity(&b, s);
-        check_drawn(&b, s);
-    }
+    const struct box b = draw_box();
+    const struct state s = {check_draw(0.12, 0.88) * b.length,
+                            check_draw(-3.0, 3.0)};
+    check_velocity(&b, s);
+    check_drawn(&b, s);
 }
 
 const struct check_suite check_suite = {

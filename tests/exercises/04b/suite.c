@@ -281,39 +281,33 @@ static double exact(const struct job *j, double V)
     return sum;
 }
 
-static void test_drawn(void)
+CHECK_TIMES(40, test_drawn, i)
 {
-    for (int i = 0; i < 40; ++i) {
-        struct sort rain[4];
-        struct job j = {(size_t)check_draw_whole(1, 4), rain,
-                        i % 4 ? check_draw(0.01, 3.0) : 0.0,
-                        check_draw(-0.1, 0.1), NULL};
-        double size, slows;
-        for (size_t k = 0; k < j.n; ++k)
-            rain[k] =
-                (struct sort){check_draw(0.01, 5.0),
-                              (check_draw_whole(0, 1) ? 1.0 : -1.0) *
-                                  check_draw(1.0, 50.0),
-                              check_draw(0.0, 9.0), check_draw(0.0, 9.0)};
-        force(&j, right, &size);
-        const double h = 0.5;
-        const double slope = (exact(&j, -h) - exact(&j, h)) / (2.0 * h);
-        const double expected = exact(&j, 0.0) - slope * j.V;
-        const double got = answer(&j, &slows);
-        check_ask(
-            "The force was found blow by blow, for a wall at rest and for "
-            "one that moves to and fro. Which sorts push, and how?");
-        CHECK_NEAR(got, .quantity = "mean force on the wall", .unit = "N",
-                   .input = input(&j), .expected = expected,
-                   .tolerance = 8.0 * allowed(&j, size),
-                   .because = because);
-        CHECK_NEAR(slows, .quantity = "friction", .unit = "kg/s",
-                   .input = input(&j), .expected = slope,
-                   .tolerance = 16.0 * allowed(&j, size),
-                   .because = because);
-        check_force(&j);
-        check_friction(&j);
-    }
+    struct sort rain[4];
+    struct job j = {(size_t)check_draw_whole(1, 4), rain,
+                    i % 4 ? check_draw(0.01, 3.0) : 0.0,
+                    check_draw(-0.1, 0.1), NULL};
+    double size, slows;
+    for (size_t k = 0; k < j.n; ++k)
+        rain[k] = (struct sort){check_draw(0.01, 5.0),
+                                (check_draw_whole(0, 1) ? 1.0 : -1.0) *
+                                    check_draw(1.0, 50.0),
+                                check_draw(0.0, 9.0), check_draw(0.0, 9.0)};
+    force(&j, right, &size);
+    const double h = 0.5;
+    const double slope = (exact(&j, -h) - exact(&j, h)) / (2.0 * h);
+    const double expected = exact(&j, 0.0) - slope * j.V;
+    const double got = answer(&j, &slows);
+    check_ask("The force was found blow by blow, for a wall at rest and "
+              "for one that moves to and fro. Which sorts push, and how?");
+    CHECK_NEAR(got, .quantity = "mean force on the wall", .unit = "N",
+               .input = input(&j), .expected = expected,
+               .tolerance = 8.0 * allowed(&j, size), .because = because);
+    CHECK_NEAR(slows, .quantity = "friction", .unit = "kg/s",
+               .input = input(&j), .expected = slope,
+               .tolerance = 16.0 * allowed(&j, size), .because = because);
+    check_force(&j);
+    check_friction(&j);
 }
 
 const struct check_suite check_suite = {

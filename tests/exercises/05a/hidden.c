@@ -62,43 +62,37 @@ static void check_same(const char *quantity, const struct flight *f,
 /* Forwards and backwards together make the whole chord: by Pythagoras, half
    of it and the distance of the path from the centre make the radius of
    the circle. */
-static void test_there_and_back(void)
+CHECK_TIMES(40, test_there_and_back, i)
 {
-    for (int i = 0; i < 40; ++i) {
-        const struct flight f = draw_flight();
-        const double both =
-            answer(&f, 1.0, 1.0, 0) + answer(&f, 1.0, -1.0, 0);
-        const double far = f.box - f.radius, v = speed(&f);
-        const double beside = (f.r[0] * f.v[1] - f.r[1] * f.v[0]) / v;
-        check_same("time from wall to wall: forwards and backwards", &f,
-                   both, 2.0 * sqrt(far * far - beside * beside) / v);
-    }
+    const struct flight f = draw_flight();
+    const double both = answer(&f, 1.0, 1.0, 0) + answer(&f, 1.0, -1.0, 0);
+    const double far = f.box - f.radius, v = speed(&f);
+    const double beside = (f.r[0] * f.v[1] - f.r[1] * f.v[0]) / v;
+    check_same("time from wall to wall: forwards and backwards", &f, both,
+               2.0 * sqrt(far * far - beside * beside) / v);
 }
 
-static void test_turned(void)
+CHECK_TIMES(40, test_turned, i)
 {
-    for (int i = 0; i < 40; ++i) {
-        struct flight f = draw_flight();
-        const double time = answer(&f, 1.0, 1.0, 0);
-        const double x = f.r[0] + f.v[0] * time, y = f.r[1] + f.v[1] * time;
-        check_same(
-            "from the centre to where the disk is then, at its speed", &f,
-            hypot(x, y) / speed(&f), (f.box - f.radius) / speed(&f));
-        check_same("0 if a disk at rest never comes to the wall", &f,
-                   answer(&f, 1.0, 0.0, 0) == INFINITY ? 0.0 : 1.0, 0.0);
-        for (int turned = 1; turned < 4; ++turned)
-            check_same("time in a box that is turned or mirrored", &f,
-                       answer(&f, 1.0, 1.0, turned), time);
-        check_same("time of all in millimetres and mm/s", &f,
-                   answer(&f, 1e3, 1e3, 1), time);
-        check_same("time of all in kilometres and m/s, divided by 1000", &f,
-                   answer(&f, 1e-3, 1.0, 2) * 1e3, time);
-        const double gone = time * check_draw(0.05, 0.9);
-        f.r[0] += f.v[0] * gone;
-        f.r[1] += f.v[1] * gone;
-        check_same("time that is left when a part of it has gone by", &f,
-                   answer(&f, 1.0, 1.0, 0), time - gone);
-    }
+    struct flight f = draw_flight();
+    const double time = answer(&f, 1.0, 1.0, 0);
+    const double x = f.r[0] + f.v[0] * time, y = f.r[1] + f.v[1] * time;
+    check_same("from the centre to where the disk is then, at its speed",
+               &f, hypot(x, y) / speed(&f), (f.box - f.radius) / speed(&f));
+    check_same("0 if a disk at rest never comes to the wall", &f,
+               answer(&f, 1.0, 0.0, 0) == INFINITY ? 0.0 : 1.0, 0.0);
+    for (int turned = 1; turned < 4; ++turned)
+        check_same("time in a box that is turned or mirrored", &f,
+                   answer(&f, 1.0, 1.0, turned), time);
+    check_same("time of all in millimetres and mm/s", &f,
+               answer(&f, 1e3, 1e3, 1), time);
+    check_same("time of all in kilometres and m/s, divided by 1000", &f,
+               answer(&f, 1e-3, 1.0, 2) * 1e3, time);
+    const double gone = time * check_draw(0.05, 0.9);
+    f.r[0] += f.v[0] * gone;
+    f.r[1] += f.v[1] * gone;
+    check_same("time that is left when a part of it has gone by", &f,
+               answer(&f, 1.0, 1.0, 0), time - gone);
 }
 
 const struct check_test check_hidden[] = {

@@ -218,16 +218,14 @@ static void test_inwards(void)
 
 /* No round numbers, all around; and at the time found the centre must be
    where it belongs. */
-static void test_all_directions(void)
+CHECK_TIMES(24, test_all_directions, k)
 {
     check_ask("Does your formula know the direction? What does r + v t say "
               "at the time you found?");
-    for (int k = 0; k < 24; ++k) {
-        const double angle = 0.1 + 0.26 * k;
-        const struct flight f = {
-            2.3, 0.41, {0.71, -1.13}, {1.7 * cos(angle), 1.7 * sin(angle)}};
-        check_inside(f, root(&f, reach(&f), 1.0));
-    }
+    const double angle = 0.1 + 0.26 * k;
+    const struct flight f = {
+        2.3, 0.41, {0.71, -1.13}, {1.7 * cos(angle), 1.7 * sin(angle)}};
+    check_inside(f, root(&f, reach(&f), 1.0));
 }
 
 /* A flight drawn from its end: the disk comes to the wall after some time,
@@ -256,14 +254,12 @@ static struct drawn draw_flight(double from, double to)
     return d;
 }
 
-static void test_drawn(void)
+CHECK_TIMES(40, test_drawn, i)
 {
     check_ask("This flight was drawn backwards from the wall. Where does "
               "yours end, and how far is that from the centre?");
-    for (int i = 0; i < 40; ++i) {
-        const struct drawn d = draw_flight(0.02, 0.98);
-        check_inside(d.f, d.time);
-    }
+    const struct drawn d = draw_flight(0.02, 0.98);
+    check_inside(d.f, d.time);
 }
 
 /* A place on the circle of the radius 5, exactly. */
@@ -286,20 +282,18 @@ static void test_on_the_wall_outwards(void)
 }
 
 /* At the wall, and nobody knows on which side of it by a rounding. */
-static void test_drawn_at_the_wall(void)
+CHECK_TIMES(40, test_drawn_at_the_wall, i)
 {
-    for (int i = 0; i < 40; ++i) {
-        const struct drawn d = draw_flight(0.0, 0.0);
-        struct flight back = d.f;
-        back.v[0] = -d.f.v[0];
-        back.v[1] = -d.f.v[1];
-        check_ask("The disk has come to the wall and moves on. When does "
-                  "it bounce?");
-        check_now(d.f);
-        check_ask("The disk leaves the wall and crosses the box. How long "
-                  "is the chord before it?");
-        check_across(back, d.chord);
-    }
+    const struct drawn d = draw_flight(0.0, 0.0);
+    struct flight back = d.f;
+    back.v[0] = -d.f.v[0];
+    back.v[1] = -d.f.v[1];
+    check_ask(
+        "The disk has come to the wall and moves on. When does it bounce?");
+    check_now(d.f);
+    check_ask("The disk leaves the wall and crosses the box. How long is "
+              "the chord before it?");
+    check_across(back, d.chord);
 }
 
 static void test_a_hair_beyond(void)

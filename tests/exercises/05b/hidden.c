@@ -80,64 +80,58 @@ static struct thrown scaled(struct thrown d, double unit, double mirror)
                            d.radius * unit};
 }
 
-static void test_told_otherwise(void)
+CHECK_TIMES(40, test_told_otherwise, i)
 {
-    for (int i = 0; i < 40; ++i) {
-        const struct pair p = draw_pair();
-        const struct answer first = answer(p.g, &p.a, &p.b);
-        const double unit = i % 2 ? 1e3 : 1e-3;
-        const double x = p.b.x - p.a.x + (p.b.vx - p.a.vx) * first.time;
-        const double y = p.b.y - p.a.y + (p.b.vy - p.a.vy) * first.time;
-        const struct thrown a = scaled(p.a, unit, -1.0);
-        const struct thrown b = scaled(p.b, unit, -1.0);
-        struct answer other = answer(p.g * unit, &a, &b);
-        other.height /= unit;
-        CHECK_NEAR(
-            hypot(x, y),
-            .quantity = "distance of the centres at the time found",
-            .unit = "m",
-            .input = check_text("a: %s; b: %s", disk(&p.a), disk(&p.b)),
-            .expected = p.a.radius + p.b.radius,
-            .tolerance = 1e-11 * (1.0 + first.time),
-            .because = "that of the time, times the speed",
-            .equation = "eq:pair-quadratic",
-            .question =
-                "How far apart are two centres when edge meets edge?");
-        check_same("with a and b exchanged", &p, answer(p.g, &p.b, &p.a),
-                   first);
-        check_same(
-            check_text("in a mirror, and with lengths in units of %g m",
-                       1.0 / unit),
-            &p, other, first);
-    }
+    const struct pair p = draw_pair();
+    const struct answer first = answer(p.g, &p.a, &p.b);
+    const double unit = i % 2 ? 1e3 : 1e-3;
+    const double x = p.b.x - p.a.x + (p.b.vx - p.a.vx) * first.time;
+    const double y = p.b.y - p.a.y + (p.b.vy - p.a.vy) * first.time;
+    const struct thrown a = scaled(p.a, unit, -1.0);
+    const struct thrown b = scaled(p.b, unit, -1.0);
+    struct answer other = answer(p.g * unit, &a, &b);
+    other.height /= unit;
+    CHECK_NEAR(hypot(x, y),
+               .quantity = "distance of the centres at the time found",
+               .unit = "m",
+               .input = check_text("a: %s; b: %s", disk(&p.a), disk(&p.b)),
+               .expected = p.a.radius + p.b.radius,
+               .tolerance = 1e-11 * (1.0 + first.time),
+               .because = "that of the time, times the speed",
+               .equation = "eq:pair-quadratic",
+               .question =
+                   "How far apart are two centres when edge meets edge?");
+    check_same("with a and b exchanged", &p, answer(p.g, &p.b, &p.a),
+               first);
+    check_same(check_text("in a mirror, and with lengths in units of %g m",
+                          1.0 / unit),
+               &p, other, first);
 }
 
 /* After a part of the time the rest is left, and the contact is where it
    was: both have fallen meanwhile. */
-static void test_under_way(void)
+CHECK_TIMES(40, test_under_way, i)
 {
-    for (int i = 0; i < 40; ++i) {
-        const struct pair p = draw_pair();
-        struct pair later = p;
-        struct answer first = answer(p.g, &p.a, &p.b);
-        const double gone = check_draw(0.1, 0.9) * first.time;
-        struct thrown *const disks[] = {&later.a, &later.b};
-        for (int k = 0; k < 2; ++k) {
-            struct thrown *const d = disks[k];
-            d->x += d->vx * gone;
-            d->y += d->vy * gone - 0.5 * p.g * gone * gone;
-            d->vy -= p.g * gone;
-        }
-        struct answer rest = answer(p.g, &later.a, &later.b);
-        rest.time += gone;
-        check_same("begun anew when a part of the way is done", &p, rest,
-                   first);
-        CHECK_NEAR(first.time < INFINITY ? 1.0 : 0.0,
-                   .quantity = "do they meet? (1 yes, 0 never)",
-                   .expected = 1.0, .because = "yes or no",
-                   .question =
-                       "Disk b is on its way to a. What turns it away?");
+    const struct pair p = draw_pair();
+    struct pair later = p;
+    struct answer first = answer(p.g, &p.a, &p.b);
+    const double gone = check_draw(0.1, 0.9) * first.time;
+    struct thrown *const disks[] = {&later.a, &later.b};
+    for (int k = 0; k < 2; ++k) {
+        struct thrown *const d = disks[k];
+        d->x += d->vx * gone;
+        d->y += d->vy * gone - 0.5 * p.g * gone * gone;
+        d->vy -= p.g * gone;
     }
+    struct answer rest = answer(p.g, &later.a, &later.b);
+    rest.time += gone;
+    check_same("begun anew when a part of the way is done", &p, rest,
+               first);
+    CHECK_NEAR(first.time < INFINITY ? 1.0 : 0.0,
+               .quantity = "do they meet? (1 yes, 0 never)",
+               .expected = 1.0, .because = "yes or no",
+               .question =
+                   "Disk b is on its way to a. What turns it away?");
 }
 
 const struct check_test check_hidden[] = {

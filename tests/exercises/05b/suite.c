@@ -485,15 +485,13 @@ static struct meeting draw_meeting(void)
     return m;
 }
 
-static void test_drawn(void)
+CHECK_TIMES(40, test_drawn, i)
 {
     check_ask("This meeting was drawn backwards from the contact. Where "
               "are the two at the time that you found?");
-    for (int i = 0; i < 40; ++i) {
-        const struct meeting m = draw_meeting();
-        check_time(m.p, m.time);
-        check_height(m.p, m.height);
-    }
+    const struct meeting m = draw_meeting();
+    check_time(m.p, m.time);
+    check_height(m.p, m.height);
 }
 
 /* Lengths and velocities a thousandth of what they were. */
@@ -505,53 +503,49 @@ static struct thrown small(struct thrown d)
 }
 
 /* In place of touching they pass at a distance, or have met already. */
-static void test_drawn_never(void)
+CHECK_TIMES(40, test_drawn_never, i)
 {
     check_ask("These two were drawn so that they pass each other, or part. "
               "Which of the two do you take for a meeting?");
-    for (int i = 0; i < 40; ++i) {
-        struct meeting m = draw_meeting();
-        struct thrown *b = &m.p.b;
-        if (i % 2) { /* moving apart, and just as fast */
-            b->vx = 2.0 * m.p.a.vx - b->vx;
-            b->vy = 2.0 * m.p.a.vy - b->vy;
-        } else { /* beside the line on which b would come to a's centre */
-            const double u = b->vx - m.p.a.vx, w = b->vy - m.p.a.vy;
-            const double far = touching(&m.p) * check_draw(1.1, 5.0);
-            const double beside = far / hypot(u, w);
-            b->x = m.p.a.x - u * m.time + w * beside;
-            b->y = m.p.a.y - w * m.time - u * beside;
-        }
-        if (i % 4 < 2)
-            m.p = (struct pair){m.p.g, small(m.p.a), small(m.p.b)};
-        check_never(m.p);
+    struct meeting m = draw_meeting();
+    struct thrown *b = &m.p.b;
+    if (i % 2) { /* moving apart, and just as fast */
+        b->vx = 2.0 * m.p.a.vx - b->vx;
+        b->vy = 2.0 * m.p.a.vy - b->vy;
+    } else { /* beside the line on which b would come to a's centre */
+        const double u = b->vx - m.p.a.vx, w = b->vy - m.p.a.vy;
+        const double far = touching(&m.p) * check_draw(1.1, 5.0);
+        const double beside = far / hypot(u, w);
+        b->x = m.p.a.x - u * m.time + w * beside;
+        b->y = m.p.a.y - w * m.time - u * beside;
     }
+    if (i % 4 < 2)
+        m.p = (struct pair){m.p.g, small(m.p.a), small(m.p.b)};
+    check_never(m.p);
 }
 
 /* In contact to the last bit: right triangles with whole sides. */
-static void test_drawn_contact(void)
+CHECK_TIMES(40, test_drawn_contact, i)
 {
     check_ask("The distance is just the sum of the radii. What do the "
               "velocities say: do they approach?");
     static const int side[][3] = {{3, 4, 5}, {5, 12, 13}, {8, 15, 17}};
-    for (int i = 0; i < 40; ++i) {
-        const int *const s = side[check_draw_whole(0, 2)];
-        const int swap = check_draw_whole(0, 1);
-        const int x = s[swap] * (check_draw_whole(0, 1) ? 1 : -1);
-        const int y = s[1 - swap] * (check_draw_whole(0, 1) ? 1 : -1);
-        const int part = check_draw_whole(1, s[2] - 1);
-        const int u = check_draw_whole(-9, 9), w = check_draw_whole(-9, 9);
-        const struct thrown a = {
-            check_draw_whole(-9, 9), check_draw_whole(-9, 9),
-            check_draw_whole(-9, 9), check_draw_whole(-9, 9), part};
-        const struct thrown b = {a.x + x, a.y + y, a.vx + u, a.vy + w,
-                                 s[2] - part};
-        const struct pair p = {check_draw(0.0, 20.0), a, b};
-        if (x * u + y * w < 0)
-            check_now(p);
-        else
-            check_never(p);
-    }
+    const int *const s = side[check_draw_whole(0, 2)];
+    const int swap = check_draw_whole(0, 1);
+    const int x = s[swap] * (check_draw_whole(0, 1) ? 1 : -1);
+    const int y = s[1 - swap] * (check_draw_whole(0, 1) ? 1 : -1);
+    const int part = check_draw_whole(1, s[2] - 1);
+    const int u = check_draw_whole(-9, 9), w = check_draw_whole(-9, 9);
+    const struct thrown a = {
+        check_draw_whole(-9, 9), check_draw_whole(-9, 9),
+        check_draw_whole(-9, 9), check_draw_whole(-9, 9), part};
+    const struct thrown b = {a.x + x, a.y + y, a.vx + u, a.vy + w,
+                             s[2] - part};
+    const struct pair p = {check_draw(0.0, 20.0), a, b};
+    if (x * u + y * w < 0)
+        check_now(p);
+    else
+        check_never(p);
 }
 
 const struct check_suite check_suite = {

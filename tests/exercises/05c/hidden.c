@@ -54,25 +54,22 @@ static void test_rest(void)
 /* The disk begins at a wall, moving into it, and is at a wall again at each
    tick, or at each second or third collision. All numbers are sums of a few
    powers of two, so that nothing is rounded and time and tick are equal. */
-static void test_ties(void)
+CHECK_TIMES(20, test_ties, i)
 {
-    for (int i = 0; i < 20; ++i) {
-        const double free = 0.25 * check_draw_whole(2, 12);
-        const double speed = ldexp(1.0, check_draw_whole(-3, 3));
-        const int side = check_draw_whole(0, 1);
-        struct alone a = {.radius = 0.125 * check_draw_whole(1, 4),
-                          .samples = 24};
-        for (int k = 0; k < 2; ++k) {
-            a.length[k] = free + 2.0 * a.radius;
-            a.x[k] = side ? a.length[k] - a.radius : a.radius;
-            a.v[k] = side ? speed : -speed;
-        }
-        a.tick = check_draw_whole(1, 3) * free / speed;
-        clock_check_alone(
-            &a,
-            "The disk starts at two walls, moving into both, and collides "
-            "on the ticks. Does every collision take place at its time?");
+    const double free = 0.25 * check_draw_whole(2, 12);
+    const double speed = ldexp(1.0, check_draw_whole(-3, 3));
+    const int side = check_draw_whole(0, 1);
+    struct alone a = {.radius = 0.125 * check_draw_whole(1, 4),
+                      .samples = 24};
+    for (int k = 0; k < 2; ++k) {
+        a.length[k] = free + 2.0 * a.radius;
+        a.x[k] = side ? a.length[k] - a.radius : a.radius;
+        a.v[k] = side ? speed : -speed;
     }
+    a.tick = check_draw_whole(1, 3) * free / speed;
+    clock_check_alone(
+        &a, "The disk starts at two walls, moving into both, and collides "
+            "on the ticks. Does every collision take place at its time?");
 }
 
 const struct check_test check_hidden[] = {

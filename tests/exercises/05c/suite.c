@@ -669,14 +669,11 @@ static struct alone draw_alone(void)
     return a;
 }
 
-static void test_alone(void)
+CHECK_TIMES(20, test_alone, i)
 {
-    for (int i = 0; i < 20; ++i) {
-        const struct alone a = draw_alone();
-        clock_check_alone(&a,
-                          "Fold the plane at the walls, and the disk flies "
+    const struct alone a = draw_alone();
+    clock_check_alone(&a, "Fold the plane at the walls, and the disk flies "
                           "straight on. Where is it at this tick?");
-    }
 }
 
 /* ---- four disks ---- */
@@ -748,32 +745,31 @@ static void test_contact(void)
 
 /* Only 2 s: slow disks make more flights between two collisions, but each
    has a tenth of the rounding of 20 s. */
-static void test_any_four(void)
+CHECK_TIMES(5, test_any_four, i)
 {
-    for (int i = 0; i < 5; ++i) {
-        struct box start = four();
-        const char *text = "four disks, radius 0.15 m, in a box of 1 m by "
-                           "1 m, velocities in m/s:";
-        for (size_t d = 0; d < DISKS; ++d) {
-            for (int k = 0; k < 2; ++k)
-                start.d.v[d][k] = check_draw(-1.0, 1.0);
-            text = check_text("%s (%g, %g)", text, start.d.v[d][0],
-                              start.d.v[d][1]);
-        }
-        const struct job j = {&start, text, 0.01, 200};
-        check_contact(&start, text, 200,
-                      "a hundred flights, each with a rounding of the 2 s, "
-                      "and room to spare");
-        check(&j, clock_error, 0, LAST,
-              (struct check){
-                  .quantity = "how far a sample is from its tick, at most",
-                  .unit = "s",
-                  .tolerance = 1000.0 * DBL_EPSILON * 2.0,
-                  .because = "1000 flights, each with a rounding of 2 s",
-                  .question = "Whatever happens in the box, sample number "
-                              "k is that of k ticks. What has your clock "
-                              "to do with the collisions?"});
+    struct box start = four();
+    const char *text = "four disks, radius 0.15 m, in a box of 1 m by 1 m, "
+                       "velocities in m/s:";
+    for (size_t d = 0; d < DISKS; ++d) {
+        for (int k = 0; k < 2; ++k)
+            start.d.v[d][k] = check_draw(-1.0, 1.0);
+        text = check_text("%s (%g, %g)", text, start.d.v[d][0],
+                          start.d.v[d][1]);
     }
+    const struct job j = {&start, text, 0.01, 200};
+    check_contact(&start, text, 200,
+                  "a hundred flights, each with a rounding of the 2 s, and "
+                  "room to spare");
+    check(
+        &j, clock_error, 0, LAST,
+        (struct check){
+            .quantity = "how far a sample is from its tick, at most",
+            .unit = "s",
+            .tolerance = 1000.0 * DBL_EPSILON * 2.0,
+            .because = "1000 flights, each with a rounding of 2 s",
+            .question =
+                "Whatever happens in the box, sample number k is that of k "
+                "ticks. What has your clock to do with the collisions?"});
 }
 
 /* As long as the pressure takes, see below. */

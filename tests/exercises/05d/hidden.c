@@ -70,91 +70,82 @@ static void check(double got, double expected, const char *quantity,
 }
 
 /* Lengths, times and masses in other units: Z has none. */
-static void test_units(void)
+CHECK_TIMES(10, test_units, i)
 {
     check_ask("Z is a pure number. Is there a number with a unit in your "
               "program?");
-    for (int i = 0; i < 10; ++i) {
-        const struct list l = draw_list();
-        const double m = ldexp(1.0, check_draw_whole(-30, 30));
-        const double s = ldexp(1.0, check_draw_whole(-30, 30));
-        const double kg = ldexp(1.0, check_draw_whole(-30, 30));
-        struct list other = l;
-        for (int h = 0; h <= HITS; ++h) {
-            other.hit[h].t *= s;
-            other.hit[h].v *= m / s;
-            other.hit[h].mass *= kg;
-        }
-        other.size[0] *= m;
-        other.size[1] *= m;
-        other.energy *= kg * m * m / (s * s);
-        for (int k = 0; k < 2; ++k)
-            check(answer(&other, l.from * s, l.until * s, k),
-                  exact(&l, l.from, l.until, k),
-                  k ? "z[1] in other units" : "z[0] in other units", &l);
+    const struct list l = draw_list();
+    const double m = ldexp(1.0, check_draw_whole(-30, 30));
+    const double s = ldexp(1.0, check_draw_whole(-30, 30));
+    const double kg = ldexp(1.0, check_draw_whole(-30, 30));
+    struct list other = l;
+    for (int h = 0; h <= HITS; ++h) {
+        other.hit[h].t *= s;
+        other.hit[h].v *= m / s;
+        other.hit[h].mass *= kg;
     }
+    other.size[0] *= m;
+    other.size[1] *= m;
+    other.energy *= kg * m * m / (s * s);
+    for (int k = 0; k < 2; ++k)
+        check(answer(&other, l.from * s, l.until * s, k),
+              exact(&l, l.from, l.until, k),
+              k ? "z[1] in other units" : "z[0] in other units", &l);
 }
 
 /* Left is bottom now, and right is top. */
-static void test_on_its_side(void)
+CHECK_TIMES(10, test_on_its_side, i)
 {
     check_ask("The box lies on its side. What has changed but the names of "
               "the walls?");
-    for (int i = 0; i < 10; ++i) {
-        const struct list l = draw_list();
-        struct list side = l;
-        for (int h = 0; h <= HITS; ++h)
-            side.hit[h].wall = (enum wall)((l.hit[h].wall + 2) % 4);
-        side.size[0] = l.size[1];
-        side.size[1] = l.size[0];
-        for (int k = 0; k < 2; ++k)
-            check(answer(&side, l.from, l.until, k),
-                  exact(&l, l.from, l.until, 1 - k),
-                  k ? "z[1] with the box on its side"
-                    : "z[0] with the box on its side",
-                  &l);
-    }
+    const struct list l = draw_list();
+    struct list side = l;
+    for (int h = 0; h <= HITS; ++h)
+        side.hit[h].wall = (enum wall)((l.hit[h].wall + 2) % 4);
+    side.size[0] = l.size[1];
+    side.size[1] = l.size[0];
+    for (int k = 0; k < 2; ++k)
+        check(answer(&side, l.from, l.until, k),
+              exact(&l, l.from, l.until, 1 - k),
+              k ? "z[1] with the box on its side"
+                : "z[0] with the box on its side",
+              &l);
 }
 
 /* Cut at the moment of a hit: time times Z is a sum, and the hit is in just
    one of the two parts. */
-static void test_cut(void)
+CHECK_TIMES(20, test_cut, i)
 {
     check_ask("A time is cut in two at the moment of a hit. Is the hit in "
               "just one of the two?");
-    for (int i = 0; i < 20; ++i) {
-        const struct list l = draw_list();
-        const double cut = l.hit[check_draw_whole(6, 9)].t;
-        const int k = check_draw_whole(0, 1);
-        const double until = l.hit[check_draw_whole(20, HITS - 1)].t;
-        const double from = l.hit[check_draw_whole(0, 3)].t;
-        check((answer(&l, from, cut, k) * (cut - from) +
-               answer(&l, cut, until, k) * (until - cut)) /
-                  (until - from),
-              exact(&l, from, until, k),
-              "Z of two times that follow each other, cut at a hit", &l);
-    }
+    const struct list l = draw_list();
+    const double cut = l.hit[check_draw_whole(6, 9)].t;
+    const int k = check_draw_whole(0, 1);
+    const double until = l.hit[check_draw_whole(20, HITS - 1)].t;
+    const double from = l.hit[check_draw_whole(0, 3)].t;
+    check((answer(&l, from, cut, k) * (cut - from) +
+           answer(&l, cut, until, k) * (until - cut)) /
+              (until - from),
+          exact(&l, from, until, k),
+          "Z of two times that follow each other, cut at a hit", &l);
 }
 
 /* A list without hits; or with none in the time between two of them. */
-static void test_quiet(void)
+CHECK_TIMES(10, test_quiet, i)
 {
-    for (int i = 0; i < 10; ++i) {
-        const struct list l = draw_list();
-        const int last = check_draw_whole(0, HITS - 2);
-        const double from = l.hit[last].t;
-        const double until = 0.5 * (from + l.hit[last + 1].t);
-        double z[2] = {NAN, NAN};
-        wall_z(0, l.hit, l.size, l.disks, l.energy, from, l.until, z);
-        for (int k = 0; k < 2; ++k) {
-            check_ask("There is nothing in the list. What is the pressure, "
-                      "and was it filled in?");
-            check(z[k], 0.0, "Z from a list without hits", &l);
-            check_ask(
-                "Nothing was hit in this time. What is the pressure?");
-            check(answer(&l, from, until, k), 0.0,
-                  "Z of a time between two hits", &l);
-        }
+    const struct list l = draw_list();
+    const int last = check_draw_whole(0, HITS - 2);
+    const double from = l.hit[last].t;
+    const double until = 0.5 * (from + l.hit[last + 1].t);
+    double z[2] = {NAN, NAN};
+    wall_z(0, l.hit, l.size, l.disks, l.energy, from, l.until, z);
+    for (int k = 0; k < 2; ++k) {
+        check_ask("There is nothing in the list. What is the pressure, and "
+                  "was it filled in?");
+        check(z[k], 0.0, "Z from a list without hits", &l);
+        check_ask("Nothing was hit in this time. What is the pressure?");
+        check(answer(&l, from, until, k), 0.0,
+              "Z of a time between two hits", &l);
     }
 }
 

@@ -455,17 +455,15 @@ static struct record draw_disks(double expected[2])
     return r;
 }
 
-static void test_drawn(void)
+CHECK_TIMES(20, test_drawn, i)
 {
     check_ask("Each disk makes whole journeys to and fro in the time that "
               "counts. How much does it give in one journey, and how long "
               "does that take?");
-    for (int i = 0; i < 20; ++i) {
-        double expected[2];
-        const struct record r = draw_disks(expected);
-        for (int k = 0; k < 2; ++k)
-            check_z(&r, k, expected[k]);
-    }
+    double expected[2];
+    const struct record r = draw_disks(expected);
+    for (int k = 0; k < 2; ++k)
+        check_z(&r, k, expected[k]);
 }
 
 static void test_no_hits(void)

@@ -60,55 +60,51 @@ static size_t fill(struct job *j, size_t n, size_t stale)
     return next;
 }
 
-static void test_hundreds(void)
+CHECK_TIMES(20, test_hundreds, i)
 {
     static struct job j;
-    for (int i = 0; i < 20; ++i) {
-        const size_t n = (size_t)check_draw_whole(0, MOST);
-        const size_t stale =
-            i % 5 == 4 ? n : (size_t)check_draw_whole(0, (int)n);
-        const size_t next = fill(&j, n, stale);
-        size_t told = n + 1;
-        const size_t got = next_valid(n, j.heap, j.counts, &told);
-        check_ask("This heap is a large one. Where does your search turn "
-                  "back too early?");
-        check(&j, got, next, "number of the next event");
-        check_ask("All that come before the next event are stale. How many "
-                  "are they?");
-        check(&j, told, stale, "*stale");
-    }
+    const size_t n = (size_t)check_draw_whole(0, MOST);
+    const size_t stale =
+        i % 5 == 4 ? n : (size_t)check_draw_whole(0, (int)n);
+    const size_t next = fill(&j, n, stale);
+    size_t told = n + 1;
+    const size_t got = next_valid(n, j.heap, j.counts, &told);
+    check_ask("This heap is a large one. Where does your search turn back "
+              "too early?");
+    check(&j, got, next, "number of the next event");
+    check_ask("All that come before the next event are stale. How many are "
+              "they?");
+    check(&j, told, stale, "*stale");
 }
 
 /* Only equal counters count, and only which time is earlier: all bodies may
    have had more collisions before, and the clock may go at another rate. */
-static void test_other_clock(void)
+CHECK_TIMES(20, test_other_clock, i)
 {
     static struct job j;
-    for (int i = 0; i < 20; ++i) {
-        const int n = check_draw_whole(1, 300);
-        const size_t stale = (size_t)check_draw_whole(0, n);
-        const size_t next = fill(&j, (size_t)n, stale);
-        const int second = check_draw_whole(-60, 60);
-        unsigned more[BODIES];
-        for (size_t b = 0; b < BODIES; ++b) {
-            more[b] = 0u - (unsigned)check_draw_whole(0, 6);
-            j.counts[b] += more[b];
-        }
-        for (size_t k = 0; k < j.n; ++k) {
-            struct event *e = &j.heap[k];
-            e->time = ldexp(e->time, second);
-            e->count_i += more[e->i];
-            e->count_j += more[e->j];
-        }
-        size_t told = j.n + 1;
-        const size_t got = next_valid(j.n, j.heap, j.counts, &told);
-        check_ask("Counters and clock have been set otherwise. Which of "
-                  "your comparisons asks for more than equal or earlier?");
-        check(&j, got, next, "number of the next event");
-        check_ask("Counters and clock have been set otherwise. What did "
-                  "you count?");
-        check(&j, told, stale, "*stale");
+    const int n = check_draw_whole(1, 300);
+    const size_t stale = (size_t)check_draw_whole(0, n);
+    const size_t next = fill(&j, (size_t)n, stale);
+    const int second = check_draw_whole(-60, 60);
+    unsigned more[BODIES];
+    for (size_t b = 0; b < BODIES; ++b) {
+        more[b] = 0u - (unsigned)check_draw_whole(0, 6);
+        j.counts[b] += more[b];
     }
+    for (size_t k = 0; k < j.n; ++k) {
+        struct event *e = &j.heap[k];
+        e->time = ldexp(e->time, second);
+        e->count_i += more[e->i];
+        e->count_j += more[e->j];
+    }
+    size_t told = j.n + 1;
+    const size_t got = next_valid(j.n, j.heap, j.counts, &told);
+    check_ask("Counters and clock have been set otherwise. Which of your "
+              "comparisons asks for more than equal or earlier?");
+    check(&j, got, next, "number of the next event");
+    check_ask(
+        "Counters and clock have been set otherwise. What did you count?");
+    check(&j, told, stale, "*stale");
 }
 
 const struct check_test check_hidden[] = {

@@ -363,28 +363,25 @@ static struct event draw_event(const struct job *j, double time,
 /* Made from the answer: in the order of time so many events are stale, the
    one after them is good, and of the others half are. Some counters have
    run over. */
-static void test_drawn(void)
+CHECK_TIMES(60, test_drawn, i)
 {
-    for (int i = 0; i < 60; ++i) {
-        struct job j = {.n = (size_t)check_draw_whole(1, 40)};
-        size_t order[MOST];
-        const size_t stale =
-            i % 10 == 9 ? j.n : (size_t)check_draw_whole(0, (int)j.n - 1);
-        for (size_t b = 0; b < BODIES; ++b)
-            j.counts[b] = (unsigned)check_draw_whole(0, 9);
-        draw_order(j.n, order);
-        double time = 0.0;
-        for (size_t k = 0; k < j.n; ++k) {
-            time += check_draw(0.01, 1.0);
-            j.heap[order[k]] = draw_event(
-                &j, time,
-                k == stale || (k > stale && check_draw_whole(0, 1)));
-        }
-        check_ask(check_text("This heap was filled with %zu stale events "
-                             "first. Which of them has led you astray?",
-                             stale));
-        check_known(&j, stale < j.n ? order[stale] : j.n, stale);
+    struct job j = {.n = (size_t)check_draw_whole(1, 40)};
+    size_t order[MOST];
+    const size_t stale =
+        i % 10 == 9 ? j.n : (size_t)check_draw_whole(0, (int)j.n - 1);
+    for (size_t b = 0; b < BODIES; ++b)
+        j.counts[b] = (unsigned)check_draw_whole(0, 9);
+    draw_order(j.n, order);
+    double time = 0.0;
+    for (size_t k = 0; k < j.n; ++k) {
+        time += check_draw(0.01, 1.0);
+        j.heap[order[k]] = draw_event(
+            &j, time, k == stale || (k > stale && check_draw_whole(0, 1)));
     }
+    check_ask(check_text("This heap was filled with %zu stale events "
+                         "first. Which of them has led you astray?",
+                         stale));
+    check_known(&j, stale < j.n ? order[stale] : j.n, stale);
 }
 
 const struct check_suite check_suite = {

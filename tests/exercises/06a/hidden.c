@@ -91,37 +91,31 @@ static void check_nine(double unit)
           input);
 }
 
-static void test_nine(void)
+CHECK_TIMES(20, test_nine, i)
 {
     static const double unit[] = {1.0, 1e3, 1e-3, 1e-9, 1e12};
-    for (int i = 0; i < 20; ++i)
-        check_nine(unit[i % 5]);
+    check_nine(unit[i % 5]);
 }
 
 /* A disk as wide as its box: along x there is only one place. */
-static void test_full(void)
+CHECK_TIMES(10, test_full, i)
 {
-    for (int i = 0; i < 10; ++i) {
-        const double radius = check_draw(0.1, 5.0);
-        const double free = check_draw(0.1, 5.0);
-        const double size[2] = {2.0 * radius, 2.0 * radius + free};
-        const double script[2] = {check_draw(0.0, 0.9),
-                                  check_draw(0.0, 0.9)};
-        const char *input =
-            check_text("one disk of %g m in a box of %g m by %g m; "
-                       "uniform() gives %g %g",
-                       radius, size[0], size[1], script[0], script[1]);
-        double x = NAN, y = NAN;
-        size_t throws = 0;
-        check(throw_scripted(1, &radius, size, script, 2, &x, &y, &throws),
-              1.0, 0.0, "does it end? (1 yes, 0 no)", input);
-        check(x, radius, 8.0 * DBL_EPSILON * size[0], "x of the disk",
-              input);
-        check(y, radius + script[1] * free, 8.0 * DBL_EPSILON * size[1],
-              "y of the disk", input);
-        check((double)throws, 1.0, 0.0, "how often all disks were thrown",
-              input);
-    }
+    const double radius = check_draw(0.1, 5.0);
+    const double free = check_draw(0.1, 5.0);
+    const double size[2] = {2.0 * radius, 2.0 * radius + free};
+    const double script[2] = {check_draw(0.0, 0.9), check_draw(0.0, 0.9)};
+    const char *input = check_text(
+        "one disk of %g m in a box of %g m by %g m; uniform() gives %g %g",
+        radius, size[0], size[1], script[0], script[1]);
+    double x = NAN, y = NAN;
+    size_t throws = 0;
+    check(throw_scripted(1, &radius, size, script, 2, &x, &y, &throws), 1.0,
+          0.0, "does it end? (1 yes, 0 no)", input);
+    check(x, radius, 8.0 * DBL_EPSILON * size[0], "x of the disk", input);
+    check(y, radius + script[1] * free, 8.0 * DBL_EPSILON * size[1],
+          "y of the disk", input);
+    check((double)throws, 1.0, 0.0, "how often all disks were thrown",
+          input);
 }
 
 const struct check_test check_hidden[] = {

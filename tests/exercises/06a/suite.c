@@ -620,25 +620,23 @@ static struct job draw_job(void)
 }
 
 /* Up to three throws that fail, and one that fits. */
-static void test_drawn(void)
+CHECK_TIMES(30, test_drawn, i)
 {
     check_ask("In the first throws, if there are any, the last disk falls "
               "on another; in the last one no two touch. Which numbers "
               "make the placing?");
-    for (int i = 0; i < 30; ++i) {
-        struct job j = draw_job();
-        struct answer a = {.ended = true};
-        const int failed = check_draw_whole(0, 3);
-        for (int k = 0; k < failed; ++k)
-            throw_badly(&j);
-        const double *u = j.n == 2 ? throw_diagonally(&j) : throw_apart(&j);
-        for (size_t k = 0; k < j.n; ++k) {
-            a.x[k] = along(j.radius[k], j.width, u[2 * k]);
-            a.y[k] = along(j.radius[k], j.height, u[2 * k + 1]);
-        }
-        a.throws = failed + 1.0;
-        check_given(&j, &a);
+    struct job j = draw_job();
+    struct answer a = {.ended = true};
+    const int failed = check_draw_whole(0, 3);
+    for (int k = 0; k < failed; ++k)
+        throw_badly(&j);
+    const double *u = j.n == 2 ? throw_diagonally(&j) : throw_apart(&j);
+    for (size_t k = 0; k < j.n; ++k) {
+        a.x[k] = along(j.radius[k], j.width, u[2 * k]);
+        a.y[k] = along(j.radius[k], j.height, u[2 * k + 1]);
     }
+    a.throws = failed + 1.0;
+    check_given(&j, &a);
 }
 
 /* The numbers are those of a generator. */

@@ -106,11 +106,10 @@ static void check_ring(double unit)
     }
 }
 
-static void test_ring(void)
+CHECK_TIMES(20, test_ring, i)
 {
     static const double unit[] = {1.0, 1e3, 1e-3, 1e-9, 1e9};
-    for (int i = 0; i < 20; ++i)
-        check_ring(unit[i % 5]);
+    check_ring(unit[i % 5]);
 }
 
 const struct check_test check_hidden[] = {

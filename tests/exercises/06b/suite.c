@@ -581,15 +581,13 @@ static struct job draw_chain(struct answer *expected)
     return chain;
 }
 
-static void test_drawn(void)
+CHECK_TIMES(30, test_drawn, i)
 {
     check_ask("For each disk, write down from which try to which it is at "
               "each of its places. What is the average then?");
-    for (int i = 0; i < 30; ++i) {
-        struct answer expected = {.ended = true};
-        const struct job j = draw_chain(&expected);
-        check_given(&j, &expected);
-    }
+    struct answer expected = {.ended = true};
+    const struct job j = draw_chain(&expected);
+    check_given(&j, &expected);
 }
 
 /* The share of a disk of the radius d around a point at the distance r from

@@ -84,37 +84,33 @@ static void check_growth(const struct zones *z, double near, double far)
                     "grow at its chord?");
 }
 
-static void test_growth(void)
+CHECK_TIMES(20, test_growth, i)
 {
-    for (int i = 0; i < 20; ++i) {
-        const struct zones z = draw_zones(2 + i % 2, 1.0);
-        check_growth(&z, 0.0, 0.25);
-        check_growth(&z, 0.25, 0.5);
-        check_growth(&z, 0.5, 0.75);
-    }
+    const struct zones z = draw_zones(2 + i % 2, 1.0);
+    check_growth(&z, 0.0, 0.25);
+    check_growth(&z, 0.25, 0.5);
+    check_growth(&z, 0.5, 0.75);
 }
 
 /* In any unit; for spheres up to where the zones end. There the growth of a
    lens of disks begins with a square root, which is not smooth. */
-static void test_units(void)
+CHECK_TIMES(20, test_units, i)
 {
     static const double unit[] = {1e3, 1e-3, 1e-9, 1e9};
-    for (int i = 0; i < 20; ++i) {
-        const struct zones z = draw_zones(2 + i % 2, unit[i % 4]);
-        double shared = NAN;
-        const double u = depletion(z.dimensions, z.R1, z.R2, z.small,
-                                   z.density, distance(&z, 0.25), &shared);
-        check_growth(&z, 0.0, 0.25);
-        if (z.dimensions == 3)
-            check_growth(&z, 0.25, 1.0);
-        CHECK_NEAR(
-            u, .quantity = "the potential", .unit = "kT",
-            .input = input(&z, 0.25), .expected = -z.density * shared,
-            .tolerance = 1e-12 * z.density * shared,
-            .because = "a multiple of kT has no unit of length",
-            .question =
-                "How many small ones gain the room that is in *overlap?");
-    }
+    const struct zones z = draw_zones(2 + i % 2, unit[i % 4]);
+    double shared = NAN;
+    const double u = depletion(z.dimensions, z.R1, z.R2, z.small, z.density,
+                               distance(&z, 0.25), &shared);
+    check_growth(&z, 0.0, 0.25);
+    if (z.dimensions == 3)
+        check_growth(&z, 0.25, 1.0);
+    CHECK_NEAR(
+        u, .quantity = "the potential", .unit = "kT",
+        .input = input(&z, 0.25), .expected = -z.density * shared,
+        .tolerance = 1e-12 * z.density * shared,
+        .because = "a multiple of kT has no unit of length",
+        .question =
+            "How many small ones gain the room that is in *overlap?");
 }
 
 const struct check_test check_hidden[] = {

@@ -371,36 +371,32 @@ static struct pair draw_pair(int dimensions, double *overlap)
     return p;
 }
 
-static void test_limits(void)
+CHECK_TIMES(40, test_limits, i)
 {
     check_ask("The zones do not meet. What do they share?");
-    for (int i = 0; i < 40; ++i) {
-        double overlap;
-        struct pair far = draw_pair(2 + i % 2, &overlap), near = far;
-        far.r = far.R1 + far.R2 + 2.0 * far.small + check_draw(0.01, 9.0);
-        near.r = check_draw(0.1, 0.98) * (near.R1 + near.R2);
-        check_core(near);
-        check_apart(far, 0.0);
-    }
+    double overlap;
+    struct pair far = draw_pair(2 + i % 2, &overlap), near = far;
+    far.r = far.R1 + far.R2 + 2.0 * far.small + check_draw(0.01, 9.0);
+    near.r = check_draw(0.1, 0.98) * (near.R1 + near.R2);
+    check_core(near);
+    check_apart(far, 0.0);
 }
 
-static void test_drawn(void)
+CHECK_TIMES(40, test_drawn, i)
 {
     check_ask("Two zones, and a chord in front of a centre or behind it. "
               "What does it cut off each of them?");
-    for (int i = 0; i < 40; ++i) {
-        double overlap;
-        struct pair p = draw_pair(2 + i % 2, &overlap);
-        if (check_draw_whole(0, 1)) {
-            const double R1 = p.R1;
-            p.R1 = p.R2;
-            p.R2 = R1;
-        }
-        const struct slack some = {
-            tolerance(p) + 1e-8 * overlap,
-            "a hundred millionth, for those who integrate"};
-        check_given(p, overlap, some);
+    double overlap;
+    struct pair p = draw_pair(2 + i % 2, &overlap);
+    if (check_draw_whole(0, 1)) {
+        const double R1 = p.R1;
+        p.R1 = p.R2;
+        p.R2 = R1;
     }
+    const struct slack some = {
+        tolerance(p) + 1e-8 * overlap,
+        "a hundred millionth, for those who integrate"};
+    check_given(p, overlap, some);
 }
 
 const struct check_suite check_suite = {

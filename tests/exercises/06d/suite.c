@@ -226,38 +226,34 @@ static void draw(struct box *b)
     b->length = b->sigma * check_draw(0.5, 12.0);
 }
 
-static void test_room(void)
+CHECK_TIMES(20, test_room, i)
 {
-    for (int i = 0; i < 20; ++i) {
-        struct box b, from;
-        draw(&b);
-        from = b;
-        push_chain(b.n, b.sigma, b.width, b.height, b.x, b.y, b.first,
-                   b.length);
-        double moved = 0.0;
-        for (size_t k = 0; k < b.n; ++k)
-            moved += b.x[k] - from.x[k];
-        const double turns = (b.length - moved) / b.width;
-        CHECK_NEAR(
-            turns - round(turns),
-            .quantity =
-                "what is missing of the way in all, in widths of the box",
-            .input = input(&from), .expected = 0.0, .tolerance = 1e-11,
-            .because = "roundings",
-            .question = "Whatever one disk does not go, another one does. "
-                        "Add up how far each has gone: is it the length?");
-    }
+    struct box b, from;
+    draw(&b);
+    from = b;
+    push_chain(b.n, b.sigma, b.width, b.height, b.x, b.y, b.first,
+               b.length);
+    double moved = 0.0;
+    for (size_t k = 0; k < b.n; ++k)
+        moved += b.x[k] - from.x[k];
+    const double turns = (b.length - moved) / b.width;
+    CHECK_NEAR(
+        turns - round(turns),
+        .quantity =
+            "what is missing of the way in all, in widths of the box",
+        .input = input(&from), .expected = 0.0, .tolerance = 1e-11,
+        .because = "roundings",
+        .question = "Whatever one disk does not go, another one does. Add "
+                    "up how far each has gone: is it the length?");
 }
 
-static void test_drawn(void)
+CHECK_TIMES(30, test_drawn, i)
 {
     check_ask("Up to ten disks. Follow the push on paper, disk by disk: "
               "which one is touched first?");
-    for (int i = 0; i < 30; ++i) {
-        struct box b;
-        draw(&b);
-        check(&b);
-    }
+    struct box b;
+    draw(&b);
+    check(&b);
 }
 
 const struct check_suite check_suite = {

@@ -62,39 +62,34 @@ static void test_means(void)
 
 /* In units in which speeds are large or small: two disks, of which every
    share is as likely as any other. */
-static void test_units(void)
+CHECK_TIMES(30, test_units, i)
 {
-    for (int i = 0; i < 30; ++i) {
-        const double unit = ldexp(1.0, check_draw_whole(-100, 100));
-        const double mean = check_draw(0.5, 2.0), part = check_draw(0, 1);
-        const double v = part * sqrt(2.0 * mean) * unit;
-        const double squared = mean * unit * unit;
-        check(below(2, squared, v), part * part, 1e-12 * part * part,
-              "probability of a speed below v", 2, squared, v);
-        check(fourth(2, squared, v) / squared, 4.0 / 3.0 * squared,
-              1e-12 * squared, "*fourth over the mean square", 2, squared,
-              v);
-    }
+    const double unit = ldexp(1.0, check_draw_whole(-100, 100));
+    const double mean = check_draw(0.5, 2.0), part = check_draw(0, 1);
+    const double v = part * sqrt(2.0 * mean) * unit;
+    const double squared = mean * unit * unit;
+    check(below(2, squared, v), part * part, 1e-12 * part * part,
+          "probability of a speed below v", 2, squared, v);
+    check(fourth(2, squared, v) / squared, 4.0 / 3.0 * squared,
+          1e-12 * squared, "*fourth over the mean square", 2, squared, v);
 }
 
 /* Faster than with all the energy, or slower than at rest; and one disk. */
-static void test_out_of_reach(void)
+CHECK_TIMES(30, test_out_of_reach, i)
 {
-    for (int i = 0; i < 30; ++i) {
-        const int n = i % 3 ? check_draw_whole(2, 1000000) : 1;
-        const double mean = check_draw(0.1, 9.0);
-        const double fast = sqrt(n * mean) * check_draw(1.001, 9.0);
-        const double slow = sqrt(mean) * check_draw(0.1, 0.999);
-        check(below(n, mean, fast), 1.0, 0.0,
-              "probability of a speed below v", n, mean, fast);
-        check(below(n, mean, 1e200), 1.0, 0.0,
-              "probability of a speed below v", n, mean, 1e200);
-        check(below(n, mean, -fast), 0.0, 0.0,
-              "probability of a speed below v", n, mean, -fast);
-        if (n == 1)
-            check(below(n, mean, slow), 0.0, 0.0,
-                  "probability of a speed below v", n, mean, slow);
-    }
+    const int n = i % 3 ? check_draw_whole(2, 1000000) : 1;
+    const double mean = check_draw(0.1, 9.0);
+    const double fast = sqrt(n * mean) * check_draw(1.001, 9.0);
+    const double slow = sqrt(mean) * check_draw(0.1, 0.999);
+    check(below(n, mean, fast), 1.0, 0.0, "probability of a speed below v",
+          n, mean, fast);
+    check(below(n, mean, 1e200), 1.0, 0.0, "probability of a speed below v",
+          n, mean, 1e200);
+    check(below(n, mean, -fast), 0.0, 0.0, "probability of a speed below v",
+          n, mean, -fast);
+    if (n == 1)
+        check(below(n, mean, slow), 0.0, 0.0,
+              "probability of a speed below v", n, mean, slow);
 }
 
 const struct check_test check_hidden[] = {

@@ -335,15 +335,13 @@ static struct known draw_known(void)
     return (struct known){n, mean, sqrt(share * n * mean), -expm1(-x)};
 }
 
-static void test_drawn(void)
+CHECK_TIMES(50, test_drawn, i)
 {
     check_ask("Many disks or few, fast or slow: where in your formula do "
               "digits get lost?");
-    for (int i = 0; i < 50; ++i) {
-        const struct known k = draw_known();
-        check_below(&k);
-        check_fourth(k.n, k.mean, k.v);
-    }
+    const struct known k = draw_known();
+    check_below(&k);
+    check_fourth(k.n, k.mean, k.v);
 }
 
 const struct check_suite check_suite = {

@@ -60,15 +60,13 @@ static double draw_unit(void)
     return ldexp(1.0, check_draw_whole(-40, 40));
 }
 
-static void test_none(void)
+CHECK_TIMES(20, test_none, i)
 {
     check_ask("Nothing has collided, whatever stands behind the list. What "
               "is Z, and what is P, for so many particles?");
-    for (int i = 0; i < 20; ++i) {
-        const double m = draw_unit(), s = draw_unit(), kg = draw_unit();
-        const struct record r = draw_box(m, s, kg);
-        check(&r, 1.0);
-    }
+    const double m = draw_unit(), s = draw_unit(), kg = draw_unit();
+    const struct record r = draw_box(m, s, kg);
+    check(&r, 1.0);
 }
 
 /* Two that meet, and meet again across the seam, with zero momentum and the
@@ -100,16 +98,14 @@ static struct record to_and_fro(double m, double s, double kg, double *z)
     return r;
 }
 
-static void test_to_and_fro(void)
+CHECK_TIMES(30, test_to_and_fro, i)
 {
     check_ask("Two bodies, one perhaps much heavier, meet on both sides. "
               "What does each collision add, in any unit?");
-    for (int i = 0; i < 30; ++i) {
-        double z;
-        const struct record r =
-            to_and_fro(draw_unit(), draw_unit(), draw_unit(), &z);
-        check(&r, z);
-    }
+    double z;
+    const struct record r =
+        to_and_fro(draw_unit(), draw_unit(), draw_unit(), &z);
+    check(&r, z);
 }
 
 const struct check_test check_hidden[] = {

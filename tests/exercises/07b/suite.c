@@ -475,18 +475,16 @@ static struct record draw_record(double *z)
     return r;
 }
 
-static void test_drawn(void)
+CHECK_TIMES(20, test_drawn, i)
 {
-    for (int i = 0; i < 20; ++i) {
-        double z;
-        const struct record r = draw_record(&z);
-        check_ask("These are collisions of all kinds. Does every one of "
-                  "them add what it should?");
-        check_z(&r, z);
-        check_ask("Z is right. What has P to do with Z, n, kT and the size "
-                  "of the box?");
-        check_pressure(&r, z);
-    }
+    double z;
+    const struct record r = draw_record(&z);
+    check_ask("These are collisions of all kinds. Does every one of them "
+              "add what it should?");
+    check_z(&r, z);
+    check_ask("Z is right. What has P to do with Z, n, kT and the size of "
+              "the box?");
+    check_pressure(&r, z);
 }
 
 const struct check_suite check_suite = {

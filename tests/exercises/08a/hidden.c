@@ -30,28 +30,25 @@ static void to_the_sun(size_t n, const double x[], double a[])
 
 /* Drifts and central kicks keep the area that is swept in a second. In a
    step the product of r and v is rounded a few times. */
-static void test_areas(void)
+CHECK_TIMES(10, test_areas, i)
 {
-    for (int i = 0; i < 10; ++i) {
-        const double r = check_draw(0.7, 1.3), angle = check_draw(0.0, 6.0);
-        const double fast = check_draw(0.8, 1.2);
-        const double dt = check_draw(0.01, 0.1);
-        const size_t steps = (size_t)check_draw_whole(20, 200);
-        struct state s = {
-            .x = {r * cos(angle), r * sin(angle), 0.5},
-            .v = {-fast * sin(angle), fast * cos(angle), 0.25}};
-        const char *input = check_text(
-            "a planet at %g m with %g m/s across, %zu steps of %g s", r,
-            fast, steps, dt);
-        (void)steps_under(to_the_sun, 3, &s, dt, steps);
-        check_ask("The force points to the sun at the place where it acts. "
-                  "Is that the place that is kicked?");
-        check(s.x[0] * s.v[1] - s.x[1] * s.v[0], r * fast,
-              (double)(steps + 4) * 1e-14, "angular momentum", input);
-        check_ask("Nothing acts along z. How far has it gone?");
-        check(s.x[2], 0.5 + 0.25 * dt * (double)steps,
-              (double)(steps + 4) * 1e-14, "z", input);
-    }
+    const double r = check_draw(0.7, 1.3), angle = check_draw(0.0, 6.0);
+    const double fast = check_draw(0.8, 1.2);
+    const double dt = check_draw(0.01, 0.1);
+    const size_t steps = (size_t)check_draw_whole(20, 200);
+    struct state s = {.x = {r * cos(angle), r * sin(angle), 0.5},
+                      .v = {-fast * sin(angle), fast * cos(angle), 0.25}};
+    const char *input =
+        check_text("a planet at %g m with %g m/s across, %zu steps of %g s",
+                   r, fast, steps, dt);
+    (void)steps_under(to_the_sun, 3, &s, dt, steps);
+    check_ask("The force points to the sun at the place where it acts. Is "
+              "that the place that is kicked?");
+    check(s.x[0] * s.v[1] - s.x[1] * s.v[0], r * fast,
+          (double)(steps + 4) * 1e-14, "angular momentum", input);
+    check_ask("Nothing acts along z. How far has it gone?");
+    check(s.x[2], 0.5 + 0.25 * dt * (double)steps,
+          (double)(steps + 4) * 1e-14, "z", input);
 }
 
 /* Bodies on a ring that act on their neighbours alone. */
@@ -65,32 +62,29 @@ static void ring(size_t n, const double x[], double a[])
     }
 }
 
-static void test_together(void)
+CHECK_TIMES(5, test_together, i)
 {
-    for (int i = 0; i < 5; ++i) {
-        struct state s;
-        double x = 0.0, v = 0.0, x_end = 0.0, v_end = 0.0;
-        const double dt = check_draw(-0.5, 0.5);
-        const size_t steps = (size_t)check_draw_whole(1, 100);
-        for (size_t k = 0; k < MOST; ++k) {
-            x += s.x[k] = check_draw(-5.0, 5.0);
-            v += s.v[k] = check_draw(-1.0, 2.0);
-        }
-        (void)steps_under(ring, MOST, &s, dt, steps);
-        for (size_t k = 0; k < MOST; ++k) {
-            x_end += s.x[k];
-            v_end += s.v[k];
-        }
-        const char *input = check_text(
-            "a ring of %d bodies, %zu steps of %g s", MOST, steps, dt);
-        check_ask("What one body takes from another it gives back. Were "
-                  "both forces taken at the same time?");
-        check(v_end, v, 1e-11, "sum of all v", input);
-        check_ask("The centre of all bodies goes straight on. How long do "
-                  "the two halves of a drift last together?");
-        check(x_end, x + v * dt * (double)steps, 1e-9, "sum of all x",
-              input);
+    struct state s;
+    double x = 0.0, v = 0.0, x_end = 0.0, v_end = 0.0;
+    const double dt = check_draw(-0.5, 0.5);
+    const size_t steps = (size_t)check_draw_whole(1, 100);
+    for (size_t k = 0; k < MOST; ++k) {
+        x += s.x[k] = check_draw(-5.0, 5.0);
+        v += s.v[k] = check_draw(-1.0, 2.0);
     }
+    (void)steps_under(ring, MOST, &s, dt, steps);
+    for (size_t k = 0; k < MOST; ++k) {
+        x_end += s.x[k];
+        v_end += s.v[k];
+    }
+    const char *input = check_text("a ring of %d bodies, %zu steps of %g s",
+                                   MOST, steps, dt);
+    check_ask("What one body takes from another it gives back. Were both "
+              "forces taken at the same time?");
+    check(v_end, v, 1e-11, "sum of all v", input);
+    check_ask("The centre of all bodies goes straight on. How long do the "
+              "two halves of a drift last together?");
+    check(x_end, x + v * dt * (double)steps, 1e-9, "sum of all x", input);
 }
 
 static double unit_of_time = 1.0;

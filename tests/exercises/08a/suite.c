@@ -288,43 +288,39 @@ static struct point turned(struct point p, double z, double omega,
                           (c * up - s * p.x) * omega / flat};
 }
 
-static void test_many(void)
+CHECK_TIMES(20, test_many, i)
 {
-    for (int i = 0; i < 20; ++i) {
-        const struct point p = {check_draw(-3.0, 3.0),
-                                check_draw(-3.0, 3.0)};
-        const double z = check_draw(0.1, 1.6);
-        const double dt = check_draw(0.1, 4.0);
-        const size_t steps = (size_t)check_draw_whole(2, 300);
-        struct state s = {.x = {p.x}, .v = {p.v}};
-        oscillator.omega = z / dt;
-        oscillator.weight = 0.0;
-        const struct point end = turned(p, z, z / dt, steps);
-        const struct point one = turned(p, z, z / dt, 1);
-        const double size = 2.0 * (fabs(p.x) + fabs(p.v) * dt / z);
-        const double tolerance =
-            (8.0 * (double)steps + 16.0) * DBL_EPSILON * size;
-        const char *input = check_text("a(x) = -(%.17g)^2 x, from x = %g "
-                                       "m, v = %g m/s, %zu steps of %g s",
-                                       z / dt, p.x, p.v, steps, dt);
-        (void)steps_under(spring_and_weight, 1, &s, dt, steps);
-        CHECK_NEAR(
-            s.x[0], .quantity = "x at the end", .unit = "m", .input = input,
-            .expected = end.x, .tolerance = tolerance,
-            .because = "8 epsilons of the amplitude a step",
-            .question =
-                "One step was right. What is different in the second one?",
-            .mistakes = {
-                {"one-step-only", one.x,
-                 "This is where one step leads. How many were wanted?"}});
-        CHECK_NEAR(
-            s.v[0], .quantity = "v at the end", .unit = "m/s",
-            .input = input, .expected = end.v,
-            .tolerance = tolerance * z / dt / 0.6,
-            .because = "8 epsilons of the amplitude a step",
-            .question =
-                "x is right at the end. Does v belong to the same time?");
-    }
+    const struct point p = {check_draw(-3.0, 3.0), check_draw(-3.0, 3.0)};
+    const double z = check_draw(0.1, 1.6);
+    const double dt = check_draw(0.1, 4.0);
+    const size_t steps = (size_t)check_draw_whole(2, 300);
+    struct state s = {.x = {p.x}, .v = {p.v}};
+    oscillator.omega = z / dt;
+    oscillator.weight = 0.0;
+    const struct point end = turned(p, z, z / dt, steps);
+    const struct point one = turned(p, z, z / dt, 1);
+    const double size = 2.0 * (fabs(p.x) + fabs(p.v) * dt / z);
+    const double tolerance =
+        (8.0 * (double)steps + 16.0) * DBL_EPSILON * size;
+    const char *input = check_text(
+        "a(x) = -(%.17g)^2 x, from x = %g m, v = %g m/s, %zu steps of %g s",
+        z / dt, p.x, p.v, steps, dt);
+    (void)steps_under(spring_and_weight, 1, &s, dt, steps);
+    CHECK_NEAR(
+        s.x[0], .quantity = "x at the end", .unit = "m", .input = input,
+        .expected = end.x, .tolerance = tolerance,
+        .because = "8 epsilons of the amplitude a step",
+        .question =
+            "One step was right. What is different in the second one?",
+        .mistakes = {
+            {"one-step-only", one.x,
+             "This is where one step leads. How many were wanted?"}});
+    CHECK_NEAR(
+        s.v[0], .quantity = "v at the end", .unit = "m/s", .input = input,
+        .expected = end.v, .tolerance = tolerance * z / dt / 0.6,
+        .because = "8 epsilons of the amplitude a step",
+        .question =
+            "x is right at the end. Does v belong to the same time?");
 }
 
 /* Coordinates that all pull at each other: seen in a mirror, which is
@@ -416,31 +412,29 @@ static void pendulums(size_t n, const double x[], double a[])
 
 /* Neighbours that swing apart lose digits: over 4 s a rounding grows by
    e^(2 s/s * 4 s) at most, which is less than 3000. */
-static void test_back(void)
+CHECK_TIMES(5, test_back, i)
 {
-    for (int i = 0; i < 5; ++i) {
-        struct state s;
-        double x[5], v[5];
-        const double dt = check_draw(0.05, 0.2);
-        const size_t steps = (size_t)(4.0 / dt);
-        for (int k = 0; k < 5; ++k) {
-            s.x[k] = x[k] = check_draw(-2.0, 2.0);
-            s.v[k] = v[k] = check_draw(-1.0, 1.0);
-        }
-        (void)steps_under(pendulums, 5, &s, dt, steps);
-        (void)steps_under(pendulums, 5, &s, -dt, steps);
-        for (int k = 0; k < 5; ++k)
-            CHECK_NEAR(s.x[k], .quantity = check_text("x[%d]", k),
-                       .input =
-                           check_text("five pendulums, %zu steps of %g and "
-                                      "%zu of -%g; v[%d] was %g",
-                                      steps, dt, steps, dt, k, v[k]),
-                       .expected = x[k], .tolerance = 1e-10,
-                       .because = "a rounding grows 3000 times at most, in "
-                                  "each of 160 steps",
-                       .question = "Forth and back again: read your step "
-                                   "backwards. Is it the same step?");
+    struct state s;
+    double x[5], v[5];
+    const double dt = check_draw(0.05, 0.2);
+    const size_t steps = (size_t)(4.0 / dt);
+    for (int k = 0; k < 5; ++k) {
+        s.x[k] = x[k] = check_draw(-2.0, 2.0);
+        s.v[k] = v[k] = check_draw(-1.0, 1.0);
     }
+    (void)steps_under(pendulums, 5, &s, dt, steps);
+    (void)steps_under(pendulums, 5, &s, -dt, steps);
+    for (int k = 0; k < 5; ++k)
+        CHECK_NEAR(
+            s.x[k], .quantity = check_text("x[%d]", k),
+            .input = check_text("five pendulums, %zu steps of %g and %zu "
+                                "of -%g; v[%d] was %g",
+                                steps, dt, steps, dt, k, v[k]),
+            .expected = x[k], .tolerance = 1e-10,
+            .because =
+                "a rounding grows 3000 times at most, in each of 160 steps",
+            .question = "Forth and back again: read your step backwards. "
+                        "Is it the same step?");
 }
 
 static void test_none(void)

@@ -75,37 +75,34 @@ static void top(size_t n, double t, const double y[], double dy[])
 
 /* The last two of the stages use the first ones and not each other: they
    may change places. */
-static void test_places(void)
+CHECK_TIMES(20, test_places, i)
 {
-    for (int i = 0; i < 20; ++i) {
-        const size_t s = (size_t)check_draw_whole(3, MOST_STAGES);
-        struct table one = draw_table(s), other;
-        one.a[s * s - 2] = 0.0;
-        other = one;
-        for (size_t j = 0; j < s - 2; ++j) {
-            other.a[s * (s - 2) + j] = one.a[s * (s - 1) + j];
-            other.a[s * (s - 1) + j] = one.a[s * (s - 2) + j];
-        }
-        other.b[s - 2] = one.b[s - 1];
-        other.b[s - 1] = one.b[s - 2];
-        double y[4], z[4];
-        for (int k = 0; k < 3; ++k)
-            z[k] = y[k] = check_draw(-1.0, 1.0);
-        const double t = check_draw(-1.0, 1.0), h = check_draw(0.05, 0.3);
-        const double asked = (double)step_under(top, &one, 3, t, h, y);
-        (void)step_under(top, &other, 3, t, h, z);
-        const char *input =
-            check_text("%zu stages of a drawn table, h = %g; the last two "
-                       "do not use each other and change places",
-                       s, h);
-        check_ask("Two stages that do not use each other have changed "
-                  "places. Has each taken its row and its weight with it?");
-        for (int k = 0; k < 3; ++k)
-            check(z[k], y[k], 1e-12, check_text("y[%d]", k), input);
-        check_ask("How many stages are there?");
-        check(asked, (double)s, 0.0, "how often the slopes were asked",
-              input);
+    const size_t s = (size_t)check_draw_whole(3, MOST_STAGES);
+    struct table one = draw_table(s), other;
+    one.a[s * s - 2] = 0.0;
+    other = one;
+    for (size_t j = 0; j < s - 2; ++j) {
+        other.a[s * (s - 2) + j] = one.a[s * (s - 1) + j];
+        other.a[s * (s - 1) + j] = one.a[s * (s - 2) + j];
     }
+    other.b[s - 2] = one.b[s - 1];
+    other.b[s - 1] = one.b[s - 2];
+    double y[4], z[4];
+    for (int k = 0; k < 3; ++k)
+        z[k] = y[k] = check_draw(-1.0, 1.0);
+    const double t = check_draw(-1.0, 1.0), h = check_draw(0.05, 0.3);
+    const double asked = (double)step_under(top, &one, 3, t, h, y);
+    (void)step_under(top, &other, 3, t, h, z);
+    const char *input =
+        check_text("%zu stages of a drawn table, h = %g; the last two do "
+                   "not use each other and change places",
+                   s, h);
+    check_ask("Two stages that do not use each other have changed places. "
+              "Has each taken its row and its weight with it?");
+    for (int k = 0; k < 3; ++k)
+        check(z[k], y[k], 1e-12, check_text("y[%d]", k), input);
+    check_ask("How many stages are there?");
+    check(asked, (double)s, 0.0, "how often the slopes were asked", input);
 }
 
 /* The new method and the exact solution of two numbers that act on each

@@ -450,35 +450,33 @@ static double integral(const struct table *w, double t, double h)
 
 /* Entries, weights and z of at most 1: with s stages there are 2^s chains,
    and s roundings in each. */
-static void test_drawn(void)
+CHECK_TIMES(40, test_drawn, i)
 {
-    for (int i = 0; i < 40; ++i) {
-        const size_t stages = (size_t)check_draw_whole(1, MOST_STAGES);
-        const struct table table = draw_table(stages);
-        const double h = check_draw(0.1, 1.0), t = check_draw(-2.0, 2.0);
-        double y[2] = {check_draw(0.5, 2.0), 0.0}, begin = y[0];
-        line.rate = check_draw(-1.0, 1.0);
-        line.push = 0.0;
-        (void)step_under(straight, &table, 1, t, h, y);
-        CHECK_NEAR(y[0], .quantity = "y after one step",
-                   .input = line_text(&table, t, h, begin),
-                   .expected = begin * polynomial(&table, line.rate * h),
-                   .tolerance = 1e-12,
-                   .because = "an epsilon for each of 256 chains, 16 times",
-                   .question = "A table of this size: are all slopes kept, "
-                               "and all rows read?");
-        y[0] = begin;
-        (void)step_under(cosine, &table, 1, t, h, y);
-        CHECK_NEAR(
-            y[0] - begin, .quantity = "y after one step, less y before it",
-            .input = check_text(
-                "y' = cos(t), t = %g, h = %g, %zu stages of a drawn table",
-                t, h, stages),
-            .expected = integral(&table, t, h), .tolerance = 1e-13,
-            .because = "some epsilons of 8 cosines",
-            .question = "Only the time matters here. At which times does "
-                        "this table take its slopes?");
-    }
+    const size_t stages = (size_t)check_draw_whole(1, MOST_STAGES);
+    const struct table table = draw_table(stages);
+    const double h = check_draw(0.1, 1.0), t = check_draw(-2.0, 2.0);
+    double y[2] = {check_draw(0.5, 2.0), 0.0}, begin = y[0];
+    line.rate = check_draw(-1.0, 1.0);
+    line.push = 0.0;
+    (void)step_under(straight, &table, 1, t, h, y);
+    CHECK_NEAR(y[0], .quantity = "y after one step",
+               .input = line_text(&table, t, h, begin),
+               .expected = begin * polynomial(&table, line.rate * h),
+               .tolerance = 1e-12,
+               .because = "an epsilon for each of 256 chains, 16 times",
+               .question = "A table of this size: are all slopes kept, and "
+                           "all rows read?");
+    y[0] = begin;
+    (void)step_under(cosine, &table, 1, t, h, y);
+    CHECK_NEAR(
+        y[0] - begin, .quantity = "y after one step, less y before it",
+        .input = check_text(
+            "y' = cos(t), t = %g, h = %g, %zu stages of a drawn table", t,
+            h, stages),
+        .expected = integral(&table, t, h), .tolerance = 1e-13,
+        .because = "some epsilons of 8 cosines",
+        .question = "Only the time matters here. At which times does this "
+                    "table take its slopes?");
 }
 
 /* ---- the new method itself ---- */

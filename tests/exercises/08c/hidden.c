@@ -45,78 +45,71 @@ static const char *text_of(const struct series *s)
         s->d, s->h[RUNS - 1]);
 }
 
-static void test_series(void)
+CHECK_TIMES(40, test_series, i)
 {
-    for (int i = 0; i < 40; ++i) {
-        const struct series s = draw_series();
-        const double last = slope_of(&s, RUNS - 2);
-        const double change = fabs(slope_of(&s, RUNS - 3) - last);
-        double order = -99.0;
-        const enum verdict verdict =
-            measure_order(RUNS, s.h, s.error, 1e-16, &order);
-        check_ask("Which two runs have the smallest steps?");
-        check(order, last, 1e-12, "*order", text_of(&s));
-        check_ask("How far apart are the slopes of the last two pairs?");
-        if (fabs(change - 0.2) > 1e-3)
-            check((double)verdict, change > 0.2 ? NOT_YET : MEASURED, 0.0,
-                  "what is returned (0 TOO_FEW, 1 NOT_YET, 2 MEASURED)",
-                  text_of(&s));
-    }
+    const struct series s = draw_series();
+    const double last = slope_of(&s, RUNS - 2);
+    const double change = fabs(slope_of(&s, RUNS - 3) - last);
+    double order = -99.0;
+    const enum verdict verdict =
+        measure_order(RUNS, s.h, s.error, 1e-16, &order);
+    check_ask("Which two runs have the smallest steps?");
+    check(order, last, 1e-12, "*order", text_of(&s));
+    check_ask("How far apart are the slopes of the last two pairs?");
+    if (fabs(change - 0.2) > 1e-3)
+        check((double)verdict, change > 0.2 ? NOT_YET : MEASURED, 0.0,
+              "what is returned (0 TOO_FEW, 1 NOT_YET, 2 MEASURED)",
+              text_of(&s));
 }
 
 /* Powers of two as units change no logarithm's difference but by rounding,
    and no verdict at all. */
-static void test_units(void)
+CHECK_TIMES(20, test_units, i)
 {
     check_ask("Is there a number with a unit in your program?");
-    for (int i = 0; i < 20; ++i) {
-        struct series s = draw_series(), other = s;
-        const double m = ldexp(1.0, check_draw_whole(-60, 60));
-        const double second = ldexp(1.0, check_draw_whole(-60, 60));
-        const double rounding =
-            fabs(s.error[check_draw_whole(0, RUNS - 1)]) * 0.7e-3;
-        double order = -99.0, same = -99.0;
-        for (int k = 0; k <= RUNS; ++k) {
-            other.h[k] *= second;
-            other.error[k] *= k % 2 ? m : -m;
-        }
-        const enum verdict one =
-            measure_order(RUNS, s.h, s.error, rounding, &order);
-        const enum verdict two =
-            measure_order(RUNS, other.h, other.error, m * rounding, &same);
-        check((double)two, (double)one, 0.0,
-              "what is returned, in the other units", text_of(&s));
-        check(isnan(same), isnan(order), 0.0,
-              "is *order NAN? (1 yes, 0 no)", text_of(&s));
-        if (!isnan(order))
-            check(same, order, 1e-11, "*order, in the other units",
-                  text_of(&s));
+    struct series s = draw_series(), other = s;
+    const double m = ldexp(1.0, check_draw_whole(-60, 60));
+    const double second = ldexp(1.0, check_draw_whole(-60, 60));
+    const double rounding =
+        fabs(s.error[check_draw_whole(0, RUNS - 1)]) * 0.7e-3;
+    double order = -99.0, same = -99.0;
+    for (int k = 0; k <= RUNS; ++k) {
+        other.h[k] *= second;
+        other.error[k] *= k % 2 ? m : -m;
     }
+    const enum verdict one =
+        measure_order(RUNS, s.h, s.error, rounding, &order);
+    const enum verdict two =
+        measure_order(RUNS, other.h, other.error, m * rounding, &same);
+    check((double)two, (double)one, 0.0,
+          "what is returned, in the other units", text_of(&s));
+    check(isnan(same), isnan(order), 0.0, "is *order NAN? (1 yes, 0 no)",
+          text_of(&s));
+    if (!isnan(order))
+        check(same, order, 1e-11, "*order, in the other units",
+              text_of(&s));
 }
 
 /* How many are of use when the limit lies between two errors. */
-static void test_limit(void)
+CHECK_TIMES(20, test_limit, i)
 {
-    for (int i = 0; i < 20; ++i) {
-        const struct series s = draw_series();
-        const int useful = check_draw_whole(0, RUNS);
-        const double limit =
-            useful == 0 ? 2.0 * s.error[0]
-                        : sqrt(s.error[useful - 1] * s.error[useful]);
-        double order = -99.0;
-        const enum verdict verdict =
-            measure_order(RUNS, s.h, s.error, limit / 1000.0, &order);
-        const char *input =
-            check_text("%s, of which %d are of use", text_of(&s), useful);
-        if (useful < 2) {
-            check_ask("How many runs are of use?");
-            check((double)verdict, TOO_FEW, 0.0,
-                  "what is returned (0 TOO_FEW, 1 NOT_YET, 2 MEASURED)",
-                  input);
-        } else {
-            check_ask("Which runs are of use?");
-            check(order, slope_of(&s, useful - 2), 1e-12, "*order", input);
-        }
+    const struct series s = draw_series();
+    const int useful = check_draw_whole(0, RUNS);
+    const double limit = useful == 0
+                             ? 2.0 * s.error[0]
+                             : sqrt(s.error[useful - 1] * s.error[useful]);
+    double order = -99.0;
+    const enum verdict verdict =
+        measure_order(RUNS, s.h, s.error, limit / 1000.0, &order);
+    const char *input =
+        check_text("%s, of which %d are of use", text_of(&s), useful);
+    if (useful < 2) {
+        check_ask("How many runs are of use?");
+        check((double)verdict, TOO_FEW, 0.0,
+              "what is returned (0 TOO_FEW, 1 NOT_YET, 2 MEASURED)", input);
+    } else {
+        check_ask("Which runs are of use?");
+        check(order, slope_of(&s, useful - 2), 1e-12, "*order", input);
     }
 }
 

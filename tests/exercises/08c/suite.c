@@ -431,15 +431,13 @@ static void test_doubt(void)
 }
 
 /* Slopes that differ by less than 0.2 are none to doubt. */
-static void test_agree(void)
+CHECK_TIMES(4, test_agree, i)
 {
     static const double before[] = {2.19, 1.81, 2.05, 2.0};
     check_ask("The two slopes differ by less than 0.2. Is that enough?");
-    for (int i = 0; i < 4; ++i) {
-        struct runs r = {3, 1e-9, {0.4, 0.2, 0.1}, {0.0, 0.04, 0.01}};
-        r.error[0] = 0.04 * pow(2.0, before[i]);
-        check_measured(&r, 2.0);
-    }
+    struct runs r = {3, 1e-9, {0.4, 0.2, 0.1}, {0.0, 0.04, 0.01}};
+    r.error[0] = 0.04 * pow(2.0, before[i]);
+    check_measured(&r, 2.0);
 }
 
 /* The leapfrog on an oscillator turns a circle by 2 asin(h/2) in each step:
@@ -516,24 +514,22 @@ static struct runs draw_runs(int count, const double slope[])
     return r;
 }
 
-static void test_drawn(void)
+CHECK_TIMES(50, test_drawn, i)
 {
     check_ask("Which runs are of use, which two of them have the smallest "
               "steps, and does the third one agree?");
-    for (int i = 0; i < 50; ++i) {
-        const double p = check_draw(0.6, 8.0), off = check_draw(0.25, 1.0);
-        const int count = check_draw_whole(2, 3);
-        const bool doubt = count == 3 && check_draw_whole(0, 1);
-        const double before = !doubt ? p + check_draw(-0.15, 0.15)
-                              : check_draw_whole(0, 1) ? p + off
-                                                       : p - off;
-        const double slope[] = {count == 2 ? p : before, p};
-        const struct runs r = draw_runs(count, slope);
-        const struct result got = measured(&r);
-        check_order(&r, got.order, p);
-        check_verdict(&r, got.verdict, doubt ? NOT_YET : MEASURED, nothing,
-                      nothing);
-    }
+    const double p = check_draw(0.6, 8.0), off = check_draw(0.25, 1.0);
+    const int count = check_draw_whole(2, 3);
+    const bool doubt = count == 3 && check_draw_whole(0, 1);
+    const double before = !doubt ? p + check_draw(-0.15, 0.15)
+                          : check_draw_whole(0, 1) ? p + off
+                                                   : p - off;
+    const double slope[] = {count == 2 ? p : before, p};
+    const struct runs r = draw_runs(count, slope);
+    const struct result got = measured(&r);
+    check_order(&r, got.order, p);
+    check_verdict(&r, got.verdict, doubt ? NOT_YET : MEASURED, nothing,
+                  nothing);
 }
 
 const struct check_suite check_suite = {

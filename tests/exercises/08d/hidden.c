@@ -25,58 +25,52 @@ static void check(double got, double expected, const char *input)
 
 /* Implicit by the part q: |lambda|^2 = (1 + (1-q)^2 z^2)/(1 + q^2 z^2) is
    above 1 at every step for q < 1/2, and at none for a larger q. */
-static void test_implicit(void)
+CHECK_TIMES(20, test_implicit, i)
 {
     check_ask(
         "Does this oscillator grow at 0.01 s, and at any other step?");
-    for (int i = 0; i < 20; ++i) {
-        const struct method m = {.text = "partly implicit",
-                                 .kind = THETA,
-                                 .part = i % 2 ? check_draw(0.0, 0.45)
-                                               : check_draw(0.55, 1.0),
-                                 .omega = check_draw(0.3, 3.0),
-                                 .unit = check_draw(0.2, 5.0),
-                                 .lean = check_draw(-2.0, 2.0)};
-        const double most = check_draw(0.5, 15.0);
-        check(limit_of(&m, most), m.part < 0.5 ? 0.0 : INFINITY,
-              check_text(
-                  "implicit by the part %g, omega = %g/s, steps up to %g s",
-                  m.part, m.omega, most));
-    }
+    const struct method m = {.text = "partly implicit",
+                             .kind = THETA,
+                             .part = i % 2 ? check_draw(0.0, 0.45)
+                                           : check_draw(0.55, 1.0),
+                             .omega = check_draw(0.3, 3.0),
+                             .unit = check_draw(0.2, 5.0),
+                             .lean = check_draw(-2.0, 2.0)};
+    const double most = check_draw(0.5, 15.0);
+    check(limit_of(&m, most), m.part < 0.5 ? 0.0 : INFINITY,
+          check_text(
+              "implicit by the part %g, omega = %g/s, steps up to %g s",
+              m.part, m.omega, most));
 }
 
 /* A drawn method, and the same for an oscillator that is quicker or slower.
    The limit goes as the period. */
-static void test_period(void)
+CHECK_TIMES(10, test_period, i)
 {
     check_ask("Half the frequency, twice the step: is there a number with "
               "a unit in your program?");
-    for (int i = 0; i < 10; ++i) {
-        struct method m;
-        const double limit = draw_method(&m);
-        const double slower = check_draw(0.3, 4.0);
-        const char *input =
-            check_text("%s, omega = %g/s", m.text, m.omega / slower);
-        m.omega /= slower;
-        m.friction /= slower;
-        check(limit_of(&m, 1.08 * slower * limit), slower * limit, input);
-    }
+    struct method m;
+    const double limit = draw_method(&m);
+    const double slower = check_draw(0.3, 4.0);
+    const char *input =
+        check_text("%s, omega = %g/s", m.text, m.omega / slower);
+    m.omega /= slower;
+    m.friction /= slower;
+    check(limit_of(&m, 1.08 * slower * limit), slower * limit, input);
 }
 
 /* How far one looks does not matter as soon as the limit is seen. */
-static void test_most(void)
+CHECK_TIMES(10, test_most, i)
 {
     check_ask("One looks a little beyond the limit, or far. Does that "
               "change it?");
-    for (int i = 0; i < 10; ++i) {
-        struct method m;
-        const double limit = draw_method(&m);
-        const double far = limit * check_draw(1.3, 6.0);
-        const char *input = check_text(
-            "%s, omega = %g/s, part %g, steps up to %g s and to %g s",
-            m.text, m.omega, m.part, 1.1 * limit, far);
-        check(limit_of(&m, far), limit_of(&m, 1.1 * limit), input);
-    }
+    struct method m;
+    const double limit = draw_method(&m);
+    const double far = limit * check_draw(1.3, 6.0);
+    const char *input = check_text(
+        "%s, omega = %g/s, part %g, steps up to %g s and to %g s", m.text,
+        m.omega, m.part, 1.1 * limit, far);
+    check(limit_of(&m, far), limit_of(&m, 1.1 * limit), input);
 }
 
 const struct check_test check_hidden[] = {

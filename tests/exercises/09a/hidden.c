@@ -27,78 +27,70 @@ static void check(double got, double expected, double tolerance,
 }
 
 /* The bodies in another order, and the axes too. */
-static void test_order(void)
+CHECK_TIMES(10, test_order, i)
 {
     check_ask("Does it matter who is the first?");
-    for (int i = 0; i < 10; ++i) {
-        const size_t n = (size_t)check_draw_whole(2, MOST);
-        const size_t turn = (size_t)check_draw_whole(1, (int)n - 1);
-        const struct bodies b = draw_bodies(n);
-        struct bodies other = b;
-        for (size_t j = 0; j < n; ++j) {
-            const size_t to = (j + turn) % n;
-            other.mass[to] = b.mass[j];
-            for (size_t k = 0; k < 3; ++k)
-                other.x[(k + 1) % 3 * n + to] = b.x[k * n + j];
-        }
-        const double energy = answer_of(&b, n), one = answer_of(&b, 0);
-        check(answer_of(&other, n), energy, 1e-13 * fabs(energy),
-              "the energy, with the bodies in another order", &b);
-        check(answer_of(&other, turn), one, 1e-13 * fabs(one),
-              "the potential of the same body", &b);
+    const size_t n = (size_t)check_draw_whole(2, MOST);
+    const size_t turn = (size_t)check_draw_whole(1, (int)n - 1);
+    const struct bodies b = draw_bodies(n);
+    struct bodies other = b;
+    for (size_t j = 0; j < n; ++j) {
+        const size_t to = (j + turn) % n;
+        other.mass[to] = b.mass[j];
+        for (size_t k = 0; k < 3; ++k)
+            other.x[(k + 1) % 3 * n + to] = b.x[k * n + j];
     }
+    const double energy = answer_of(&b, n), one = answer_of(&b, 0);
+    check(answer_of(&other, n), energy, 1e-13 * fabs(energy),
+          "the energy, with the bodies in another order", &b);
+    check(answer_of(&other, turn), one, 1e-13 * fabs(one),
+          "the potential of the same body", &b);
 }
 
 /* The energy of all is half the sum of mass times potential; and without
    the last body it is less by what that one brought. */
-static void test_brought(void)
+CHECK_TIMES(10, test_brought, i)
 {
-    for (int i = 0; i < 10; ++i) {
-        const size_t n = (size_t)check_draw_whole(2, 20);
-        const struct bodies b = draw_bodies(n);
-        struct bodies fewer = b;
-        double sum = 0.0;
-        fewer.n = n - 1;
-        for (size_t k = 0; k < 3; ++k)
-            for (size_t j = 0; j + 1 < n; ++j)
-                fewer.x[k * (n - 1) + j] = b.x[k * n + j];
-        for (size_t j = 0; j < n; ++j)
-            sum += b.mass[j] * answer_of(&b, j);
-        const double energy = answer_of(&b, n);
-        check_ask("What does the sum of mass times potential count twice?");
-        check(0.5 * sum, energy, 1e-13 * fabs(energy),
-              "half the sum of mass times potential", &b);
-        check_ask("One more body is brought in from far away. How much "
-                  "work is that?");
-        check(answer_of(&fewer, n - 1) +
-                  b.mass[n - 1] * answer_of(&b, n - 1),
-              energy, 1e-13 * fabs(energy),
-              "the energy without the last body, and the work to bring it",
-              &b);
-    }
+    const size_t n = (size_t)check_draw_whole(2, 20);
+    const struct bodies b = draw_bodies(n);
+    struct bodies fewer = b;
+    double sum = 0.0;
+    fewer.n = n - 1;
+    for (size_t k = 0; k < 3; ++k)
+        for (size_t j = 0; j + 1 < n; ++j)
+            fewer.x[k * (n - 1) + j] = b.x[k * n + j];
+    for (size_t j = 0; j < n; ++j)
+        sum += b.mass[j] * answer_of(&b, j);
+    const double energy = answer_of(&b, n);
+    check_ask("What does the sum of mass times potential count twice?");
+    check(0.5 * sum, energy, 1e-13 * fabs(energy),
+          "half the sum of mass times potential", &b);
+    check_ask("One more body is brought in from far away. How much work is "
+              "that?");
+    check(answer_of(&fewer, n - 1) + b.mass[n - 1] * answer_of(&b, n - 1),
+          energy, 1e-13 * fabs(energy),
+          "the energy without the last body, and the work to bring it", &b);
 }
 
 /* Lengths and masses in other units. */
-static void test_units(void)
+CHECK_TIMES(10, test_units, i)
 {
     check_ask("Is there a number with a unit in your program?");
-    for (int i = 0; i < 10; ++i) {
-        const size_t n = (size_t)check_draw_whole(2, 20);
-        const struct bodies b = draw_bodies(n);
-        const double m = ldexp(1.0, check_draw_whole(-60, 60));
-        const double kg = ldexp(1.0, check_draw_whole(-60, 60));
-        struct bodies other = b;
-        for (size_t j = 0; j < n; ++j)
-            other.mass[j] *= kg;
-        for (size_t j = 0; j < 3 * n; ++j)
-            other.x[j] *= m;
-        other.softening *= m;
-        const double energy = answer_of(&b, n), one = answer_of(&b, 0);
-        check(answer_of(&other, n) / (kg / m) / kg, energy,
-              1e-14 * fabs(energy), "the energy, in other units", &b);
-        check(answer_of(&other, 0) / (kg / m), one, 1e-14 * fabs(one),
-              "potential[0], in other units", &b);
-    }
+    const size_t n = (size_t)check_draw_whole(2, 20);
+    const struct bodies b = draw_bodies(n);
+    const double m = ldexp(1.0, check_draw_whole(-60, 60));
+    const double kg = ldexp(1.0, check_draw_whole(-60, 60));
+    struct bodies other = b;
+    for (size_t j = 0; j < n; ++j)
+        other.mass[j] *= kg;
+    for (size_t j = 0; j < 3 * n; ++j)
+        other.x[j] *= m;
+    other.softening *= m;
+    const double energy = answer_of(&b, n), one = answer_of(&b, 0);
+    check(answer_of(&other, n) / (kg / m) / kg, energy,
+          1e-14 * fabs(energy), "the energy, in other units", &b);
+    check(answer_of(&other, 0) / (kg / m), one, 1e-14 * fabs(one),
+          "potential[0], in other units", &b);
 }
 
 const struct check_test check_hidden[] = {

@@ -240,7 +240,7 @@ static void test_two(void)
 }
 
 /* The way is (2, 3, 6) m, 7 m long, and 24 m of softening make 25. */
-static void test_axes(void)
+CHECK_TIMES(3, test_axes, i)
 {
     check_ask("The way from one to the other has three parts. Where in x "
               "stands each of them?");
@@ -249,15 +249,13 @@ static void test_axes(void)
         "5 kg and 1 kg, a way of (3, 6, 2) m from one to the other",
         "5 kg and 1 kg, a way of (6, 2, 3) m from one to the other"};
     static const double way[] = {2.0, 3.0, 6.0};
-    for (int i = 0; i < 3; ++i) {
-        struct bodies b = {text[i], 2, 100.0, 24.0, {5.0, 1.0}, {0.0}};
-        place(&b, 0, 1.0, -2.0, 0.5);
-        place(&b, 1, 1.0 + way[i], -2.0 + way[(i + 1) % 3],
-              0.5 + way[(i + 2) % 3]);
-        check_value(&b, 0, -4.0);
-        check_value(&b, 1, -20.0);
-        check_value(&b, 2, -20.0);
-    }
+    struct bodies b = {text[i], 2, 100.0, 24.0, {5.0, 1.0}, {0.0}};
+    place(&b, 0, 1.0, -2.0, 0.5);
+    place(&b, 1, 1.0 + way[i], -2.0 + way[(i + 1) % 3],
+          0.5 + way[(i + 2) % 3]);
+    check_value(&b, 0, -4.0);
+    check_value(&b, 1, -20.0);
+    check_value(&b, 2, -20.0);
 }
 
 /* In the corners of a square of 3 m, with softening 4 m; the diagonal adds
@@ -340,39 +338,36 @@ static void test_massless(void)
 
 /* n equal bodies on a circle: a chord over the part j/n of it has the
    length 2 R sin(pi j/n). Its roundings are those of the places. */
-static void test_ring(void)
+CHECK_TIMES(3, test_ring, i)
 {
     static const double pi = 3.141592653589793;
     static const size_t count[] = {3, 8, MOST};
-    for (int i = 0; i < 3; ++i) {
-        const size_t n = count[i];
-        struct bodies b = BODIES(
-            check_text(
-                "%zu bodies of 2 kg on a circle of 3 m around the y axis",
-                n),
-            n, 1.5, 0.25 * i, {0.0}, {0.0});
-        double sum = 0.0;
-        for (size_t j = 0; j < n; ++j) {
-            const double angle = 2.0 * pi * (double)j / (double)n;
-            b.mass[j] = 2.0;
-            place(&b, j, 3.0 * cos(angle), 1.0, 3.0 * sin(angle));
-            if (j > 0)
-                sum -= 3.0 / hypot(6.0 * sin(0.5 * angle), b.softening);
-        }
-        for (size_t j = 0; j <= n; j += j < 2 || j == n ? 1 : n - j)
-            CHECK_NEAR(answer_of(&b, j),
-                       .quantity = j < n ? check_text("potential[%zu]", j)
-                                         : "the potential energy",
-                       .unit = j < n ? "m^2/s^2" : "J",
-                       .input = check_text(
-                           "%s; k2 = %g m^3/(kg s^2), softening %g m",
-                           b.text, b.k2, b.softening),
-                       .expected = j < n ? sum : sum * (double)n,
-                       .tolerance = 1e-12 * (double)n * fabs(sum),
-                       .because = "roundings of the places",
-                       .question = "On a ring all bodies feel the same "
-                                   "potential. How many pairs are there?");
+    const size_t n = count[i];
+    struct bodies b = BODIES(
+        check_text(
+            "%zu bodies of 2 kg on a circle of 3 m around the y axis", n),
+        n, 1.5, 0.25 * i, {0.0}, {0.0});
+    double sum = 0.0;
+    for (size_t j = 0; j < n; ++j) {
+        const double angle = 2.0 * pi * (double)j / (double)n;
+        b.mass[j] = 2.0;
+        place(&b, j, 3.0 * cos(angle), 1.0, 3.0 * sin(angle));
+        if (j > 0)
+            sum -= 3.0 / hypot(6.0 * sin(0.5 * angle), b.softening);
     }
+    for (size_t j = 0; j <= n; j += j < 2 || j == n ? 1 : n - j)
+        CHECK_NEAR(
+            answer_of(&b, j),
+            .quantity = j < n ? check_text("potential[%zu]", j)
+                              : "the potential energy",
+            .unit = j < n ? "m^2/s^2" : "J",
+            .input = check_text("%s; k2 = %g m^3/(kg s^2), softening %g m",
+                                b.text, b.k2, b.softening),
+            .expected = j < n ? sum : sum * (double)n,
+            .tolerance = 1e-12 * (double)n * fabs(sum),
+            .because = "roundings of the places",
+            .question = "On a ring all bodies feel the same potential. How "
+                        "many pairs are there?");
 }
 
 /* ---- drawn bodies ---- */
@@ -408,51 +403,47 @@ static double force_on(const struct bodies *b, size_t i, size_t axis)
    fourth order: 4 h^4 times its fifth derivative, which is below 120 |u|/
    softening^5 for a pair; h is a thousandth of the softening, and rounding
    is divided by it. */
-static void test_gradient(void)
+CHECK_TIMES(10, test_gradient, i)
 {
-    for (int i = 0; i < 10; ++i) {
-        const size_t n = (size_t)check_draw_whole(2, 6);
-        const struct bodies b = draw_bodies(n);
-        const size_t body = (size_t)check_draw_whole(0, (int)n - 1);
-        const size_t axis = (size_t)check_draw_whole(0, 2);
-        const double h = 1e-3 * b.softening;
-        double energy[4];
-        for (int k = 0; k < 4; ++k) {
-            static const double at[] = {-2.0, -1.0, 1.0, 2.0};
-            struct bodies moved = b;
-            moved.x[axis * n + body] += h * at[k];
-            energy[k] = answer_of(&moved, n);
-        }
-        const double slope =
-            (energy[0] - 8.0 * energy[1] + 8.0 * energy[2] - energy[3]) /
-            (12.0 * h);
-        const double size = fabs(value(&b, RIGHT, n)) / b.softening;
-        CHECK_NEAR(
-            -slope,
-            .quantity = check_text(
-                "minus the slope of your energy along %c of body %zu",
-                "xyz"[axis], body),
-            .unit = "N",
-            .input = check_text("%s; k2 = %g m^3/(kg s^2), softening %g m",
-                                b.text, b.k2, b.softening),
-            .expected = force_on(&b, body, axis), .tolerance = 2e-9 * size,
-            .because =
-                "the energy's rounding over a thousandth of the softening",
-            .question =
-                "Move one body a little: the energy should change by minus "
-                "force times way. Which potential has this force?");
+    const size_t n = (size_t)check_draw_whole(2, 6);
+    const struct bodies b = draw_bodies(n);
+    const size_t body = (size_t)check_draw_whole(0, (int)n - 1);
+    const size_t axis = (size_t)check_draw_whole(0, 2);
+    const double h = 1e-3 * b.softening;
+    double energy[4];
+    for (int k = 0; k < 4; ++k) {
+        static const double at[] = {-2.0, -1.0, 1.0, 2.0};
+        struct bodies moved = b;
+        moved.x[axis * n + body] += h * at[k];
+        energy[k] = answer_of(&moved, n);
     }
+    const double slope =
+        (energy[0] - 8.0 * energy[1] + 8.0 * energy[2] - energy[3]) /
+        (12.0 * h);
+    const double size = fabs(value(&b, RIGHT, n)) / b.softening;
+    CHECK_NEAR(
+        -slope,
+        .quantity = check_text(
+            "minus the slope of your energy along %c of body %zu",
+            "xyz"[axis], body),
+        .unit = "N",
+        .input = check_text("%s; k2 = %g m^3/(kg s^2), softening %g m",
+                            b.text, b.k2, b.softening),
+        .expected = force_on(&b, body, axis), .tolerance = 2e-9 * size,
+        .because =
+            "the energy's rounding over a thousandth of the softening",
+        .question =
+            "Move one body a little: the energy should change by minus "
+            "force times way. Which potential has this force?");
 }
 
-static void test_drawn(void)
+CHECK_TIMES(12, test_drawn, i)
 {
     check_ask("Many bodies of many masses: who acts on whom, and how often "
               "is a pair counted?");
-    for (int i = 0; i < 12; ++i) {
-        const struct bodies b =
-            draw_bodies((size_t)(i < 10 ? check_draw_whole(2, 9) : MOST));
-        check_all(&b);
-    }
+    const struct bodies b =
+        draw_bodies((size_t)(i < 10 ? check_draw_whole(2, 9) : MOST));
+    check_all(&b);
 }
 
 const struct check_suite check_suite = {

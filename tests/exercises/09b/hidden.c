@@ -14,53 +14,47 @@ static void check(double got, double expected, const char *quantity,
 
 /* On circles the kinetic energy is half of minus the potential energy, and
    the total momentum is zero. */
-static void test_virial(void)
+CHECK_TIMES(30, test_virial, i)
 {
-    for (int i = 0; i < 30; ++i) {
-        const double k2 = pow(10.0, check_draw(-8.0, 8.0));
-        const double m1 = pow(10.0, check_draw(-8.0, 8.0));
-        const double m2 = pow(10.0, check_draw(-8.0, 8.0));
-        const double d = pow(10.0, check_draw(-8.0, 8.0));
-        double v1 = NAN, v2 = NAN;
-        const char *input = check_text(
-            "k2 = %g m^3/(kg s^2), m1 = %g kg, m2 = %g kg, d = %g m", k2,
-            m1, m2, d);
-        binary_speeds(k2, m1, m2, d, &v1, &v2);
-        check_ask("On a circle, how is the kinetic energy to the potential "
-                  "energy?");
-        check(m1 * v1 * v1 + m2 * v2 * v2, k2 * m1 * m2 / d,
-              "twice the kinetic energy", input, "eq:binary-speeds");
-        check_ask("Which total momentum do the two have, seen from their "
-                  "centre of mass?");
-        check(m1 * v1, m2 * v2, "the momentum of the first", input,
-              "eq:binary-speeds");
-    }
+    const double k2 = pow(10.0, check_draw(-8.0, 8.0));
+    const double m1 = pow(10.0, check_draw(-8.0, 8.0));
+    const double m2 = pow(10.0, check_draw(-8.0, 8.0));
+    const double d = pow(10.0, check_draw(-8.0, 8.0));
+    double v1 = NAN, v2 = NAN;
+    const char *input =
+        check_text("k2 = %g m^3/(kg s^2), m1 = %g kg, m2 = %g kg, d = %g m",
+                   k2, m1, m2, d);
+    binary_speeds(k2, m1, m2, d, &v1, &v2);
+    check_ask(
+        "On a circle, how is the kinetic energy to the potential energy?");
+    check(m1 * v1 * v1 + m2 * v2 * v2, k2 * m1 * m2 / d,
+          "twice the kinetic energy", input, "eq:binary-speeds");
+    check_ask("Which total momentum do the two have, seen from their "
+              "centre of mass?");
+    check(m1 * v1, m2 * v2, "the momentum of the first", input,
+          "eq:binary-speeds");
 }
 
 /* Twice the masses, or half the radius: faster by a root of 2. */
-static void test_units(void)
+CHECK_TIMES(20, test_units, i)
 {
-    for (int i = 0; i < 20; ++i) {
-        const size_t n = (size_t)check_draw_whole(2, 300);
-        const double k2 = check_draw(0.1, 9.0), m = check_draw(0.1, 9.0);
-        const double r = check_draw(0.1, 9.0);
-        const double unit = ldexp(1.0, 2 * check_draw_whole(-40, 40));
-        const double v = choreography_speed(k2, n, m, r);
-        const char *input = check_text(
-            "k2 = %g m^3/(kg s^2), n = %zu, %g kg each, radius %g m", k2, n,
-            m, r);
-        check_ask("How does v go with the mass?");
-        check(choreography_speed(k2, n, unit * m, r), sqrt(unit) * v,
-              "the speed with other masses", input,
-              "eq:choreography-speed");
-        check_ask("How does v go with the radius?");
-        check(choreography_speed(k2, n, m, r / unit), sqrt(unit) * v,
-              "the speed on another circle", input,
-              "eq:choreography-speed");
-        check_ask("How does v go with k2?");
-        check(choreography_speed(unit * k2, n, m, r), sqrt(unit) * v,
-              "the speed with another k2", input, "eq:choreography-speed");
-    }
+    const size_t n = (size_t)check_draw_whole(2, 300);
+    const double k2 = check_draw(0.1, 9.0), m = check_draw(0.1, 9.0);
+    const double r = check_draw(0.1, 9.0);
+    const double unit = ldexp(1.0, 2 * check_draw_whole(-40, 40));
+    const double v = choreography_speed(k2, n, m, r);
+    const char *input =
+        check_text("k2 = %g m^3/(kg s^2), n = %zu, %g kg each, radius %g m",
+                   k2, n, m, r);
+    check_ask("How does v go with the mass?");
+    check(choreography_speed(k2, n, unit * m, r), sqrt(unit) * v,
+          "the speed with other masses", input, "eq:choreography-speed");
+    check_ask("How does v go with the radius?");
+    check(choreography_speed(k2, n, m, r / unit), sqrt(unit) * v,
+          "the speed on another circle", input, "eq:choreography-speed");
+    check_ask("How does v go with k2?");
+    check(choreography_speed(unit * k2, n, m, r), sqrt(unit) * v,
+          "the speed with another k2", input, "eq:choreography-speed");
 }
 
 /* Of twice as many bodies every other one belongs to the ring of n. The

@@ -144,22 +144,20 @@ static void test_unequal(void)
 /* From the answer: two speeds and a period. The circles are v T/(2 pi), the
    masses are to each other as the speeds of the others, and Kepler's third
    law says what k2 must be. */
-static void test_drawn_binaries(void)
+CHECK_TIMES(30, test_drawn_binaries, i)
 {
     static const double pi = 3.141592653589793;
     check_ask("Two bodies of any masses: which of the numbers is shared "
               "out, and in which proportion?");
-    for (int i = 0; i < 30; ++i) {
-        const double v[2] = {pow(10.0, check_draw(-4.0, 4.0)),
-                             pow(10.0, check_draw(-4.0, 4.0))};
-        const double period = check_draw(0.1, 100.0);
-        const double unit = pow(10.0, check_draw(-5.0, 5.0));
-        const struct binary b = {(v[0] + v[1]) * (v[0] + v[1]) * period /
-                                     (2.0 * pi * unit),
-                                 {unit * v[1], unit * v[0]},
-                                 (v[0] + v[1]) * period / (2.0 * pi)};
-        check_binary(&b, v);
-    }
+    const double v[2] = {pow(10.0, check_draw(-4.0, 4.0)),
+                         pow(10.0, check_draw(-4.0, 4.0))};
+    const double period = check_draw(0.1, 100.0);
+    const double unit = pow(10.0, check_draw(-5.0, 5.0));
+    const struct binary b = {(v[0] + v[1]) * (v[0] + v[1]) * period /
+                                 (2.0 * pi * unit),
+                             {unit * v[1], unit * v[0]},
+                             (v[0] + v[1]) * period / (2.0 * pi)};
+    check_binary(&b, v);
 }
 
 /* ---- on one circle ---- */
@@ -277,36 +275,29 @@ static void test_many(void)
     }
 }
 
-static void test_drawn_rings(void)
+CHECK_TIMES(30, test_drawn_rings, i)
 {
     check_ask("The pull of all others, towards the centre, is v^2/R. Is it "
               "so here?");
-    for (int i = 0; i < 30; ++i) {
-        const struct ring r = {pow(10.0, check_draw(-4.0, 4.0)),
-                               (size_t)check_draw_whole(2, 400),
-                               check_draw(0.01, 9.0),
-                               check_draw(0.1, 50.0)};
-        check_ring(&r, sqrt(pull(&r) * r.radius));
-    }
+    const struct ring r = {pow(10.0, check_draw(-4.0, 4.0)),
+                           (size_t)check_draw_whole(2, 400),
+                           check_draw(0.01, 9.0), check_draw(0.1, 50.0)};
+    check_ring(&r, sqrt(pull(&r) * r.radius));
 }
 
 /* A choreography of two is a binary. */
-static void test_agree(void)
+CHECK_TIMES(10, test_agree, i)
 {
-    for (int i = 0; i < 10; ++i) {
-        const double k2 = check_draw(0.1, 9.0), mass = check_draw(0.1, 9.0);
-        const struct binary b = {k2, {mass, mass}, check_draw(0.1, 9.0)};
-        const double one = choreography_speed(k2, 2, mass, 0.5 * b.d);
-        CHECK_NEAR(one,
-                   .quantity =
-                       "speed of a choreography of two with radius d/2",
-                   .unit = "m/s", .input = binary_text(&b),
-                   .expected = speed(&b, 0),
-                   .tolerance = 2.0 * tolerance * speed(&b, 0),
-                   .because = "what was asked for, twice",
-                   .question = "The one function says this speed and the "
-                               "other that. Which is right?");
-    }
+    const double k2 = check_draw(0.1, 9.0), mass = check_draw(0.1, 9.0);
+    const struct binary b = {k2, {mass, mass}, check_draw(0.1, 9.0)};
+    const double one = choreography_speed(k2, 2, mass, 0.5 * b.d);
+    CHECK_NEAR(
+        one, .quantity = "speed of a choreography of two with radius d/2",
+        .unit = "m/s", .input = binary_text(&b), .expected = speed(&b, 0),
+        .tolerance = 2.0 * tolerance * speed(&b, 0),
+        .because = "what was asked for, twice",
+        .question = "The one function says this speed and the other that. "
+                    "Which is right?");
 }
 
 const struct check_suite check_suite = {

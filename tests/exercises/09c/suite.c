@@ -222,17 +222,15 @@ static void test_small(void)
 }
 
 /* E and e first. */
-static void test_drawn(void)
+CHECK_TIMES(100, test_drawn, i)
 {
-    for (int i = 0; i < 100; ++i) {
-        const double e = i % 2 ? check_draw(0.0, 0.95)
-                               : 1.0 - pow(10.0, check_draw(-8.0, -1.0));
-        const double solution =
-            i % 4 < 2 ? check_draw(-3.1, 3.1) : check_draw(-300.0, 300.0);
-        check_solution(e, solution,
-                       "Any ellipse, any time: can your search fail, and "
-                       "does it go on to the last digits?");
-    }
+    const double e = i % 2 ? check_draw(0.0, 0.95)
+                           : 1.0 - pow(10.0, check_draw(-8.0, -1.0));
+    const double solution =
+        i % 4 < 2 ? check_draw(-3.1, 3.1) : check_draw(-300.0, 300.0);
+    check_solution(e, solution,
+                   "Any ellipse, any time: can your search fail, and does "
+                   "it go on to the last digits?");
 }
 
 const struct check_suite check_suite = {

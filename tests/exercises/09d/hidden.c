@@ -23,43 +23,39 @@ static void check(double got, double expected, const char *what)
                .because = "the roundings of a step");
 }
 
-static void test_order(void)
+CHECK_TIMES(10, test_order, i)
 {
     check_ask(
         "Who comes first is chance. Which of your pulls knows the order?");
-    for (int i = 0; i < 10; ++i) {
-        double gm[2], x[2][3], v[2][3], mg[2], y[2][3], w[2][3];
-        draw(gm, x, v);
-        for (int k = 0; k < 6; ++k) {
-            mg[k % 2] = gm[1 - k % 2];
-            y[k / 3][k % 3] = x[1 - k / 3][k % 3];
-            w[k / 3][k % 3] = v[1 - k / 3][k % 3];
-        }
-        ellipses_and_kicks(2, gm, 1.0, 0.3, x, v);
-        ellipses_and_kicks(2, mg, 1.0, 0.3, y, w);
-        for (int k = 0; k < 6; ++k)
-            check(w[k / 3][k % 3], v[1 - k / 3][k % 3],
-                  "velocity with the planets in the other order");
+    double gm[2], x[2][3], v[2][3], mg[2], y[2][3], w[2][3];
+    draw(gm, x, v);
+    for (int k = 0; k < 6; ++k) {
+        mg[k % 2] = gm[1 - k % 2];
+        y[k / 3][k % 3] = x[1 - k / 3][k % 3];
+        w[k / 3][k % 3] = v[1 - k / 3][k % 3];
     }
+    ellipses_and_kicks(2, gm, 1.0, 0.3, x, v);
+    ellipses_and_kicks(2, mg, 1.0, 0.3, y, w);
+    for (int k = 0; k < 6; ++k)
+        check(w[k / 3][k % 3], v[1 - k / 3][k % 3],
+              "velocity with the planets in the other order");
 }
 
-static void test_units(void)
+CHECK_TIMES(10, test_units, i)
 {
     check_ask("Which of your numbers has a unit of its own?");
-    for (int i = 0; i < 10; ++i) {
-        double gm[2], x[2][3], v[2][3], y[2][3], w[2][3];
-        draw(gm, x, v);
-        double other[2] = {64.0 * gm[0], 64.0 * gm[1]};
-        for (int k = 0; k < 6; ++k) {
-            y[k / 3][k % 3] = 16.0 * x[k / 3][k % 3];
-            w[k / 3][k % 3] = 2.0 * v[k / 3][k % 3];
-        }
-        ellipses_and_kicks(2, gm, 1.0, 0.3, x, v);
-        ellipses_and_kicks(2, other, 64.0, 2.4, y, w);
-        for (int k = 0; k < 6; ++k)
-            check(w[k / 3][k % 3] / 2.0, v[k / 3][k % 3],
-                  "velocity in other units");
+    double gm[2], x[2][3], v[2][3], y[2][3], w[2][3];
+    draw(gm, x, v);
+    double other[2] = {64.0 * gm[0], 64.0 * gm[1]};
+    for (int k = 0; k < 6; ++k) {
+        y[k / 3][k % 3] = 16.0 * x[k / 3][k % 3];
+        w[k / 3][k % 3] = 2.0 * v[k / 3][k % 3];
     }
+    ellipses_and_kicks(2, gm, 1.0, 0.3, x, v);
+    ellipses_and_kicks(2, other, 64.0, 2.4, y, w);
+    for (int k = 0; k < 6; ++k)
+        check(w[k / 3][k % 3] / 2.0, v[k / 3][k % 3],
+              "velocity in other units");
 }
 
 const struct check_test check_hidden[] = {

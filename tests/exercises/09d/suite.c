@@ -249,33 +249,30 @@ static void draw(struct planets *p)
     }
 }
 
-static void test_back(void)
+CHECK_TIMES(10, test_back, i)
 {
-    for (int i = 0; i < 10; ++i) {
-        struct planets p, q;
-        draw(&p);
-        q = p;
-        const double dt = check_draw(0.05, 0.5);
-        ellipses_and_kicks(q.n, q.gm, q.sun, dt, q.x, q.v);
-        CHECK_NEAR(fabs(q.x[0][0] - p.x[0][0]) > 1e-6 ? 1.0 : 0.0,
-                   .quantity = "has x[0][0] changed? (1 yes, 0 no)",
-                   .input = input(&p, dt), .expected = 1.0,
-                   .because = "yes or no",
-                   .question = "Nothing has moved. Who moves the planets?");
-        ellipses_and_kicks(q.n, q.gm, q.sun, -dt, q.x, q.v);
-        for (size_t k = 0; k < p.n; ++k)
-            for (int a = 0; a < 3; ++a)
-                CHECK_NEAR(
-                    q.v[k][a],
-                    .quantity = check_text(
-                        "v[%zu][%d] after a step and a step back", k, a),
-                    .unit = "AU/d", .input = input(&p, dt),
-                    .expected = p.v[k][a], .tolerance = 1e-12,
-                    .because = "the roundings of two steps",
-                    .question = "The last half of a kick should be undone "
-                                "by the first half of the step back. From "
-                                "which places is it taken?");
-    }
+    struct planets p, q;
+    draw(&p);
+    q = p;
+    const double dt = check_draw(0.05, 0.5);
+    ellipses_and_kicks(q.n, q.gm, q.sun, dt, q.x, q.v);
+    CHECK_NEAR(fabs(q.x[0][0] - p.x[0][0]) > 1e-6 ? 1.0 : 0.0,
+               .quantity = "has x[0][0] changed? (1 yes, 0 no)",
+               .input = input(&p, dt), .expected = 1.0,
+               .because = "yes or no",
+               .question = "Nothing has moved. Who moves the planets?");
+    ellipses_and_kicks(q.n, q.gm, q.sun, -dt, q.x, q.v);
+    for (size_t k = 0; k < p.n; ++k)
+        for (int a = 0; a < 3; ++a)
+            CHECK_NEAR(q.v[k][a],
+                       .quantity = check_text(
+                           "v[%zu][%d] after a step and a step back", k, a),
+                       .unit = "AU/d", .input = input(&p, dt),
+                       .expected = p.v[k][a], .tolerance = 1e-12,
+                       .because = "the roundings of two steps",
+                       .question = "The last half of a kick should be "
+                                   "undone by the first half of the step "
+                                   "back. From which places is it taken?");
 }
 
 static double turn(const struct planets *p)
@@ -306,15 +303,13 @@ static void test_turn(void)
                    "two pulls equal, when each is multiplied by the mass?");
 }
 
-static void test_drawn(void)
+CHECK_TIMES(20, test_drawn, i)
 {
     check_ask("Up to five planets, forward and back. Which pull is "
               "missing, or comes too often?");
-    for (int i = 0; i < 20; ++i) {
-        struct planets p;
-        draw(&p);
-        check_step(&p, check_draw(-0.5, 0.5));
-    }
+    struct planets p;
+    draw(&p);
+    check_step(&p, check_draw(-0.5, 0.5));
 }
 
 const struct check_suite check_suite = {

@@ -16,41 +16,36 @@ static double draw(double part[])
     return sizes;
 }
 
-static void test_backwards(void)
+CHECK_TIMES(20, test_backwards, i)
 {
-    for (int i = 0; i < 20; ++i) {
-        double part[N], back[N];
-        const double sizes = draw(part);
-        for (size_t k = 0; k < N; ++k)
-            back[k] = part[N - 1 - k];
-        const double forth = sum_up(N, part);
-        const double twice = N * DBL_EPSILON;
-        CHECK_NEAR(sum_up(N, back), .quantity = "sum in the opposite order",
-                   .input = "101 numbers of many sizes", .expected = forth,
-                   .tolerance = 4.0 * DBL_EPSILON * fabs(forth) +
-                                2.0 * twice * twice * sizes,
-                   .because = "what was asked for, each time",
-                   .question = "The same numbers. What is lost in one "
-                               "order, and not in the other?");
-    }
+    double part[N], back[N];
+    const double sizes = draw(part);
+    for (size_t k = 0; k < N; ++k)
+        back[k] = part[N - 1 - k];
+    const double forth = sum_up(N, part);
+    const double twice = N * DBL_EPSILON;
+    CHECK_NEAR(sum_up(N, back), .quantity = "sum in the opposite order",
+               .input = "101 numbers of many sizes", .expected = forth,
+               .tolerance = 4.0 * DBL_EPSILON * fabs(forth) +
+                            2.0 * twice * twice * sizes,
+               .because = "what was asked for, each time",
+               .question = "The same numbers. What is lost in one order, "
+                           "and not in the other?");
 }
 
-static void test_units(void)
+CHECK_TIMES(20, test_units, i)
 {
-    for (int i = 0; i < 20; ++i) {
-        double part[N], other[N];
-        draw(part);
-        const int unit = check_draw_whole(-300, 300);
-        for (size_t k = 0; k < N; ++k)
-            other[k] = ldexp(part[k], unit);
-        CHECK_NEAR(ldexp(sum_up(N, other), -unit),
-                   .quantity = "sum in other units",
-                   .input = check_text("101 numbers, times 2^%d", unit),
-                   .expected = sum_up(N, part),
-                   .because = "a power of two rounds nothing",
-                   .question =
-                       "Which of your numbers has a size of its own?");
-    }
+    double part[N], other[N];
+    draw(part);
+    const int unit = check_draw_whole(-300, 300);
+    for (size_t k = 0; k < N; ++k)
+        other[k] = ldexp(part[k], unit);
+    CHECK_NEAR(ldexp(sum_up(N, other), -unit),
+               .quantity = "sum in other units",
+               .input = check_text("101 numbers, times 2^%d", unit),
+               .expected = sum_up(N, part),
+               .because = "a power of two rounds nothing",
+               .question = "Which of your numbers has a size of its own?");
 }
 
 const struct check_test check_hidden[] = {

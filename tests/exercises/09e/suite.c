@@ -147,33 +147,31 @@ static void test_infinite(void)
 /* Whole numbers of up to 61 bits have an exact sum in an int64_t, but not
    in a double: half of them are large and cancel in part, all in a drawn
    order. */
-static void test_drawn(void)
+CHECK_TIMES(40, test_drawn, i)
 {
     enum { N = 60 };
     check_ask("The exact sum is known in whole numbers. Which of your "
               "roundings is not given back?");
-    for (int i = 0; i < 40; ++i) {
-        double part[N];
-        int64_t exact = 0;
-        for (size_t k = 0; k < N; ++k) {
-            const int64_t small = check_draw_whole(-1000000, 1000000);
-            int64_t whole = small;
-            if (k % 2)
-                whole = small * ((int64_t)1 << 35) + (small & 1023);
-            if (k % 4 == 1 && k > 4)
-                whole = -(int64_t)part[k - 4];
-            part[k] = (double)whole;
-            exact += (int64_t)part[k];
-        }
-        for (size_t k = N - 1; k > 0; --k) {
-            const size_t other = (size_t)check_draw_whole(0, (int)k);
-            const double swap = part[k];
-            part[k] = part[other];
-            part[other] = swap;
-        }
-        check(N, part, "60 whole numbers, drawn, of 20 and of 55 bits",
-              (double)exact);
+    double part[N];
+    int64_t exact = 0;
+    for (size_t k = 0; k < N; ++k) {
+        const int64_t small = check_draw_whole(-1000000, 1000000);
+        int64_t whole = small;
+        if (k % 2)
+            whole = small * ((int64_t)1 << 35) + (small & 1023);
+        if (k % 4 == 1 && k > 4)
+            whole = -(int64_t)part[k - 4];
+        part[k] = (double)whole;
+        exact += (int64_t)part[k];
     }
+    for (size_t k = N - 1; k > 0; --k) {
+        const size_t other = (size_t)check_draw_whole(0, (int)k);
+        const double swap = part[k];
+        part[k] = part[other];
+        part[other] = swap;
+    }
+    check(N, part, "60 whole numbers, drawn, of 20 and of 55 bits",
+          (double)exact);
 }
 
 const struct check_suite check_suite = {

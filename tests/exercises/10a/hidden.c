@@ -69,45 +69,39 @@ static void check_flow(double unit, double widen)
           "power turned into heat, in W", text);
 }
 
-static void test_wheel(void)
+CHECK_TIMES(30, test_wheel, i)
 {
-    for (int i = 0; i < 30; ++i)
-        check_flow(ldexp(1.0, check_draw_whole(-40, 40)), 0.0);
+    check_flow(ldexp(1.0, check_draw_whole(-40, 40)), 0.0);
 }
 
-static void test_balloon(void)
+CHECK_TIMES(30, test_balloon, i)
 {
-    for (int i = 0; i < 30; ++i)
-        check_flow(ldexp(1.0, check_draw_whole(-40, 40)),
-                   check_draw_whole(-500, 500));
+    check_flow(ldexp(1.0, check_draw_whole(-40, 40)),
+               check_draw_whole(-500, 500));
 }
 
 /* Whoever is called a: the forces are the same, and so is the heat. */
-static void test_names(void)
+CHECK_TIMES(20, test_names, i)
 {
-    for (int i = 0; i < 20; ++i) {
-        const double c = check_draw(0.1, 5.0);
-        double f[2][3], g[2][3], size = 0.0;
-        struct body a, b;
-        draw(a.x, 0.25);
-        draw(b.x, 0.25);
-        draw(a.v, 1.0);
-        draw(b.v, 1.0);
-        const double heat = dashpot(c, &a, &b, f[0], f[1]);
-        const double again = dashpot(c, &b, &a, g[1], g[0]);
-        const char *text = input(c, &a, &b);
+    const double c = check_draw(0.1, 5.0);
+    double f[2][3], g[2][3], size = 0.0;
+    struct body a, b;
+    draw(a.x, 0.25);
+    draw(b.x, 0.25);
+    draw(a.v, 1.0);
+    draw(b.v, 1.0);
+    const double heat = dashpot(c, &a, &b, f[0], f[1]);
+    const double again = dashpot(c, &b, &a, g[1], g[0]);
+    const char *text = input(c, &a, &b);
+    for (int k = 0; k < 3; ++k)
+        size += c * fabs(b.v[k] - a.v[k]);
+    for (int j = 0; j < 2; ++j)
         for (int k = 0; k < 3; ++k)
-            size += c * fabs(b.v[k] - a.v[k]);
-        for (int j = 0; j < 2; ++j)
-            for (int k = 0; k < 3; ++k)
-                check(f[j][k] - g[j][k], 0.0, 32.0 * DBL_EPSILON * size,
-                      "difference of the force with the names exchanged, "
-                      "in N",
-                      text);
-        check(heat - again, 0.0, 64.0 * DBL_EPSILON * size * size / c,
-              "difference of the power with the names exchanged, in W",
-              text);
-    }
+            check(f[j][k] - g[j][k], 0.0, 32.0 * DBL_EPSILON * size,
+                  "difference of the force with the names exchanged, in N",
+                  text);
+    check(heat - again, 0.0, 64.0 * DBL_EPSILON * size * size / c,
+          "difference of the power with the names exchanged, in W", text);
 }
 
 const struct check_test check_hidden[] = {

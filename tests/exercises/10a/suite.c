@@ -177,43 +177,38 @@ static struct pair on_axis(int k, double va, double vb)
     return p;
 }
 
-static void test_axis(void)
+CHECK_TIMES(3, test_axis, k)
 {
     check_ask("Two bodies on a line, 1 m apart: how fast does the distance "
               "grow, and how large is the force then?");
-    for (int k = 0; k < 3; ++k) {
-        const struct pair apart = on_axis(k, 1.0, 4.0);
-        const struct pair nearer = on_axis(k, 2.0, -0.5);
-        const struct pair together = on_axis(k, 1.5, 1.5);
-        check_pair(&apart);
-        check_pair(&nearer);
-        check_pair(&together);
-    }
+    const struct pair apart = on_axis(k, 1.0, 4.0);
+    const struct pair nearer = on_axis(k, 2.0, -0.5);
+    const struct pair together = on_axis(k, 1.5, 1.5);
+    check_pair(&apart);
+    check_pair(&nearer);
+    check_pair(&together);
 }
 
 /* As far apart as we like, in the same direction. */
 /* limit: 1e-100 m */
 /* limit: 1e100 m */
-static void test_distance(void)
+CHECK_TIMES(5, test_distance, i)
 {
     static const double far[] = {0.25, 3.0, 1000.0, 1e-100, 1e100};
-    for (int i = 0; i < 5; ++i) {
-        struct pair p = {
-            .c = 2.0,
-            .b = {.x = {0.0, far[i], 0.0}, .v = {1.0, 0.75, 3.0}},
-            .on_a = {0.0, 1.5, 0.0},
-            .heat = 1.125};
-        check_ask("The same velocities at another distance: does the "
-                  "length change at another rate?");
-        check_pair(&p);
-        check_ask("Does the power know of the distance?");
-        check_heat(&p, answer(&p).heat);
-    }
+    struct pair p = {.c = 2.0,
+                     .b = {.x = {0.0, far[i], 0.0}, .v = {1.0, 0.75, 3.0}},
+                     .on_a = {0.0, 1.5, 0.0},
+                     .heat = 1.125};
+    check_ask("The same velocities at another distance: does the length "
+              "change at another rate?");
+    check_pair(&p);
+    check_ask("Does the power know of the distance?");
+    check_heat(&p, answer(&p).heat);
 }
 
 /* A dumbbell that turns about its middle, or about another point: the
    distance stays. */
-static void test_turning(void)
+CHECK_TIMES(4, test_turning, i)
 {
     static const double axis[][3] = {{2.0, 0.0, 0.0},
                                      {0.0, -3.0, 4.0},
@@ -225,18 +220,17 @@ static void test_turning(void)
                                      {1.0, 2.0, 4.0}};
     check_ask(
         "These two only turn about a point. Does their distance change?");
-    for (int i = 0; i < 4; ++i)
-        for (int j = 0; j < 4; ++j) {
-            struct pair p = {.c = 3.0, .a = {.x = {1.0, 1.0, 1.0}}};
-            for (int k = 0; k < 3; ++k)
-                p.b.x[k] = p.a.x[k] + axis[i][k];
-            for (int k = 0; k < 3; ++k) {
-                const int l = (k + 1) % 3, m = (k + 2) % 3;
-                p.a.v[k] = turn[j][l] * p.a.x[m] - turn[j][m] * p.a.x[l];
-                p.b.v[k] = turn[j][l] * p.b.x[m] - turn[j][m] * p.b.x[l];
-            }
-            check_pair(&p);
+    for (int j = 0; j < 4; ++j) {
+        struct pair p = {.c = 3.0, .a = {.x = {1.0, 1.0, 1.0}}};
+        for (int k = 0; k < 3; ++k)
+            p.b.x[k] = p.a.x[k] + axis[i][k];
+        for (int k = 0; k < 3; ++k) {
+            const int l = (k + 1) % 3, m = (k + 2) % 3;
+            p.a.v[k] = turn[j][l] * p.a.x[m] - turn[j][m] * p.a.x[l];
+            p.b.v[k] = turn[j][l] * p.b.x[m] - turn[j][m] * p.b.x[l];
         }
+        check_pair(&p);
+    }
 }
 
 /* 7 m apart, because 2, 3, 6 and 7 make squares; and b flies off. */
@@ -359,24 +353,20 @@ static struct pair draw_pair(void)
     return p;
 }
 
-static void test_drawn(void)
+CHECK_TIMES(40, test_drawn, i)
 {
     check_ask("Any direction, any velocities: is the force c times the "
               "rate of the length, along it?");
-    for (int i = 0; i < 40; ++i) {
-        const struct pair p = draw_pair();
-        check_pair(&p);
-    }
+    const struct pair p = draw_pair();
+    check_pair(&p);
 }
 
-static void test_drawn_heat(void)
+CHECK_TIMES(40, test_drawn_heat, i)
 {
     check_ask("The force times the rate at which the length changes: is "
               "this what you return?");
-    for (int i = 0; i < 40; ++i) {
-        const struct pair p = draw_pair();
-        check_heat(&p, answer(&p).heat);
-    }
+    const struct pair p = draw_pair();
+    check_heat(&p, answer(&p).heat);
 }
 
 const struct check_suite check_suite = {

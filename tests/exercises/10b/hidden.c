@@ -38,24 +38,22 @@ static struct oscillator draw_oscillator(int kind)
 
 /* It does not know when it was started: two times one after the other are
    as good as both at once. */
-static void test_halfway(void)
+CHECK_TIMES(40, test_halfway, i)
 {
-    for (int i = 0; i < 40; ++i) {
-        const struct oscillator o = draw_oscillator(i);
-        const double w = sqrt(o.stiffness / o.mass);
-        const double size = fabs(o.x) + fabs(o.v) / w;
-        const double t = check_draw(0.0, 40.0) / w;
-        const double late = check_draw(0.0, 40.0) / w;
-        struct oscillator halfway = o;
-        double v = NAN, both = NAN;
-        halfway.x = oscillate(&o, t, &halfway.v);
-        const double x = oscillate(&halfway, late, &v);
-        const double at_once = oscillate(&o, t + late, &both);
-        check(&o, t + late, x, at_once, 4e-12 * size,
-              "place, by way of a state halfway, in m");
-        check(&o, t + late, v, both, 4e-12 * w * size,
-              "velocity, by way of a state halfway, in m/s");
-    }
+    const struct oscillator o = draw_oscillator(i);
+    const double w = sqrt(o.stiffness / o.mass);
+    const double size = fabs(o.x) + fabs(o.v) / w;
+    const double t = check_draw(0.0, 40.0) / w;
+    const double late = check_draw(0.0, 40.0) / w;
+    struct oscillator halfway = o;
+    double v = NAN, both = NAN;
+    halfway.x = oscillate(&o, t, &halfway.v);
+    const double x = oscillate(&halfway, late, &v);
+    const double at_once = oscillate(&o, t + late, &both);
+    check(&o, t + late, x, at_once, 4e-12 * size,
+          "place, by way of a state halfway, in m");
+    check(&o, t + late, v, both, 4e-12 * w * size,
+          "velocity, by way of a state halfway, in m/s");
 }
 
 /* What the energy has lost is c times the sum of v^2 over the time: that of
@@ -87,27 +85,24 @@ static void test_energy(void)
 }
 
 /* The same oscillator by other clocks and scales. */
-static void test_units(void)
+CHECK_TIMES(40, test_units, i)
 {
-    for (int i = 0; i < 40; ++i) {
-        const struct oscillator o = draw_oscillator(i);
-        const double w = sqrt(o.stiffness / o.mass);
-        const double t = check_draw(0.0, 40.0) / w;
-        const double kg = ldexp(1.0, check_draw_whole(-60, 60));
-        const double s = ldexp(1.0, check_draw_whole(-60, 60));
-        const double m = ldexp(1.0, check_draw_whole(-60, 60));
-        const struct oscillator other = {o.mass * kg, o.damping * kg / s,
-                                         o.stiffness * kg / (s * s),
-                                         o.x * m, o.v * m / s};
-        const double size = fabs(o.x) + fabs(o.v) / w;
-        double v = NAN, again = NAN;
-        const double x = oscillate(&o, t, &v);
-        const double there = oscillate(&other, t * s, &again);
-        check(&other, t * s, there / m, x, 2e-12 * size,
-              "place, in this unit");
-        check(&other, t * s, again / m * s, v, 2e-12 * w * size,
-              "velocity, in this unit");
-    }
+    const struct oscillator o = draw_oscillator(i);
+    const double w = sqrt(o.stiffness / o.mass);
+    const double t = check_draw(0.0, 40.0) / w;
+    const double kg = ldexp(1.0, check_draw_whole(-60, 60));
+    const double s = ldexp(1.0, check_draw_whole(-60, 60));
+    const double m = ldexp(1.0, check_draw_whole(-60, 60));
+    const struct oscillator other = {o.mass * kg, o.damping * kg / s,
+                                     o.stiffness * kg / (s * s), o.x * m,
+                                     o.v * m / s};
+    const double size = fabs(o.x) + fabs(o.v) / w;
+    double v = NAN, again = NAN;
+    const double x = oscillate(&o, t, &v);
+    const double there = oscillate(&other, t * s, &again);
+    check(&other, t * s, there / m, x, 2e-12 * size, "place, in this unit");
+    check(&other, t * s, again / m * s, v, 2e-12 * w * size,
+          "velocity, in this unit");
 }
 
 const struct check_test check_hidden[] = {

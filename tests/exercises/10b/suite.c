@@ -298,20 +298,19 @@ static void test_creeps(void)
 }
 
 /* Twice the same rate: (x + (v + g x) t) exp(-g t). */
-static void test_critical(void)
+CHECK_TIMES(3, test_critical, i)
 {
     check_ask("Both rates are the same, and one exponential is not enough "
               "for two numbers at the start. What else decays as fast?");
     static const double rate[] = {1.0, 0.5, 3.0};
-    for (int i = 0; i < 3; ++i)
-        for (double t = 0.5; t < 40.0; t *= 3.0) {
-            const double g = rate[i], e = exp(-g * t);
-            const struct known k = {{2.0, 4.0 * g, 2.0 * g * g, 1.0, -2.0},
-                                    t,
-                                    (1.0 + (g - 2.0) * t) * e,
-                                    (-2.0 - g * (g - 2.0) * t) * e};
-            check_known(&k);
-        }
+    for (double t = 0.5; t < 40.0; t *= 3.0) {
+        const double g = rate[i], e = exp(-g * t);
+        const struct known k = {{2.0, 4.0 * g, 2.0 * g * g, 1.0, -2.0},
+                                t,
+                                (1.0 + (g - 2.0) * t) * e,
+                                (-2.0 - g * (g - 2.0) * t) * e};
+        check_known(&k);
+    }
 }
 
 static struct known near_critical(double m, double square, double off,
@@ -373,31 +372,28 @@ static void test_much(void)
 }
 
 /* After so long nothing is left. */
-static void test_late(void)
+CHECK_TIMES(4, test_late, i)
 {
     static const double late[] = {1e4, 1e9, 1e30, 1e150};
     static const double damping[] = {4.0, 5.0, 1e3};
     check_ask("After all this time nothing is left. What do you multiply "
               "by what?");
-    for (int i = 0; i < 4; ++i)
-        for (int j = 0; j < 3; ++j) {
-            const struct known k = {{1.0, damping[j], 4.0, 1.0, 1.0},
-                                    late[i] * damping[j],
-                                    0.0,
-                                    0.0};
-            check_known(&k);
-        }
+    for (int j = 0; j < 3; ++j) {
+        const struct known k = {{1.0, damping[j], 4.0, 1.0, 1.0},
+                                late[i] * damping[j],
+                                0.0,
+                                0.0};
+        check_known(&k);
+    }
 }
 
-static void test_start(void)
+CHECK_TIMES(5, test_start, i)
 {
     static const double damping[] = {0.0, 0.5, 4.0, 4.0000001, 1e6};
     check_ask("No time has passed. Where is it?");
-    for (int i = 0; i < 5; ++i) {
-        const struct known k = {
-            {1.0, damping[i], 4.0, -1.5, 2.5}, 0.0, -1.5, 2.5};
-        check_known(&k);
-    }
+    const struct known k = {
+        {1.0, damping[i], 4.0, -1.5, 2.5}, 0.0, -1.5, 2.5};
+    check_known(&k);
 }
 
 /* Made for its envelope and its frequency: all of few binary digits, so
@@ -418,45 +414,39 @@ static struct known draw_swinging(void)
                           e * ((n * b - g * a) * c - (n * a + g * b) * s)};
 }
 
-static void test_drawn_swinging(void)
+CHECK_TIMES(40, test_drawn_swinging, i)
 {
     check_ask("Little damping: are the envelope, the frequency and the "
               "start right for any of them?");
-    for (int i = 0; i < 40; ++i) {
-        const struct known k = draw_swinging();
-        check_known(&k);
-    }
+    const struct known k = draw_swinging();
+    check_known(&k);
 }
 
-static void test_drawn_creeping(void)
+CHECK_TIMES(40, test_drawn_creeping, i)
 {
     check_ask("Much damping: are both rates right, and how much of each is "
               "in it?");
-    for (int i = 0; i < 40; ++i) {
-        const double slow = check_draw(0.02, 1.0);
-        const double more =
-            ldexp(check_draw(0.02, 1.0), check_draw_whole(0, 30));
-        const double a = check_draw_whole(-50, 50) / 16.0;
-        const struct known k =
-            creeping(check_draw_whole(1, 99) / 8.0, slow, slow + more, a,
-                     i % 2 ? -a : check_draw_whole(-50, 50) / 16.0,
-                     check_draw(0.0, 3.0) / (i % 3 ? slow : slow + more));
-        check_known(&k);
-    }
+    const double slow = check_draw(0.02, 1.0);
+    const double more =
+        ldexp(check_draw(0.02, 1.0), check_draw_whole(0, 30));
+    const double a = check_draw_whole(-50, 50) / 16.0;
+    const struct known k =
+        creeping(check_draw_whole(1, 99) / 8.0, slow, slow + more, a,
+                 i % 2 ? -a : check_draw_whole(-50, 50) / 16.0,
+                 check_draw(0.0, 3.0) / (i % 3 ? slow : slow + more));
+    check_known(&k);
 }
 
-static void test_drawn_critical(void)
+CHECK_TIMES(40, test_drawn_critical, i)
 {
     check_ask("Near the critical damping: do all digits survive?");
-    for (int i = 0; i < 40; ++i) {
-        const double w = check_draw(0.2, 4.0);
-        const double off = pow(10.0, -check_draw(1.0, 17.0));
-        const struct known k =
-            near_critical(check_draw(0.1, 5.0), w * w, i % 2 ? off : -off,
-                          check_draw(-2.0, 2.0), check_draw(-2.0, 2.0),
-                          check_draw(0.0, 20.0) / w);
-        check_known(&k);
-    }
+    const double w = check_draw(0.2, 4.0);
+    const double off = pow(10.0, -check_draw(1.0, 17.0));
+    const struct known k =
+        near_critical(check_draw(0.1, 5.0), w * w, i % 2 ? off : -off,
+                      check_draw(-2.0, 2.0), check_draw(-2.0, 2.0),
+                      check_draw(0.0, 20.0) / w);
+    check_known(&k);
 }
 
 const struct check_suite check_suite = {

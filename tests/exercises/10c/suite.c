@@ -290,16 +290,14 @@ static void test_oblong(void)
 }
 
 /* Without length at rest, at half of it, and with no tension along y. */
-static void test_tension(void)
+CHECK_TIMES(3, test_tension, i)
 {
     static const double rest[][2] = {
         {0.0, 0.0}, {0.5, 0.25}, {0.125, 0.75}};
     check_ask("How far is each spring stretched while the grid lies flat?");
-    for (int i = 0; i < 3; ++i) {
-        const struct grid g = {6,   6,    1.0,        8.0,
-                               1.0, 0.75, rest[i][0], rest[i][1]};
-        check_modes(&g, 1);
-    }
+    const struct grid g = {6,   6,    1.0,        8.0,
+                           1.0, 0.75, rest[i][0], rest[i][1]};
+    check_modes(&g, 1);
 }
 
 /* With springs at rest nothing pulls back, and no step is too long. */
@@ -327,33 +325,29 @@ static void test_pressed(void)
 
 /* In a long row with no pull along y: the angle x = pi r/(nx - 1) from one
    mass to the next is small, and 4 sin^2(x/2) is x^2 - x^4/12 + x^6/360. */
-static void test_long(void)
+CHECK_TIMES(3, test_long, i)
 {
     static const int lengths[] = {1001, 20002, 100001};
     check_ask("A long row has slow modes. What is near 1 in your formula, "
               "and need it be?");
-    for (int i = 0; i < 3; ++i) {
-        const struct grid g = {lengths[i], 3,   1.0,  32.0,
-                               0.5,        1.0, 0.25, 1.0};
-        const struct answer a = answer(&g);
-        for (int r = 1; r <= 10; r += 3) {
-            const double x = pi * r / (g.nx - 1), xx = x * x;
-            const double right =
-                4.0 * sqrt(xx * (1.0 - xx / 12.0 * (1.0 - xx / 30.0)));
-            const double got = a.omega[r - 1], off = got / right - 1.0;
-            if (fabs(off) < 1e-4)
-                check_digits(&g, r, 1, off);
-            else
-                CHECK_NEAR(
-                    got, .quantity = check_text("omega of mode (%d, 1)", r),
-                    .unit = "rad/s", .input = input(&g), .expected = right,
-                    .tolerance = 1e-12 * right,
-                    .because = "what was asked for",
-                    .question = "A long row of masses: how long is the "
-                                "slowest wave?");
-        }
-        free(a.omega);
+    const struct grid g = {lengths[i], 3, 1.0, 32.0, 0.5, 1.0, 0.25, 1.0};
+    const struct answer a = answer(&g);
+    for (int r = 1; r <= 10; r += 3) {
+        const double x = pi * r / (g.nx - 1), xx = x * x;
+        const double right =
+            4.0 * sqrt(xx * (1.0 - xx / 12.0 * (1.0 - xx / 30.0)));
+        const double got = a.omega[r - 1], off = got / right - 1.0;
+        if (fabs(off) < 1e-4)
+            check_digits(&g, r, 1, off);
+        else
+            CHECK_NEAR(
+                got, .quantity = check_text("omega of mode (%d, 1)", r),
+                .unit = "rad/s", .input = input(&g), .expected = right,
+                .tolerance = 1e-12 * right, .because = "what was asked for",
+                .question =
+                    "A long row of masses: how long is the slowest wave?");
     }
+    free(a.omega);
 }
 
 static void test_step(void)
@@ -408,32 +402,26 @@ static struct grid draw_grid(bool x_pressed, bool y_pressed)
     return g;
 }
 
-static void test_drawn(void)
+CHECK_TIMES(12, test_drawn, i)
 {
     check_ask("Any grid that is stretched: is every mode right?");
-    for (int i = 0; i < 12; ++i) {
-        const struct grid g = draw_grid(false, false);
-        check_modes(&g, 1);
-    }
+    const struct grid g = draw_grid(false, false);
+    check_modes(&g, 1);
 }
 
-static void test_drawn_pressed(void)
+CHECK_TIMES(12, test_drawn_pressed, i)
 {
     check_ask(
         "A grid that is pressed along x, y or both: is every mode right?");
-    for (int i = 0; i < 12; ++i) {
-        const struct grid g = draw_grid(i % 3 != 1, i % 3 != 0);
-        check_modes(&g, 1);
-    }
+    const struct grid g = draw_grid(i % 3 != 1, i % 3 != 0);
+    check_modes(&g, 1);
 }
 
-static void test_drawn_step(void)
+CHECK_TIMES(12, test_drawn_step, i)
 {
     check_ask("Which of these modes is the fastest?");
-    for (int i = 0; i < 12; ++i) {
-        const struct grid g = draw_grid(i % 4 == 1, i % 4 == 2);
-        check_step(&g);
-    }
+    const struct grid g = draw_grid(i % 4 == 1, i % 4 == 2);
+    check_step(&g);
 }
 
 const struct check_suite check_suite = {

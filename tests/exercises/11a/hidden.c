@@ -57,84 +57,73 @@ static void check_same(const struct sphere before[2],
 }
 
 /* Once pushed, they touch: there is nothing left to do but rounding. */
-static void test_again(void)
+CHECK_TIMES(30, test_again, i)
 {
-    for (int i = 0; i < 30; ++i) {
-        struct sphere s[2], once[2];
-        draw_spheres(s, 1.0);
-        once[0] = s[0];
-        once[1] = s[1];
-        (void)part_spheres(&once[0], &once[1]);
-        struct sphere twice[2] = {once[0], once[1]};
-        const double depth = part_spheres(&twice[0], &twice[1]);
-        check(s, depth, 0.0, tolerance(s),
-              "depth of what is left of the overlap");
-        check_same(s, &twice[0], &once[0], 1.0,
-                   "centre of a after a second push");
-        check_same(s, &twice[1], &once[1], 1.0,
-                   "centre of b after a second push");
-    }
+    struct sphere s[2], once[2];
+    draw_spheres(s, 1.0);
+    once[0] = s[0];
+    once[1] = s[1];
+    (void)part_spheres(&once[0], &once[1]);
+    struct sphere twice[2] = {once[0], once[1]};
+    const double depth = part_spheres(&twice[0], &twice[1]);
+    check(s, depth, 0.0, tolerance(s),
+          "depth of what is left of the overlap");
+    check_same(s, &twice[0], &once[0], 1.0,
+               "centre of a after a second push");
+    check_same(s, &twice[1], &once[1], 1.0,
+               "centre of b after a second push");
 }
 
-static void test_names(void)
+CHECK_TIMES(30, test_names, i)
 {
-    for (int i = 0; i < 30; ++i) {
-        struct sphere s[2];
-        draw_spheres(s, 1.0);
-        struct sphere one[2] = {s[0], s[1]}, other[2] = {s[0], s[1]};
-        const double depth = part_spheres(&one[0], &one[1]);
-        const double again = part_spheres(&other[1], &other[0]);
-        check(s, again, depth, tolerance(s),
-              "depth, with the names exchanged");
-        check_same(s, &other[0], &one[0], 1.0,
-                   "centre of a, with the names exchanged");
-        check_same(s, &other[1], &one[1], 1.0,
-                   "centre of b, with the names exchanged");
-    }
+    struct sphere s[2];
+    draw_spheres(s, 1.0);
+    struct sphere one[2] = {s[0], s[1]}, other[2] = {s[0], s[1]};
+    const double depth = part_spheres(&one[0], &one[1]);
+    const double again = part_spheres(&other[1], &other[0]);
+    check(s, again, depth, tolerance(s), "depth, with the names exchanged");
+    check_same(s, &other[0], &one[0], 1.0,
+               "centre of a, with the names exchanged");
+    check_same(s, &other[1], &one[1], 1.0,
+               "centre of b, with the names exchanged");
 }
 
 /* Very heavy is as good as immovable. */
-static void test_heavy(void)
+CHECK_TIMES(20, test_heavy, i)
 {
-    for (int i = 0; i < 20; ++i) {
-        struct sphere s[2];
-        draw_spheres(s, 1.0);
-        const int heavy = i % 2;
-        struct sphere very[2] = {s[0], s[1]}, never[2] = {s[0], s[1]};
-        s[heavy].mass = very[heavy].mass = check_draw(1.0, 9.0) * 1e25;
-        never[heavy].mass = INFINITY;
-        (void)part_spheres(&very[0], &very[1]);
-        (void)part_spheres(&never[0], &never[1]);
-        check_same(s, &very[0], &never[0], 1.0,
-                   "centre of a, against one that is immovable");
-        check_same(s, &very[1], &never[1], 1.0,
-                   "centre of b, against one that is immovable");
-    }
+    struct sphere s[2];
+    draw_spheres(s, 1.0);
+    const int heavy = i % 2;
+    struct sphere very[2] = {s[0], s[1]}, never[2] = {s[0], s[1]};
+    s[heavy].mass = very[heavy].mass = check_draw(1.0, 9.0) * 1e25;
+    never[heavy].mass = INFINITY;
+    (void)part_spheres(&very[0], &very[1]);
+    (void)part_spheres(&never[0], &never[1]);
+    check_same(s, &very[0], &never[0], 1.0,
+               "centre of a, against one that is immovable");
+    check_same(s, &very[1], &never[1], 1.0,
+               "centre of b, against one that is immovable");
 }
 
-static void test_units(void)
+CHECK_TIMES(30, test_units, i)
 {
-    for (int i = 0; i < 30; ++i) {
-        const double unit = ldexp(1.0, check_draw_whole(-200, 200));
-        const double kg = ldexp(1.0, check_draw_whole(-200, 200));
-        struct sphere s[2], one[2], other[2];
-        draw_spheres(s, 1.0);
-        for (int j = 0; j < 2; ++j) {
-            one[j] = other[j] = s[j];
-            other[j].mass *= kg;
-            other[j].radius *= unit;
-            for (int k = 0; k < 3; ++k)
-                other[j].x[k] *= unit;
-        }
-        const double depth = part_spheres(&one[0], &one[1]);
-        const double there = part_spheres(&other[0], &other[1]);
-        check(s, there / unit, depth, tolerance(s),
-              check_text("depth, in units of %g m and %g kg", unit, kg));
-        check_same(s, &other[0], &one[0], unit,
-                   "centre of a, in other units");
-        check_same(s, &other[1], &one[1], unit,
-                   "centre of b, in other units");
+    const double unit = ldexp(1.0, check_draw_whole(-200, 200));
+    const double kg = ldexp(1.0, check_draw_whole(-200, 200));
+    struct sphere s[2], one[2], other[2];
+    draw_spheres(s, 1.0);
+    for (int j = 0; j < 2; ++j) {
+        one[j] = other[j] = s[j];
+        other[j].mass *= kg;
+        other[j].radius *= unit;
+        for (int k = 0; k < 3; ++k)
+            other[j].x[k] *= unit;
     }
+    const double depth = part_spheres(&one[0], &one[1]);
+    const double there = part_spheres(&other[0], &other[1]);
+    check(s, there / unit, depth, tolerance(s),
+          check_text("depth, in units of %g m and %g kg", unit, kg));
+    check_same(s, &other[0], &one[0], unit, "centre of a, in other units");
+    check_same(s, &other[1], &one[1], unit, "centre of b, in other units");
 }
 
 const struct check_test check_hidden[] = {

@@ -170,30 +170,26 @@ static struct pair on_axis(int k, double sign, double ma, double mb)
     return p;
 }
 
-static void test_equal(void)
+CHECK_TIMES(3, test_equal, k)
 {
+    const struct pair p = on_axis(k, 1.0, 2.0, 2.0);
+    const struct pair q = on_axis(k, -1.0, 2.0, 2.0);
+    check_ask("Two equal masses: how far must each go, and to which side?");
+    check_pair(&p);
+    check_pair(&q);
+}
+
+CHECK_TIMES(3, test_masses, i)
+{
+    static const double mass[][2] = {{3.0, 1.0}, {1.0, 7.0}, {0.1, 100.0}};
     for (int k = 0; k < 3; ++k) {
-        const struct pair p = on_axis(k, 1.0, 2.0, 2.0);
-        const struct pair q = on_axis(k, -1.0, 2.0, 2.0);
-        check_ask(
-            "Two equal masses: how far must each go, and to which side?");
+        const struct pair p = on_axis(k, 1.0, mass[i][0], mass[i][1]);
+        const struct pair q = on_axis(k, -1.0, mass[i][0], mass[i][1]);
+        check_ask("A heavy one and a light one: which of them goes "
+                  "further, so that the centre of mass stays?");
         check_pair(&p);
         check_pair(&q);
     }
-}
-
-static void test_masses(void)
-{
-    static const double mass[][2] = {{3.0, 1.0}, {1.0, 7.0}, {0.1, 100.0}};
-    for (int i = 0; i < 3; ++i)
-        for (int k = 0; k < 3; ++k) {
-            const struct pair p = on_axis(k, 1.0, mass[i][0], mass[i][1]);
-            const struct pair q = on_axis(k, -1.0, mass[i][0], mass[i][1]);
-            check_ask("A heavy one and a light one: which of them goes "
-                      "further, so that the centre of mass stays?");
-            check_pair(&p);
-            check_pair(&q);
-        }
 }
 
 /* A large light one and a small heavy one. */
@@ -400,24 +396,20 @@ static struct pair draw_pair(double part)
     return p;
 }
 
-static void test_drawn(void)
+CHECK_TIMES(40, test_drawn, i)
 {
-    for (int i = 0; i < 40; ++i) {
-        const struct pair p = draw_pair(check_draw(1.01, 5.0));
-        check_ask("Any two that overlap: do they touch afterwards, with "
-                  "the centre of mass in its place?");
-        check_pair(&p);
-        check_ask("How deep was it?");
-        check_depth(&p);
-    }
+    const struct pair p = draw_pair(check_draw(1.01, 5.0));
+    check_ask("Any two that overlap: do they touch afterwards, with the "
+              "centre of mass in its place?");
+    check_pair(&p);
+    check_ask("How deep was it?");
+    check_depth(&p);
 }
 
-static void test_drawn_apart(void)
+CHECK_TIMES(20, test_drawn_apart, i)
 {
-    for (int i = 0; i < 20; ++i) {
-        const struct pair p = draw_pair(check_draw(0.1, 0.99));
-        check_unchanged(&p, p.depth);
-    }
+    const struct pair p = draw_pair(check_draw(0.1, 0.99));
+    check_unchanged(&p, p.depth);
 }
 
 const struct check_suite check_suite = {

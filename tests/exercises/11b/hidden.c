@@ -36,33 +36,31 @@ static void draw_balls(size_t n, double mass[], double v[])
 
 /* Whatever happens in a long row, momentum and energy stay, and in the end
    nobody runs into anybody. */
-static void test_long(void)
+CHECK_TIMES(4, test_long, k)
 {
     static const size_t lengths[] = {10, 20, 35, LONG};
-    for (int k = 0; k < 4; ++k) {
-        const size_t n = lengths[k];
-        double mass[LONG], v[LONG], before[2] = {0, 0}, after[2] = {0, 0};
-        double most = 0.0, closest = INFINITY;
-        draw_balls(n, mass, v);
-        for (size_t i = 0; i < n; ++i) {
-            before[0] += mass[i] * v[i];
-            before[1] += mass[i] * v[i] * v[i];
-            most += mass[i] * fabs(v[i]);
-        }
-        (void)cradle(n, mass, v);
-        for (size_t i = 0; i < n; ++i) {
-            after[0] += mass[i] * v[i];
-            after[1] += mass[i] * v[i] * v[i];
-            if (i > 0)
-                closest = fmin(closest, v[i] - v[i - 1]);
-        }
-        check(n, "drawn", after[0], before[0], 1e-11 * most,
-              "momentum at the end, in kg m/s");
-        check(n, "drawn", after[1], before[1], 1e-11 * before[1],
-              "twice the energy at the end, in J");
-        check(n, "drawn", fmin(closest + 3e-9, 0.0), 0.0, 0.0,
-              "speed of the fastest approach at the end, in m/s");
+    const size_t n = lengths[k];
+    double mass[LONG], v[LONG], before[2] = {0, 0}, after[2] = {0, 0};
+    double most = 0.0, closest = INFINITY;
+    draw_balls(n, mass, v);
+    for (size_t i = 0; i < n; ++i) {
+        before[0] += mass[i] * v[i];
+        before[1] += mass[i] * v[i] * v[i];
+        most += mass[i] * fabs(v[i]);
     }
+    (void)cradle(n, mass, v);
+    for (size_t i = 0; i < n; ++i) {
+        after[0] += mass[i] * v[i];
+        after[1] += mass[i] * v[i] * v[i];
+        if (i > 0)
+            closest = fmin(closest, v[i] - v[i - 1]);
+    }
+    check(n, "drawn", after[0], before[0], 1e-11 * most,
+          "momentum at the end, in kg m/s");
+    check(n, "drawn", after[1], before[1], 1e-11 * before[1],
+          "twice the energy at the end, in J");
+    check(n, "drawn", fmin(closest + 3e-9, 0.0), 0.0, 0.0,
+          "speed of the fastest approach at the end, in m/s");
 }
 
 /* As many as there may be, and one flies in. */
@@ -85,49 +83,45 @@ static void test_most(void)
 }
 
 /* Left and right exchanged. */
-static void test_mirror(void)
+CHECK_TIMES(30, test_mirror, k)
 {
-    for (int k = 0; k < 30; ++k) {
-        const size_t n = (size_t)check_draw_whole(2, 9);
-        double mass[2][LONG], v[2][LONG];
-        draw_balls(n, mass[0], v[0]);
-        for (size_t i = 0; i < n; ++i) {
-            mass[1][n - 1 - i] = mass[0][i];
-            v[1][n - 1 - i] = -v[0][i];
-        }
-        const size_t count = cradle(n, mass[0], v[0]);
-        const size_t again = cradle(n, mass[1], v[1]);
-        for (size_t i = 0; i < n; ++i)
-            check(n, "drawn, and seen in a mirror", -v[1][n - 1 - i],
-                  v[0][i], 3e-11, "velocity of a ball, in m/s");
-        check(n, "drawn, and seen in a mirror", (double)again,
-              (double)count, 0.0, "number of collisions");
+    const size_t n = (size_t)check_draw_whole(2, 9);
+    double mass[2][LONG], v[2][LONG];
+    draw_balls(n, mass[0], v[0]);
+    for (size_t i = 0; i < n; ++i) {
+        mass[1][n - 1 - i] = mass[0][i];
+        v[1][n - 1 - i] = -v[0][i];
     }
+    const size_t count = cradle(n, mass[0], v[0]);
+    const size_t again = cradle(n, mass[1], v[1]);
+    for (size_t i = 0; i < n; ++i)
+        check(n, "drawn, and seen in a mirror", -v[1][n - 1 - i], v[0][i],
+              3e-11, "velocity of a ball, in m/s");
+    check(n, "drawn, and seen in a mirror", (double)again, (double)count,
+          0.0, "number of collisions");
 }
 
 /* By somebody who walks along, with other clocks and weights. */
-static void test_walk(void)
+CHECK_TIMES(30, test_walk, k)
 {
-    for (int k = 0; k < 30; ++k) {
-        const size_t n = (size_t)check_draw_whole(2, 9);
-        const double unit = ldexp(1.0, check_draw_whole(-60, 60));
-        const double kg = ldexp(1.0, check_draw_whole(-60, 60));
-        const double walk = check_draw(-5.0, 5.0);
-        double mass[2][LONG], v[2][LONG];
-        draw_balls(n, mass[0], v[0]);
-        for (size_t i = 0; i < n; ++i) {
-            mass[1][i] = mass[0][i] * kg;
-            v[1][i] = (v[0][i] - walk) * unit;
-        }
-        const size_t count = cradle(n, mass[0], v[0]);
-        const size_t again = cradle(n, mass[1], v[1]);
-        for (size_t i = 0; i < n; ++i)
-            check(n, "drawn, and seen by somebody who walks",
-                  v[1][i] / unit + walk, v[0][i], 8e-11,
-                  "velocity of a ball, in m/s");
-        check(n, "drawn, and seen by somebody who walks", (double)again,
-              (double)count, 0.0, "number of collisions");
+    const size_t n = (size_t)check_draw_whole(2, 9);
+    const double unit = ldexp(1.0, check_draw_whole(-60, 60));
+    const double kg = ldexp(1.0, check_draw_whole(-60, 60));
+    const double walk = check_draw(-5.0, 5.0);
+    double mass[2][LONG], v[2][LONG];
+    draw_balls(n, mass[0], v[0]);
+    for (size_t i = 0; i < n; ++i) {
+        mass[1][i] = mass[0][i] * kg;
+        v[1][i] = (v[0][i] - walk) * unit;
     }
+    const size_t count = cradle(n, mass[0], v[0]);
+    const size_t again = cradle(n, mass[1], v[1]);
+    for (size_t i = 0; i < n; ++i)
+        check(n, "drawn, and seen by somebody who walks",
+              v[1][i] / unit + walk, v[0][i], 8e-11,
+              "velocity of a ball, in m/s");
+    check(n, "drawn, and seen by somebody who walks", (double)again,
+          (double)count, 0.0, "number of collisions");
 }
 
 const struct check_test check_hidden[] = {

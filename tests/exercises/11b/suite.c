@@ -494,16 +494,14 @@ static struct end by_angles(const struct row *r)
     return e;
 }
 
-static void test_between(void)
+CHECK_TIMES(3, test_between, i)
 {
     static const double heavy[] = {10.0, 100.0, 1e4};
     check_ask("A light ball is caught between two heavy ones. How often "
               "does it go to and fro?");
-    for (int i = 0; i < 3; ++i) {
-        const struct row r = {3, {heavy[i], 1.0, heavy[i]}, {0.5}};
-        const struct end e = by_angles(&r);
-        check_end(&r, &e);
-    }
+    const struct row r = {3, {heavy[i], 1.0, heavy[i]}, {0.5}};
+    const struct end e = by_angles(&r);
+    check_end(&r, &e);
 }
 
 /* So that it is clear whether there is one collision more. */
@@ -520,50 +518,44 @@ static struct row draw_three(void)
     return r;
 }
 
-static void test_drawn_three(void)
+CHECK_TIMES(40, test_drawn_three, i)
 {
     check_ask("The ball in the middle goes to and fro between the others. "
               "For how long?");
-    for (int i = 0; i < 40; ++i) {
-        const struct row r = draw_three();
-        const struct end e = by_angles(&r);
-        check_end(&r, &e);
-    }
+    const struct row r = draw_three();
+    const struct end e = by_angles(&r);
+    check_end(&r, &e);
 }
 
-static void test_drawn_heavy(void)
+CHECK_TIMES(20, test_drawn_heavy, i)
 {
     check_ask("A first ball of another mass: how often does it knock?");
-    for (int i = 0; i < 20; ++i) {
-        const double M = check_draw(i % 2 ? 1.2 : 0.05, i % 2 ? 9.0 : 0.9);
-        const double v = check_draw(0.1, 5.0);
-        const size_t n = (size_t)check_draw_whole(2, 8);
-        const struct row r = first_of(M, n, v);
-        const struct end e = knocked(M, n, v);
-        check_end(&r, &e);
-    }
+    const double M = check_draw(i % 2 ? 1.2 : 0.05, i % 2 ? 9.0 : 0.9);
+    const double v = check_draw(0.1, 5.0);
+    const size_t n = (size_t)check_draw_whole(2, 8);
+    const struct row r = first_of(M, n, v);
+    const struct end e = knocked(M, n, v);
+    check_end(&r, &e);
 }
 
 /* Equal masses: the velocities are sorted in the end, and each collision
    puts one pair of them into the right order. */
-static void test_drawn_equal(void)
+CHECK_TIMES(20, test_drawn_equal, i)
 {
     check_ask("Equal masses with any velocities: what does each collision "
               "do to them?");
-    for (int i = 0; i < 20; ++i) {
-        struct row r = equal_row((size_t)check_draw_whole(2, 10), 0,
-                                 check_draw(0.1, 5.0), 0.0);
-        struct end e = {.collisions = 0};
-        for (size_t k = 0; k < r.n; ++k) {
-            size_t at = k;
-            r.v[k] = check_draw_whole(-1000, 1000) / 16.0 + k * 0x1p-10;
-            for (; at > 0 && e.v[at - 1] > r.v[k]; --at)
-                e.v[at] = e.v[at - 1];
-            e.v[at] = r.v[k];
-            e.collisions += k - at;
-        }
-        check_end(&r, &e);
+    struct row r = equal_row((size_t)check_draw_whole(2, 10), 0,
+                             check_draw(0.1, 5.0), 0.0);
+    struct end e = {.collisions = 0};
+    for (size_t k = 0; k < r.n; ++k) {
+        size_t at = k;
+        r.v[k] = check_draw_whole(-1000, 1000) / 16.0 + k * 0x1p-10;
+        for (; at > 0 && e.v[at - 1] > r.v[k]; --at)
+            e.v[at] = e.v[at - 1];
+        e.v[at] = r.v[k];
+        e.collisions += k - at;
     }
+    check_end(&r, &e);
 }
 
 /* Any row in which it is clear who comes first. */
@@ -584,15 +576,13 @@ static struct row draw_row(bool strike, struct end *e)
     return r;
 }
 
-static void test_drawn_row(void)
+CHECK_TIMES(40, test_drawn_row, i)
 {
     check_ask("Any masses, and any velocities: does each pair meet when "
               "its time has come, until none does?");
-    for (int i = 0; i < 40; ++i) {
-        struct end e;
-        const struct row r = draw_row(i % 2 == 0, &e);
-        check_end(&r, &e);
-    }
+    struct end e;
+    const struct row r = draw_row(i % 2 == 0, &e);
+    check_end(&r, &e);
 }
 
 const struct check_suite check_suite = {

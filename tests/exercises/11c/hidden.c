@@ -25,40 +25,34 @@ static void check(double got, double expected, const char *what)
                .because = "a handful of roundings, of numbers near 1");
 }
 
-static void test_train(void)
+CHECK_TIMES(20, test_train, i)
 {
-    for (int i = 0; i < 20; ++i) {
-        struct sphere a, b, c, d;
-        draw(&a, &b);
-        c = a;
-        d = b;
-        c.v[1] += 3.0;
-        d.v[1] += 3.0;
-        const double t = go_back(&a, &b, 1.0);
-        check_ask("Somebody in a train sees the same spheres overlap. What "
-                  "of yours depends on who watches?");
-        check(t > 0.0 ? 1.0 : 0.0, 1.0,
-              "is it some time ago? (1 yes, 0 no)");
-        check(go_back(&c, &d, 1.0), t, "time ago, from a train");
-        check(c.v[0], a.v[0], "velocity along x, from a train");
-        check(d.v[1] - 3.0, b.v[1], "velocity along y, from a train");
-    }
+    struct sphere a, b, c, d;
+    draw(&a, &b);
+    c = a;
+    d = b;
+    c.v[1] += 3.0;
+    d.v[1] += 3.0;
+    const double t = go_back(&a, &b, 1.0);
+    check_ask("Somebody in a train sees the same spheres overlap. What of "
+              "yours depends on who watches?");
+    check(t > 0.0 ? 1.0 : 0.0, 1.0, "is it some time ago? (1 yes, 0 no)");
+    check(go_back(&c, &d, 1.0), t, "time ago, from a train");
+    check(c.v[0], a.v[0], "velocity along x, from a train");
+    check(d.v[1] - 3.0, b.v[1], "velocity along y, from a train");
 }
 
-static void test_exchanged(void)
+CHECK_TIMES(20, test_exchanged, i)
 {
-    for (int i = 0; i < 20; ++i) {
-        struct sphere a, b, c, d;
-        draw(&a, &b);
-        c = a;
-        d = b;
-        const double t = go_back(&a, &b, 1.0);
-        check_ask(
-            "Who comes first is chance. Which of your signs knows it?");
-        check(go_back(&d, &c, 1.0), t, "time ago, exchanged");
-        check(c.x[0], a.x[0], "place, exchanged");
-        check(d.v[1], b.v[1], "velocity, exchanged");
-    }
+    struct sphere a, b, c, d;
+    draw(&a, &b);
+    c = a;
+    d = b;
+    const double t = go_back(&a, &b, 1.0);
+    check_ask("Who comes first is chance. Which of your signs knows it?");
+    check(go_back(&d, &c, 1.0), t, "time ago, exchanged");
+    check(c.x[0], a.x[0], "place, exchanged");
+    check(d.v[1], b.v[1], "velocity, exchanged");
 }
 
 const struct check_test check_hidden[] = {

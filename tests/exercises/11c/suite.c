@@ -252,15 +252,13 @@ static void draw(struct made *m)
     p->dt = 0.5 * far / sqrt(dot(u, u)) * 0.4;
 }
 
-static void test_drawn(void)
+CHECK_TIMES(40, test_drawn, i)
 {
     check_ask("Two spheres in space, made from where they touch. Which of "
               "the three axes is treated otherwise?");
-    for (int i = 0; i < 40; ++i) {
-        struct made m = {0};
-        draw(&m);
-        check_made(&m, check_draw(0.01, 0.9) * m.touching.dt);
-    }
+    struct made m = {0};
+    draw(&m);
+    check_made(&m, check_draw(0.01, 0.9) * m.touching.dt);
 }
 
 static void check_left(const struct pair *p, const char *mistake,

@@ -27,46 +27,40 @@ static void check(size_t n, const char *what, double got, double expected,
 }
 
 /* The same front as before, from the other end. */
-static void test_exchanged(void)
+CHECK_TIMES(40, test_exchanged, i)
 {
-    for (int i = 0; i < 40; ++i) {
-        struct choice choice[MOST + 1] = {{0.0, 0.0}}, other[MOST + 1];
-        size_t front[MOST + 1] = {0}, back[MOST + 1] = {0};
-        const size_t n = draw_choices(choice);
-        for (size_t k = 0; k <= n; ++k)
-            other[k] = (struct choice){choice[k].error, choice[k].cost};
-        const size_t count = pareto_front(n, choice, front);
-        const size_t again = pareto_front(n, other, back);
-        check(n, "cost and error exchanged", (double)again, (double)count,
-              "how many are on the front");
-        check(n, "drawn", count >= 1 && count <= n, 1.0,
-              "is that from 1 to n? (1 yes, 0 no)");
-        for (size_t k = 0; k < count; ++k)
-            check(n, "cost and error exchanged",
-                  (double)back[count - 1 - k], (double)front[k],
-                  "a place of the front");
-    }
+    struct choice choice[MOST + 1] = {{0.0, 0.0}}, other[MOST + 1];
+    size_t front[MOST + 1] = {0}, back[MOST + 1] = {0};
+    const size_t n = draw_choices(choice);
+    for (size_t k = 0; k <= n; ++k)
+        other[k] = (struct choice){choice[k].error, choice[k].cost};
+    const size_t count = pareto_front(n, choice, front);
+    const size_t again = pareto_front(n, other, back);
+    check(n, "cost and error exchanged", (double)again, (double)count,
+          "how many are on the front");
+    check(n, "drawn", count >= 1 && count <= n, 1.0,
+          "is that from 1 to n? (1 yes, 0 no)");
+    for (size_t k = 0; k < count; ++k)
+        check(n, "cost and error exchanged", (double)back[count - 1 - k],
+              (double)front[k], "a place of the front");
 }
 
-static void test_units(void)
+CHECK_TIMES(40, test_units, i)
 {
-    for (int i = 0; i < 40; ++i) {
-        struct choice choice[MOST + 1] = {{0.0, 0.0}}, other[MOST + 1];
-        size_t front[MOST + 1] = {0}, same[MOST + 1] = {0};
-        const size_t n = draw_choices(choice);
-        const double s = ldexp(1.0, check_draw_whole(-300, 300));
-        const double m = ldexp(1.0, check_draw_whole(-300, 300));
-        for (size_t k = 0; k <= n; ++k)
-            other[k] =
-                (struct choice){s * choice[k].cost, m * choice[k].error};
-        const size_t count = pareto_front(n, choice, front);
-        const size_t again = pareto_front(n, other, same);
-        check(n, "in other units", (double)again, (double)count,
-              "how many are on the front");
-        for (size_t k = 0; k < count && k < n; ++k)
-            check(n, "in other units", (double)same[k], (double)front[k],
-                  "a place of the front");
-    }
+    struct choice choice[MOST + 1] = {{0.0, 0.0}}, other[MOST + 1];
+    size_t front[MOST + 1] = {0}, same[MOST + 1] = {0};
+    const size_t n = draw_choices(choice);
+    const double s = ldexp(1.0, check_draw_whole(-300, 300));
+    const double m = ldexp(1.0, check_draw_whole(-300, 300));
+    for (size_t k = 0; k <= n; ++k)
+        other[k] = (struct choice){s * choice[k].cost, m * choice[k].error};
+    const size_t count = pareto_front(n, choice, front);
+    const size_t again = pareto_front(n, other, same);
+    check(n, "in other units", (double)again, (double)count,
+          "how many are on the front");
+    for (size_t k = 0; k < count && k < n; ++k)
+        check(n, "in other units", (double)same[k], (double)front[k],
+              "a place of the front");
 }
 
 /* A hyperbola of choices that nobody beats, out of order; then every third

@@ -354,15 +354,13 @@ static struct choices draw_staircase(struct list *front)
     return c;
 }
 
-static void test_drawn_staircase(void)
+CHECK_TIMES(40, test_drawn_staircase, i)
 {
     check_ask(
         "Draw the points: who has nobody to the left of and below itself?");
-    for (int i = 0; i < 40; ++i) {
-        struct list front;
-        const struct choices c = draw_staircase(&front);
-        check_front(&c, &front);
-    }
+    struct list front;
+    const struct choices c = draw_staircase(&front);
+    check_front(&c, &front);
 }
 
 /* Small whole numbers have many ties and equals. On the front is who has
@@ -394,15 +392,13 @@ static struct choices draw_crowd(struct list *front)
     return c;
 }
 
-static void test_drawn_crowd(void)
+CHECK_TIMES(60, test_drawn_crowd, i)
 {
     check_ask("Many of these are equal in something. Who is beaten, and by "
               "whom?");
-    for (int i = 0; i < 60; ++i) {
-        struct list front;
-        const struct choices c = draw_crowd(&front);
-        check_front(&c, &front);
-    }
+    struct list front;
+    const struct choices c = draw_crowd(&front);
+    check_front(&c, &front);
 }
 
 const struct check_suite check_suite = {

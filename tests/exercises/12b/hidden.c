@@ -52,18 +52,16 @@ static void test_hill(void)
                     "your second run go through all steps?");
 }
 
-static void test_negative(void)
+CHECK_TIMES(20, test_negative, i)
 {
-    for (int i = 0; i < 20; ++i) {
-        const struct world w = {check_draw(-2.0, 2.0), check_draw(0.0, 2.0),
-                                0.0};
-        double far, end = end_of(on_a_hill, w, 100, &far);
-        CHECK_NEAR(far, .quantity = "how far the two runs are apart",
-                   .unit = "m", .input = "a spring and a weight, drawn",
-                   .expected = 0.0, .tolerance = 1e-11 * (1.0 + fabs(end)),
-                   .because = "far more than rounding can do",
-                   .question = "Which number was left in the old units?");
-    }
+    const struct world w = {check_draw(-2.0, 2.0), check_draw(0.0, 2.0),
+                            0.0};
+    double far, end = end_of(on_a_hill, w, 100, &far);
+    CHECK_NEAR(far, .quantity = "how far the two runs are apart",
+               .unit = "m", .input = "a spring and a weight, drawn",
+               .expected = 0.0, .tolerance = 1e-11 * (1.0 + fabs(end)),
+               .because = "far more than rounding can do",
+               .question = "Which number was left in the old units?");
 }
 
 const struct check_test check_hidden[] = {

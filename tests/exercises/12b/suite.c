@@ -191,27 +191,24 @@ static void check_same(const struct job *j)
              "error of the method. How does one see rounding alone?"}});
 }
 
-static void test_run(void)
+CHECK_TIMES(3, test_run, i)
 {
-    for (int i = 0; i < 3; ++i) {
-        const struct job j = {{0.5, 4.0, 0.25}, 0.0625, 10 << i, 1.5, -0.5};
-        double end;
-        answer(&j, &end);
-        CHECK_NEAR(end, .quantity = "*end", .unit = "m", .input = input(&j),
-                   .expected = plain(&j, j.n),
-                   .because = "the same steps have the same roundings",
-                   .question =
-                       "This is the run in m and s. How many steps has it?",
-                   .mistakes = {
-                       {"one-step-fewer", plain(&j, j.n - 1),
-                        "One step is missing. With n steps, how often is "
-                        "the function called for this run?"},
-                       {"one-step-more", plain(&j, j.n + 1),
-                        "That is one step too many. How often is the "
-                        "function called for this run?"},
-                       {"end-not-set", CHECK_EMPTY,
-                        "Not a number. Has anything been put into *end?"}});
-    }
+    const struct job j = {{0.5, 4.0, 0.25}, 0.0625, 10 << i, 1.5, -0.5};
+    double end;
+    answer(&j, &end);
+    CHECK_NEAR(
+        end, .quantity = "*end", .unit = "m", .input = input(&j),
+        .expected = plain(&j, j.n),
+        .because = "the same steps have the same roundings",
+        .question = "This is the run in m and s. How many steps has it?",
+        .mistakes = {{"one-step-fewer", plain(&j, j.n - 1),
+                      "One step is missing. With n steps, how often is the "
+                      "function called for this run?"},
+                     {"one-step-more", plain(&j, j.n + 1),
+                      "That is one step too many. How often is the "
+                      "function called for this run?"},
+                     {"end-not-set", CHECK_EMPTY,
+                      "Not a number. Has anything been put into *end?"}});
 }
 
 static void test_spring(void)
@@ -307,15 +304,13 @@ static void test_size(void)
                       "been different, if not the physics?"}});
 }
 
-static void test_drawn(void)
+CHECK_TIMES(30, test_drawn, i)
 {
     check_ask(
         "All constants at once. Which one of them is in the old units?");
-    for (int i = 0; i < 30; ++i) {
-        struct job j;
-        draw_job(&j);
-        check_same(&j);
-    }
+    struct job j;
+    draw_job(&j);
+    check_same(&j);
 }
 
 const struct check_suite check_suite = {

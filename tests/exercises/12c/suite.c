@@ -298,38 +298,34 @@ static void test_friction(void)
 
 /* ---- drawn forces ---- */
 
-static void test_drawn_bound(void)
+CHECK_TIMES(50, test_drawn_bound, i)
 {
     check_ask(
         "Does your formula keep its digits for any stretch and any time?");
-    for (int i = 0; i < 50; ++i) {
-        const double push = pow(10.0, check_draw(-12.0, 2.0));
-        const double stretch = pow(10.0, check_draw(-3.0, 3.0));
-        const double d = pow(10.0, check_draw(-9.0, 9.0));
-        check_growth(push, stretch, d);
-    }
+    const double push = pow(10.0, check_draw(-12.0, 2.0));
+    const double stretch = pow(10.0, check_draw(-3.0, 3.0));
+    const double d = pow(10.0, check_draw(-9.0, 9.0));
+    check_growth(push, stretch, d);
 }
 
 /* A budget, and forces until it is nearly gone. Pushes are such that their
    bounds are clear of what is left. */
-static void test_drawn_budget(void)
+CHECK_TIMES(20, test_drawn_budget, i)
 {
     check_ask(
         "What is left of the budget, and is it enough for this force?");
-    for (int i = 0; i < 20; ++i) {
-        struct force f = {0.0, check_draw(0.1, 2.0), 0.0, 0.0};
-        const double d = check_draw(0.5, 9.0);
-        f.time = log1p(d) / f.stretch;
-        f.budget = check_draw(0.1, 5.0);
-        const double unit = 0.5 * d * d / (f.stretch * f.stretch * (1 + d));
-        for (int k = 0; k < 8; ++k) {
-            const bool go = check_draw_whole(0, 2) > 0;
-            const double bound = f.budget * (go ? check_draw(0.01, 0.8)
-                                                : check_draw(1.01, 3.0));
-            f.push = bound / unit;
-            check_all(&f, bound);
-            f.budget -= go ? bound : 0.0;
-        }
+    struct force f = {0.0, check_draw(0.1, 2.0), 0.0, 0.0};
+    const double d = check_draw(0.5, 9.0);
+    f.time = log1p(d) / f.stretch;
+    f.budget = check_draw(0.1, 5.0);
+    const double unit = 0.5 * d * d / (f.stretch * f.stretch * (1 + d));
+    for (int k = 0; k < 8; ++k) {
+        const bool go = check_draw_whole(0, 2) > 0;
+        const double bound =
+            f.budget * (go ? check_draw(0.01, 0.8) : check_draw(1.01, 3.0));
+        f.push = bound / unit;
+        check_all(&f, bound);
+        f.budget -= go ? bound : 0.0;
     }
 }
 

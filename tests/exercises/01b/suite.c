@@ -16,17 +16,13 @@ struct answer {
 
 static struct answer answer(struct seen s)
 {
+    check_about(check_text("u1 = %.10g m/s, u2 = %.10g m/s before, v1 = "
+                           "%.10g m/s, v2 = %.10g m/s after",
+                           s.u1, s.u2, s.v1, s.v2));
     struct answer a = {false, CHECK_EMPTY, CHECK_EMPTY};
     a.told =
         measure_collision(s.u1, s.u2, s.v1, s.v2, &a.ratio, &a.restitution);
     return a;
-}
-
-static const char *input(struct seen s)
-{
-    return check_text("u1 = %.10g m/s, u2 = %.10g m/s before, v1 = %.10g "
-                      "m/s, v2 = %.10g m/s after",
-                      s.u1, s.u2, s.v1, s.v2);
 }
 
 static double fastest(struct seen s)
@@ -40,8 +36,7 @@ static void check_told(struct seen s, bool expected)
         answer(s).told ? 1.0 : 0.0,
         .quantity =
             "what is returned: can the velocities tell? (1 true, 0 false)",
-        .input = input(s), .expected = expected ? 1.0 : 0.0,
-        .because = "yes or no");
+        .expected = expected ? 1.0 : 0.0, .because = "yes or no");
 }
 
 /* The second body's gain in velocity by the first one's loss. Each
@@ -54,7 +49,7 @@ static void check_ratio(struct seen s, double expected)
     const double roundings =
         1.0 + fastest(s) / fabs(loss) + fastest(s) / fabs(gain);
     CHECK_NEAR(
-        answer(s).ratio, .quantity = "mass ratio m1/m2", .input = input(s),
+        answer(s).ratio, .quantity = "mass ratio m1/m2",
         .expected = expected,
         .tolerance = wall ? 0.0 : 4.0 * DBL_EPSILON * expected * roundings,
         .because = wall ? "a velocity that has not changed is exact"
@@ -83,7 +78,7 @@ static void check_restitution(struct seen s, double expected)
     const double towards = s.u1 - s.u2, apart = s.v2 - s.v1;
     const double roundings = 1.0 + fastest(s) / fabs(towards);
     CHECK_NEAR(
-        answer(s).restitution, .quantity = "restitution", .input = input(s),
+        answer(s).restitution, .quantity = "restitution",
         .expected = expected,
         .tolerance = 4.0 * DBL_EPSILON * (1.0 + expected) * roundings,
         .because = "4 epsilons, times how much smaller the speed of "
@@ -175,8 +170,7 @@ static void test_momentum(void)
         m1 * s.v1 + m2 * s.v2,
         .quantity =
             "momentum after, with your mass ratio for m1 and 1 kg for m2",
-        .unit = "kg m/s", .input = input(s),
-        .expected = m1 * s.u1 + m2 * s.u2,
+        .unit = "kg m/s", .expected = m1 * s.u1 + m2 * s.u2,
         .tolerance = 16.0 * DBL_EPSILON * (1.0 + fabs(m1)) * fastest(s),
         .because = "16 epsilons of the sum of m |v|",
         .question = "Put your masses into the momentum before and after. "
@@ -194,7 +188,7 @@ static void test_energy(void)
         0.5 * (1.0 - e * e) * m1 / (1.0 + m1) * d * d,
         .quantity =
             "energy lost according to your restitution, with m2 = 1 kg",
-        .unit = "J", .input = input(s),
+        .unit = "J",
         .expected = before - 0.5 * (m1 * s.v1 * s.v1 + s.v2 * s.v2),
         .tolerance = 64.0 * DBL_EPSILON * fabs(before),
         .because = "64 epsilons of the energy before",
@@ -256,7 +250,7 @@ static void check_refused(struct seen s, const char *slip, const char *why)
         answer(s).told ? 1.0 : 0.0,
         .quantity =
             "what is returned: can the velocities tell? (1 true, 0 false)",
-        .input = input(s), .expected = 0.0, .because = "yes or no",
+        .expected = 0.0, .because = "yes or no",
         .question = "Can these four velocities belong to a collision?",
         .mistakes = {{slip, 1.0, why}});
 }
@@ -277,8 +271,7 @@ static void check_slow(void)
         answer(s).told ? 1.0 : 0.0,
         .quantity =
             "what is returned: can the velocities tell? (1 true, 0 false)",
-        .input = input(s), .expected = 1.0, .because = "yes or no",
-        .question = question,
+        .expected = 1.0, .because = "yes or no", .question = question,
         .mistakes = {{"slow-taken-for-alike", 0.0, question}});
     check_ask(question);
     check_ratio(s, 3.0);

@@ -13,23 +13,19 @@ struct answer {
     double time, height;
 };
 
-static struct answer answer(const struct pair *p)
-{
-    struct answer a = {CHECK_EMPTY, CHECK_EMPTY};
-    a.time = falling_pair_time(p->g, &p->a, &p->b, &a.height);
-    return a;
-}
-
 static const char *disk(const struct thrown *d)
 {
     return check_text("(%.17g, %.17g) m, (%.17g, %.17g) m/s, radius %g m",
                       d->x, d->y, d->vx, d->vy, d->radius);
 }
 
-static const char *input(const struct pair *p)
+static struct answer answer(const struct pair *p)
 {
-    return check_text("g = %g m/s^2; a: %s; b: %s", p->g, disk(&p->a),
-                      disk(&p->b));
+    check_about(check_text("g = %g m/s^2; a: %s; b: %s", p->g, disk(&p->a),
+                           disk(&p->b)));
+    struct answer a = {CHECK_EMPTY, CHECK_EMPTY};
+    a.time = falling_pair_time(p->g, &p->a, &p->b, &a.height);
+    return a;
 }
 
 /* The quadratic v2 t^2 + 2 b t + c = 0 for the distance s, and its
@@ -126,12 +122,11 @@ static const char quantity[] = "time until the disks touch";
 
 /* Whether they meet at all is a check of its own, since never is not a
    number that has neighbours. */
-static void check_meets(const struct pair *p, double got,
-                        const char *mistake, const char *hint)
+static void check_meets(double got, const char *mistake, const char *hint)
 {
     CHECK_NEAR(got == INFINITY ? 0.0 : 1.0,
                .quantity = "do the disks ever touch? (1 yes, 0 never)",
-               .input = input(p), .expected = 1.0, .because = "yes or no",
+               .expected = 1.0, .because = "yes or no",
                .mistakes = {{mistake, 0.0, hint}});
 }
 
@@ -140,10 +135,10 @@ static void check_time(struct pair p, double expected)
     const double got = answer(&p).time, allowed = tolerance(&p);
     /* The slips that take many steps, only for who needs them. */
     const bool wrong = !(fabs(got - expected) <= allowed);
-    check_meets(&p, got, NULL, NULL);
+    check_meets(got, NULL, NULL);
     CHECK_NEAR(
-        got, .quantity = quantity, .unit = "s", .input = input(&p),
-        .expected = expected, .tolerance = allowed, .because = because,
+        got, .quantity = quantity, .unit = "s", .expected = expected,
+        .tolerance = allowed, .because = because,
         .equation = "eq:pair-quadratic",
         .mistakes = {
             {"second-root", root(&p, touching(&p), 1.0),
@@ -177,7 +172,7 @@ static void check_never(struct pair p)
         got == INFINITY ? 0.0 : told,
         .quantity = "0 if they never touch, -1 if they meet now, or else "
                     "the time until they touch",
-        .input = input(&p), .expected = 0.0, .because = "never is never",
+        .expected = 0.0, .because = "never is never",
         .mistakes = {
             {"root-of-a-negative", CHECK_NAN,
              "Not a number: they pass each other, or move alike. What "
@@ -202,10 +197,10 @@ static void check_now(struct pair p)
         "lets them pass through each other. What decides whether they "
         "collide: the gap or the approach?";
     const double got = answer(&p).time;
-    check_meets(&p, got, "contact-lost", lost);
+    check_meets(got, "contact-lost", lost);
     CHECK_NEAR(
-        got, .quantity = quantity, .unit = "s", .input = input(&p),
-        .expected = 0.0, .because = "two that touch and approach meet now",
+        got, .quantity = quantity, .unit = "s", .expected = 0.0,
+        .because = "two that touch and approach meet now",
         .mistakes = {
             {"time-in-the-past", root(&p, touching(&p), -1.0),
              "A rounding has let them overlap, and the time would be in "
@@ -228,7 +223,7 @@ static void check_height(struct pair p, double expected)
     const double fast = fabs(p.a.vy) + fabs(p.b.vy) + p.g * t;
     CHECK_NEAR(
         answer(&p).height, .quantity = "*height, where the two touch",
-        .unit = "m", .input = input(&p), .expected = expected,
+        .unit = "m", .expected = expected,
         .tolerance =
             16.0 * DBL_EPSILON * (fabs(p.a.y) + fabs(p.b.y) + fast * t) +
             fast * tolerance(&p),
@@ -372,8 +367,7 @@ static void test_height_now(void)
     const struct pair p = in_contact(0.0, -1.0, 0.0);
     CHECK_NEAR(
         answer(&p).height, .quantity = "*height, where the two touch",
-        .unit = "m", .input = input(&p), .expected = 3.6,
-        .tolerance = 16.0 * DBL_EPSILON * 8.0,
+        .unit = "m", .expected = 3.6, .tolerance = 16.0 * DBL_EPSILON * 8.0,
         .because = "16 epsilons of the heights",
         .question =
             "They touch now. How far is the contact from either centre?",
@@ -397,8 +391,7 @@ static void test_falling_along(void)
         p.a.vx += vx, p.a.vy += vy;
         p.b.vx += vx, p.b.vy += vy;
         CHECK_NEAR(answer(&p).time, .quantity = quantity, .unit = "s",
-                   .input = input(&p), .expected = expected,
-                   .tolerance = 16.0 * tolerance(&p),
+                   .expected = expected, .tolerance = 16.0 * tolerance(&p),
                    .because = "the roundings of velocities 16 times as "
                               "large as their difference",
                    .equation = "eq:pair-quadratic",
@@ -432,8 +425,7 @@ static void test_small_gaps(void)
             "sum instead?";
         CHECK_NEAR(
             answer(&p).time, .quantity = quantity, .unit = "s",
-            .input = input(&p), .expected = expected,
-            .tolerance = 1e-13 * expected,
+            .expected = expected, .tolerance = 1e-13 * expected,
             .because = "13 digits: the gap, the radii and their squares "
                        "are exact here",
             .question =

@@ -157,19 +157,14 @@ static const char *name_of(int k)
 /* ---- the slips: more than a check has room for. Those of the time come
    first: where the time does not matter they are none. ---- */
 
-struct slip {
-    const char *name;
-    double value;
-    const char *hint;
-};
-
 enum { SLIPS = 20 };
 
-static void slips_of(const struct record *r, int k, struct slip slip[SLIPS])
+static void slips_of(const struct record *r, int k,
+                     struct check_mistake slip[SLIPS])
 {
     const double z = right(r, k), n = (double)r->disks;
     const double time = r->until - r->from;
-    const struct slip all[SLIPS] = {
+    const struct check_mistake all[SLIPS] = {
         {"all-hits", z_of(r, k, sum(r, k, MOMENTUM, ALL)),
          "All hits of the list were counted. Which of them are in the time "
          "that counts?"},
@@ -249,13 +244,12 @@ static void check_z(const struct record *r, int k, double expected)
                       .tolerance = tolerance(r, expected),
                       .because = because};
     const size_t room = sizeof c.mistakes / sizeof c.mistakes[0];
-    struct slip slip[SLIPS];
+    struct check_mistake slip[SLIPS];
     size_t used = 0;
     slips_of(r, k, slip);
     for (size_t i = 0; i < SLIPS && used < room; ++i)
         if (fabs(got - slip[i].value) <= 1e-12 * (fabs(got) + expected))
-            c.mistakes[used++] = (struct check_mistake){
-                slip[i].name, slip[i].value, slip[i].hint};
+            c.mistakes[used++] = slip[i];
     check_near(got, c);
 }
 

@@ -15,18 +15,14 @@ struct answer {
 
 static struct answer answer(struct pair p)
 {
+    check_about(check_text(
+        "%d dimensions, R1 = %.10g m, R2 = %.10g m, small = %.10g m, "
+        "density = %g m^-%d, r = %.10g m",
+        p.dimensions, p.R1, p.R2, p.small, p.density, p.dimensions, p.r));
     struct answer a = {CHECK_EMPTY, CHECK_EMPTY};
     a.potential = depletion(p.dimensions, p.R1, p.R2, p.small, p.density,
                             p.r, &a.overlap);
     return a;
-}
-
-static const char *input(struct pair p)
-{
-    return check_text("%d dimensions, R1 = %.10g m, R2 = %.10g m, small = "
-                      "%.10g m, density = %g m^-%d, r = %.10g m",
-                      p.dimensions, p.R1, p.R2, p.small, p.density,
-                      p.dimensions, p.r);
 }
 
 static const double pi = 3.14159265358979323846;
@@ -147,9 +143,8 @@ static void check_overlap(struct pair p, double expected,
 {
     CHECK_NEAR(
         answer(p).overlap, .quantity = "what the two zones share, *overlap",
-        .unit = p.dimensions == 2 ? "m^2" : "m^3", .input = input(p),
-        .expected = expected, .tolerance = slack.overlap,
-        .because = slack.because,
+        .unit = p.dimensions == 2 ? "m^2" : "m^3", .expected = expected,
+        .tolerance = slack.overlap, .because = slack.because,
         .equation = p.dimensions == 2 ? "eq:lens" : "eq:lens3",
         .mistakes = {
             {"area-for-volume", flat(p),
@@ -186,8 +181,8 @@ static void check_potential(struct pair p, double overlap,
     const double expected = -p.density * overlap;
     CHECK_NEAR(
         answer(p).potential, .quantity = "the potential", .unit = "kT",
-        .input = input(p), .expected = expected,
-        .tolerance = p.density * slack.overlap, .because = slack.because,
+        .expected = expected, .tolerance = p.density * slack.overlap,
+        .because = slack.because,
         .mistakes = {
             {"pushed-apart", -expected,
              "The size is right. The small ones have more room when the "
@@ -222,14 +217,13 @@ static void check_apart(struct pair p, double tolerance)
         "the acos of more than 1, and the volume of a cap of negative "
         "height? Up to which distance do the formulas hold?";
     CHECK_NEAR(answer(p).potential, .quantity = "the potential",
-               .unit = "kT", .input = input(p), .expected = 0.0,
-               .tolerance = tolerance,
+               .unit = "kT", .expected = 0.0, .tolerance = tolerance,
                .because = "zones that do not meet share nothing",
                .mistakes = {{"not-cut-off", -p.density * goes_on(p), cut}});
     CHECK_NEAR(answer(p).overlap,
                .quantity = "what the two zones share, *overlap",
-               .unit = p.dimensions == 2 ? "m^2" : "m^3", .input = input(p),
-               .expected = 0.0, .tolerance = tolerance,
+               .unit = p.dimensions == 2 ? "m^2" : "m^3", .expected = 0.0,
+               .tolerance = tolerance,
                .because = "zones that do not meet share nothing",
                .mistakes = {{"left-empty", CHECK_EMPTY,
                              "Not a number: was something put into "
@@ -308,8 +302,7 @@ static void check_touching(struct pair p)
                               "just touch. Is that forbidden?";
     CHECK_NEAR(isinf(answer(p).potential) ? 1.0 : 0.0,
                .quantity = "is the potential infinite? (1 yes, 0 no)",
-               .input = input(p), .expected = 0.0, .because = "yes or no",
-               .question = why,
+               .expected = 0.0, .because = "yes or no", .question = why,
                .mistakes = {{"touching-forbidden", 1.0, why}});
     check_both(p);
 }
@@ -328,7 +321,7 @@ static void check_core(struct pair p)
         "The big bodies themselves overlap at this distance. What does "
         "that cost, however much room the small ones gain?";
     CHECK_NEAR(answer(p).potential, .quantity = "the potential",
-               .unit = "kT", .input = input(p), .expected = INFINITY,
+               .unit = "kT", .expected = INFINITY,
                .because = "infinity is exact", .question = why,
                .mistakes = {{"no-core", -p.density * exact(p), why}});
 }

@@ -226,22 +226,16 @@ static void test_one(void)
     }
 }
 
-struct slip {
-    const char *name;
-    double end;
-    const char *hint;
-};
-
 enum { SLIPS = 7 };
 
 /* Two stages: what the slips make of them. */
 static void slips_of(const struct table *w, double t, double h, double y,
-                     struct slip slip[SLIPS])
+                     struct check_mistake slip[SLIPS])
 {
     const double a = w->a[2], first = w->b[0], last = w->b[1];
     const double k = on_line(t, y), moved = y + h * first * k;
     const double end = h * last;
-    const struct slip all[SLIPS] = {
+    const struct check_mistake all[SLIPS] = {
         {"y-moves-too-soon",
          moved + end * on_line(t + a * h, moved + h * a * k),
          "The second stage starts from a y that has moved already. From "
@@ -277,18 +271,14 @@ static void check_two(const struct table *w, double t, double h, double y,
                       double expected)
 {
     double got[2] = {y, 0.0};
-    struct slip slip[SLIPS];
     (void)step_under(straight, w, 1, t, h, got);
-    slips_of(w, t, h, y, slip);
     struct check c = {.quantity = "y after one step",
                       .input = line_text(w, t, h, y),
                       .expected = expected,
                       .tolerance =
                           1e-14 * (fabs(y) + fabs(expected) + 20.0),
                       .because = "some epsilons of all that is added up"};
-    for (int i = 0; i < SLIPS; ++i)
-        c.mistakes[i] =
-            (struct check_mistake){slip[i].name, slip[i].end, slip[i].hint};
+    slips_of(w, t, h, y, c.mistakes);
     check_near(got[0], c);
 }
 

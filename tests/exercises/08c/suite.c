@@ -94,18 +94,12 @@ static struct runs positive(const struct runs *r)
     return s;
 }
 
-struct slip {
-    const char *name;
-    double value;
-    const char *hint;
-};
-
 enum { SLIPS = 12 };
 
 /* Of a slip that has no value here. */
 static const double never = -12345.0;
 
-static void slips_of(const struct runs *r, struct slip slip[SLIPS])
+static void slips_of(const struct runs *r, struct check_mistake slip[SLIPS])
 {
     const struct runs s = sifted(r), plus = positive(&s);
     const size_t m = s.n;
@@ -115,7 +109,7 @@ static void slips_of(const struct runs *r, struct slip slip[SLIPS])
     const double steps = m < 2 ? NAN : s.h[m - 2] / s.h[m - 1];
     const double end = r->n > 0 ? r->error[r->n - 1] : 0.0;
     const double blown = isinf(end) ? -INFINITY : isnan(end) ? NAN : never;
-    const struct slip all[SLIPS] = {
+    const struct check_mistake all[SLIPS] = {
         {"sign-of-the-order", -p,
          "The size is right. Does the error of a good method get larger or "
          "smaller with a smaller step?"},
@@ -178,7 +172,7 @@ static double tolerance(const struct runs *r, double p)
 
 static void check_order(const struct runs *r, double got, double p)
 {
-    struct slip slip[SLIPS];
+    struct check_mistake slip[SLIPS];
     struct check c = {
         .quantity = "*order",
         .input = input(r),
@@ -189,8 +183,7 @@ static void check_order(const struct runs *r, double got, double p)
     slips_of(r, slip);
     for (int i = 0, used = 0; i < SLIPS && used < 8; ++i)
         if (same(got, slip[i].value))
-            c.mistakes[used++] = (struct check_mistake){
-                slip[i].name, slip[i].value, slip[i].hint};
+            c.mistakes[used++] = slip[i];
     check_near(got, c);
 }
 

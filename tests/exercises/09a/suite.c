@@ -128,19 +128,13 @@ static bool near(double a, double b)
     return a == b || fabs(a - b) <= 1e-11 * (fabs(a) + fabs(b));
 }
 
-struct slip {
-    const char *name;
-    double value;
-    const char *hint;
-};
-
 enum { SLIPS = 14 };
 
 static void slips_of(const struct bodies *b, size_t i,
-                     struct slip slip[SLIPS])
+                     struct check_mistake slip[SLIPS])
 {
     const bool all = i == b->n;
-    const struct slip known[SLIPS] = {
+    const struct check_mistake known[SLIPS] = {
         {"softening-forgotten", value(b, HARD, i),
          "This is the potential without softening. Of which force is it?"},
         {"softening-beside-the-root", value(b, ADDED, i),
@@ -189,7 +183,7 @@ static void slips_of(const struct bodies *b, size_t i,
 static void check_value(const struct bodies *b, size_t i, double expected)
 {
     const double got = answer_of(b, i);
-    struct slip slip[SLIPS];
+    struct check_mistake slip[SLIPS];
     struct check c = {
         .quantity = i < b->n ? check_text("potential[%zu]", i)
                              : "the potential energy",
@@ -203,8 +197,7 @@ static void check_value(const struct bodies *b, size_t i, double expected)
     slips_of(b, i, slip);
     for (size_t k = 0, used = 0; k < SLIPS && used < 8; ++k)
         if (near(got, slip[k].value))
-            c.mistakes[used++] = (struct check_mistake){
-                slip[k].name, slip[k].value, slip[k].hint};
+            c.mistakes[used++] = slip[k];
     check_near(got, c);
 }
 

@@ -14,27 +14,23 @@ struct answer {
     double on_a[3], on_b[3], heat;
 };
 
+static const char *vector(const double v[3])
+{
+    return check_text("(%g, %g, %g)", v[0], v[1], v[2]);
+}
+
 /* What the student's function answers; untouched places read as NaN. */
 static struct answer answer(const struct pair *p)
 {
+    check_about(check_text(
+        "c = %g kg/s, a at %s m with %s m/s, b at %s m with %s m/s", p->c,
+        vector(p->a.x), vector(p->a.v), vector(p->b.x), vector(p->b.v)));
     struct answer r = {{CHECK_EMPTY, CHECK_EMPTY, CHECK_EMPTY},
                        {CHECK_EMPTY, CHECK_EMPTY, CHECK_EMPTY},
                        CHECK_EMPTY};
     const struct body a = p->a, b = p->b;
     r.heat = dashpot(p->c, &a, &b, r.on_a, r.on_b);
     return r;
-}
-
-static const char *vector(const double v[3])
-{
-    return check_text("(%g, %g, %g)", v[0], v[1], v[2]);
-}
-
-static const char *input(const struct pair *p)
-{
-    return check_text(
-        "c = %g kg/s, a at %s m with %s m/s, b at %s m with %s m/s", p->c,
-        vector(p->a.x), vector(p->a.v), vector(p->b.x), vector(p->b.v));
 }
 
 static double dot(const double p[3], const double q[3])
@@ -80,8 +76,8 @@ static void check_force(const struct pair *p, double got, int k)
         got,
         .quantity =
             check_text("on_a[%d], the force on a along %c", k, "xyz"[k]),
-        .unit = "N", .input = input(p), .expected = right,
-        .tolerance = tolerance(p), .because = because,
+        .unit = "N", .expected = right, .tolerance = tolerance(p),
+        .because = because,
         .mistakes = {
             {"no-axis", r > 0.0 ? NAN : CHECK_NAN,
              "Not a number: is every place filled in, and what do you "
@@ -118,8 +114,8 @@ static void check_opposite(const struct pair *p, double got, int k)
     CHECK_NEAR(got,
                .quantity = check_text("on_b[%d], the force on b along %c",
                                       k, "xyz"[k]),
-               .unit = "N", .input = input(p), .expected = right,
-               .tolerance = tolerance(p), .because = because,
+               .unit = "N", .expected = right, .tolerance = tolerance(p),
+               .because = because,
                .question = "What one of the two feels, the other feels as "
                            "well. In which direction?",
                .mistakes = {
@@ -134,8 +130,7 @@ static void check_heat(const struct pair *p, double got)
     const double u = sqrt(dot(s.v, s.v));
     CHECK_NEAR(
         got, .quantity = "power turned into heat", .unit = "W",
-        .input = input(p), .expected = p->heat,
-        .tolerance = 2.0 * tolerance(p) * u,
+        .expected = p->heat, .tolerance = 2.0 * tolerance(p) * u,
         .because =
             "32 epsilons of c times the square of the relative speed",
         .mistakes = {
@@ -269,7 +264,7 @@ static void test_momenta(void)
         CHECK_NEAR(s.x[l] * r.on_b[m] - s.x[m] * r.on_b[l],
                    .quantity = check_text("torque of both forces about %c",
                                           "xyz"[k]),
-                   .unit = "N m", .input = input(&p), .expected = 0.0,
+                   .unit = "N m", .expected = 0.0,
                    .tolerance = tolerance(&p) * 6.0,
                    .because = "that of the forces, times 2 * 3 m",
                    .question = "Your dashpot turns the pair. Which way "

@@ -95,15 +95,11 @@ static long double finely(const struct job *j)
     return x;
 }
 
-static const char *input(const struct job *j)
-{
-    return check_text("g = %g m/s^2, k = %g /s^2, q = %g /(m^2 s^2), %d "
-                      "steps of %g s from x = %g m, v = %g m/s",
-                      j->w.g, j->w.k, j->w.q, j->n, j->h, j->x, j->v);
-}
-
 static double answer(const struct job *j, double *end)
 {
+    check_about(check_text("g = %g m/s^2, k = %g /s^2, q = %g /(m^2 s^2), "
+                           "%d steps of %g s from x = %g m, v = %g m/s",
+                           j->w.g, j->w.k, j->w.q, j->n, j->h, j->x, j->v));
     *end = CHECK_EMPTY;
     runs = 0;
     return apart(step, j->w, j->h, j->n, j->x, j->v, end);
@@ -168,7 +164,7 @@ static void check_same(const struct job *j)
     const bool all = !isnan(got) && (f == NONE || f == TWO || f == SAME);
     CHECK_NEAR(
         got, .quantity = "how far the two runs are apart", .unit = "m",
-        .input = input(j), .expected = 0.0, .tolerance = 1e-10 * size,
+        .expected = 0.0, .tolerance = 1e-10 * size,
         .because = "much more than rounding can do",
         .mistakes = {
             {"velocity-in-old-units", f == VELOCITY ? got : 0.0,
@@ -197,8 +193,7 @@ CHECK_TIMES(3, test_run, i)
     double end;
     answer(&j, &end);
     CHECK_NEAR(
-        end, .quantity = "*end", .unit = "m", .input = input(&j),
-        .expected = plain(&j, j.n),
+        end, .quantity = "*end", .unit = "m", .expected = plain(&j, j.n),
         .because = "the same steps have the same roundings",
         .question = "This is the run in m and s. How many steps has it?",
         .mistakes = {{"one-step-fewer", plain(&j, j.n - 1),
@@ -278,7 +273,7 @@ static void test_size(void)
         f = fault(&j);
         CHECK_NEAR(d < 0.0 ? d : 0.0,
                    .quantity = "how far apart, if that is negative",
-                   .unit = "m", .input = input(&j), .expected = 0.0,
+                   .unit = "m", .expected = 0.0,
                    .because = "no distance is negative",
                    .question = "What is a distance without its sign?",
                    .mistakes = {{"signed", d,

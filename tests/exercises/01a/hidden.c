@@ -26,8 +26,6 @@ static void check_pair(const double v[2], const double u[2],
    round nothing. An atom has some 2^86 per kg, the Moon 2^-76. */
 CHECK_TIMES(40, test_units, i)
 {
-    check_ask("Only other units. Which number in your function has a unit "
-              "of its own?");
     const int fast = check_draw_whole(-60, 60);
     const int light = check_draw_whole(-80, 80);
     const double a = check_draw_whole(1, 30);
@@ -49,8 +47,6 @@ CHECK_TIMES(40, test_units, i)
    suite allows; it may triple these and adds its own. */
 CHECK_TIMES(40, test_twice, i)
 {
-    check_ask("The velocities after were given to your function once more. "
-              "What undoes a collision?");
     const double u[] = {check_draw(-9.0, 9.0), check_draw(-9.0, 9.0)};
     const double im[] = {i % 8 == 3 ? 0.0 : check_draw(1e-3, 1e3),
                          i % 8 == 7 ? 0.0 : check_draw(1e-3, 1e3)};

@@ -35,10 +35,7 @@ CHECK_TIMES(40, test_on_its_head, i)
                .tolerance = 16.0 * (double)n * DBL_EPSILON *
                             (masses[n - 1] * (fabs(up) + speed) +
                              turned[n - 1] * (fabs(down) + speed)),
-               .because = "16 epsilons for each ball, of both momenta",
-               .question =
-                   "The stack was put on its head, and the momentum of the "
-                   "ball on top has changed. Which ball counts twice?");
+               .because = "16 epsilons for each ball, of both momenta");
 }
 
 /* Of equal elastic balls the upper one takes all of the velocity; of a ball
@@ -59,14 +56,12 @@ CHECK_TIMES(20, test_towers, i)
         halved += power;
     }
     const double expected = (ldexp(1.0, -halved) - 1.0) * speed;
-    CHECK_NEAR(
-        top_velocity(n, masses, speed, 1.0),
-        .quantity = "velocity of the top ball, upwards", .unit = "m/s",
-        .input = input(n, masses, speed, 1.0), .expected = expected,
-        .tolerance = 4.0 * (double)n * DBL_EPSILON * speed,
-        .because = "4 epsilons for each ball, of the speed",
-        .question = "Most of these many balls are equal and only pass the "
-                    "bounce on. Which of them does not, in your function?");
+    CHECK_NEAR(top_velocity(n, masses, speed, 1.0),
+               .quantity = "velocity of the top ball, upwards",
+               .unit = "m/s", .input = input(n, masses, speed, 1.0),
+               .expected = expected,
+               .tolerance = 4.0 * (double)n * DBL_EPSILON * speed,
+               .because = "4 epsilons for each ball, of the speed");
 }
 
 const struct check_test check_hidden[] = {

@@ -64,16 +64,12 @@ static void check_all(const struct judged all[], int count)
                    .quantity =
                        "1 if the function that you judge was called at all",
                    .input = all[i].how, .expected = 1.0,
-                   .because = "yes or no",
-                   .question = "What do you know of a function that you "
-                               "have not let compute anything?");
+                   .because = "yes or no");
         CHECK_NEAR(
             said[i],
             .quantity = "what you say of a function (1 true, 0 false)",
             .input = all[i].how, .expected = all[i].right ? 1.0 : 0.0,
-            .because = "yes or no",
-            .question = "Which collision would tell, and did you let it "
-                        "compute that?");
+            .because = "yes or no");
     }
 }
 

@@ -58,9 +58,7 @@ CHECK_TIMES(30, test_flown, i)
                          : "smallest gap after the time that you returned",
                    .unit = "m", .input = input(&r, 1.0), .expected = 0.0,
                    .tolerance = 8.0 * DBL_EPSILON * (r.length + 3.5 * time),
-                   .because = "8 epsilons of the length and of the way",
-                   .question = "Let all beads fly until then. Who is "
-                               "through whom, or who has not yet met?");
+                   .because = "8 epsilons of the length and of the way");
 }
 
 /* Whether two pairs meet at nearly the same time. */
@@ -76,10 +74,6 @@ static bool is_tie(const struct ring *r, double time)
    and the times stay. In other units it is the same ring, too. */
 CHECK_TIMES(30, test_mirror, i)
 {
-    static const char question[] =
-        "A mirror and other units change no time, and the other one of the "
-        "two is on the left. What does your function take for small, or "
-        "for the right?";
     const struct ring r = draw_ring();
     const double unit = ldexp(1.0, check_draw_whole(-60, 60));
     const double edge = 0.5 * (r.length + r.x[r.n - 1]);
@@ -97,13 +91,11 @@ CHECK_TIMES(30, test_mirror, i)
                .input = input(&m, unit), .expected = time,
                .tolerance = 1e-9 * time,
                .because =
-                   "a billionth: the places in the mirror are rounded",
-               .question = question);
+                   "a billionth: the places in the mirror are rounded");
     CHECK_NEAR((double)mirrored, .quantity = "*left in the mirror",
                .input = input(&m, unit),
                .expected = (double)((2 * r.n - 2 - left) % r.n),
-               .because = "a number of a bead is exact",
-               .question = question);
+               .because = "a number of a bead is exact");
 }
 
 const struct check_test check_hidden[] = {

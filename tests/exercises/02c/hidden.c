@@ -39,8 +39,6 @@ static void check_body(const struct gas *a, const struct gas *expected,
    round, in any unit. All of it without a rounding. */
 CHECK_TIMES(30, test_half_period, i)
 {
-    check_ask("Each of these would go to and fro in twice this time, an "
-              "odd number of times. What does the box look like half-way?");
     const double metre = ldexp(1.0, check_draw_whole(-40, 40));
     const double second = ldexp(1.0, check_draw_whole(-40, 40));
     struct gas g = {.n = (size_t)check_draw_whole(1, MOST)};
@@ -80,8 +78,6 @@ static bool touches(const struct gas *g)
    at either time, we do not look. */
 CHECK_TIMES(40, test_two_parts, i)
 {
-    check_ask(
-        "Whether somebody looks in between changes nothing. What does?");
     struct gas g = {.n = (size_t)check_draw_whole(1, 40)};
     for (size_t k = 0; k < g.n; ++k) {
         g.x[k] = g.length + check_draw(0.1, 1.0);

@@ -38,9 +38,7 @@ static void test_signs(void)
         .input = check_text("%d series of -1 and 1", FEW), .expected = 1.0,
         .tolerance = 0.2,
         .because = "with twenty blocks and more this scatters by 0.04",
-        .equation = "eq:inefficiency",
-        .question = "These values are no bell curve. Which step of yours "
-                    "needs one?");
+        .equation = "eq:inefficiency");
 }
 
 CHECK_TIMES(6, test_units, i)
@@ -57,9 +55,7 @@ CHECK_TIMES(6, test_units, i)
         .quantity = "error in other units, by the error",
         .input = check_text(
             "a series of -1 and 1, and the same plus 7 and times %g", unit),
-        .expected = 1.0, .tolerance = 1e-6, .because = "roundings",
-        .question = "The same measurement in other units, from another "
-                    "zero. Which of your steps minds?");
+        .expected = 1.0, .tolerance = 1e-6, .because = "roundings");
 }
 
 const struct check_test check_hidden[] = {

@@ -38,9 +38,7 @@ CHECK_TIMES(3, test_energy, i)
     CHECK_NEAR(1.0 - 2.0 * integral(n),
                .quantity = "mean square velocity under your law",
                .input = check_text("n = %d movers", n), .expected = 1.0 / n,
-               .tolerance = 1e-9, .because = "an integral in 30 strips",
-               .question = "All movers are alike and share the energy. "
-                           "Which part of it has each, on average?");
+               .tolerance = 1e-9, .because = "an integral in 30 strips");
 }
 
 /* The probability of more than 1 - e: an odd number of movers has a
@@ -72,9 +70,7 @@ CHECK_TIMES(40, test_tails, i)
                .quantity = "probability below u",
                .input = check_text("n = %d movers, u = %.10g", n, side * u),
                .expected = side > 0.0 ? 1.0 - past : past,
-               .tolerance = 1e-13, .because = "what was asked for",
-               .question = "Little is left beyond this velocity. Which of "
-                           "your terms should nearly cancel there?");
+               .tolerance = 1e-13, .because = "what was asked for");
 }
 
 const struct check_test check_hidden[] = {

@@ -52,11 +52,9 @@ static void check_same(const char *quantity, const struct box *b,
     CHECK_NEAR(
         got, .quantity = quantity, .input = input(b), .expected = expected,
         .tolerance = tolerance(b) + 4.0 * DBL_EPSILON * fabs(expected),
-        .because = "16 epsilons of what the gases push at most, times how "
-                   "much shorter a gas is than the box, and 4 of the slope",
-        .question =
-            "The same box, described in two ways, moves in two ways. Which "
-            "of your lines takes left for right, or one unit for another?");
+        .because =
+            "16 epsilons of what the gases push at most, times how much "
+            "shorter a gas is than the box, and 4 of the slope");
 }
 
 /* In the middle the energies are those given, and no power is needed. */
@@ -128,10 +126,7 @@ CHECK_TIMES(4, test_swing, i)
                            "your slopes, in units of that before",
                .input = input(&start), .expected = 1.0, .tolerance = 1e-5,
                .because = "the method alone errs by less than 5e-6",
-               .equation = "eq:piston-energy",
-               .question = "What the gases give, the piston and the gas "
-                           "that rides along get. Does your force fit the "
-                           "energy, and your mass the motion?");
+               .equation = "eq:piston-energy");
 }
 
 const struct check_test check_hidden[] = {

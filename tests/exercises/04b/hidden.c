@@ -22,8 +22,6 @@ static void check_same(double got, double expected, const char *quantity)
 /* In grams and kilometres: factors of 2, which round nothing. */
 CHECK_TIMES(30, test_units, i)
 {
-    check_ask("Only other units. Which number in your function has a unit "
-              "of its own?");
     struct sort s, t;
     double a = NAN, b = NAN;
     const double im = check_draw(0.0, 2.0), V = check_draw(-0.1, 0.1);
@@ -43,8 +41,6 @@ CHECK_TIMES(30, test_units, i)
 /* A sort in two halves, one of them listed last, is the same rain. */
 CHECK_TIMES(30, test_halves, i)
 {
-    check_ask("The same particles, listed as two sorts. What in your "
-              "function depends on how many sorts there are?");
     struct sort s[3];
     double a = NAN, b = NAN;
     const double im = check_draw(0.0, 2.0);

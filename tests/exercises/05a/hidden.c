@@ -53,10 +53,7 @@ static void check_same(const char *quantity, const struct flight *f,
                .expected = expected,
                .tolerance = 64.0 * DBL_EPSILON * f->box / speed(f),
                .because =
-                   "64 epsilons of the time to fly the radius of the box",
-               .question = "A round box looks alike from all sides, and a "
-                           "straight path forwards and backwards. What of "
-                           "this does your function not know?");
+                   "64 epsilons of the time to fly the radius of the box");
 }
 
 /* Forwards and backwards together make the whole chord: by Pythagoras, half

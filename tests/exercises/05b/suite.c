@@ -378,26 +378,24 @@ static void test_height_now(void)
 
 /* The same two, seen by somebody who moves, on planets of all sizes; no
    round numbers. */
-static void test_falling_along(void)
+CHECK_TIMES(12, test_falling_along, i)
 {
     static const struct pair still = {0.0,
                                       {0.31, 0.77, 0.0, 0.0, 0.13},
                                       {1.93, 1.41, -0.57, -0.23, 0.29}};
     const double expected = root(&still, touching(&still), -1.0);
-    for (int i = 0; i < 12; ++i) {
-        struct pair p = still;
-        const double vx = 0.7 * (i - 5), vy = 0.3 * i;
-        p.g = 3.7 * i;
-        p.a.vx += vx, p.a.vy += vy;
-        p.b.vx += vx, p.b.vy += vy;
-        CHECK_NEAR(answer(&p).time, .quantity = quantity, .unit = "s",
-                   .expected = expected, .tolerance = 16.0 * tolerance(&p),
-                   .because = "the roundings of velocities 16 times as "
-                              "large as their difference",
-                   .equation = "eq:pair-quadratic",
-                   .question = "Somebody who falls along sees the same "
-                               "meeting. Which of your numbers minds?");
-    }
+    struct pair p = still;
+    const double vx = 0.7 * (i - 5), vy = 0.3 * i;
+    p.g = 3.7 * i;
+    p.a.vx += vx, p.a.vy += vy;
+    p.b.vx += vx, p.b.vy += vy;
+    CHECK_NEAR(answer(&p).time, .quantity = quantity, .unit = "s",
+               .expected = expected, .tolerance = 16.0 * tolerance(&p),
+               .because = "the roundings of velocities 16 times as large "
+                          "as their difference",
+               .equation = "eq:pair-quadratic",
+               .question = "Somebody who falls along sees the same "
+                           "meeting. Which of your numbers minds?");
 }
 
 /* Positions with few binary digits: the distance, its square and the square

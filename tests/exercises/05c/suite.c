@@ -568,7 +568,7 @@ struct alone {
     size_t samples;
 };
 
-void clock_check_alone(const struct alone *a, const char *question);
+void clock_check_alone(const struct alone *a);
 
 /* Unfolded, a disk that runs between two walls flies straight on: it is
    back after twice the free way. */
@@ -634,12 +634,11 @@ static void alone_place(const struct alone *a, const struct box *b,
 }
 
 /* All samples of one disk, KEPT at most, and how long it has flown. */
-void clock_check_alone(const struct alone *a, const char *question)
+void clock_check_alone(const struct alone *a)
 {
     const struct box start = alone_box(a);
     const struct box b = after(start, STUDENT, a->tick, a->samples, NO_END);
     const double last = (double)a->samples * a->tick;
-    check_ask(question);
     for (size_t i = 0; i < a->samples; ++i)
         for (int k = 0; k < 2; ++k)
             alone_place(a, &b, i, k);
@@ -651,8 +650,7 @@ void clock_check_alone(const struct alone *a, const char *question)
                          .tolerance =
                              alone_tolerance(a, 0) / a->length[0] * last +
                              few * last,
-                         .because = "2 epsilons of it for each flight",
-                         .question = question});
+                         .because = "2 epsilons of it for each flight"});
 }
 
 /* Long and short flights, and ticks with many collisions or none. */
@@ -672,8 +670,9 @@ static struct alone draw_alone(void)
 CHECK_TIMES(20, test_alone, i)
 {
     const struct alone a = draw_alone();
-    clock_check_alone(&a, "Fold the plane at the walls, and the disk flies "
-                          "straight on. Where is it at this tick?");
+    check_ask("Fold the plane at the walls, and the disk flies straight "
+              "on. Where is it at this tick?");
+    clock_check_alone(&a);
 }
 
 /* ---- four disks ---- */

@@ -72,8 +72,6 @@ static void check(double got, double expected, const char *quantity,
 /* Lengths, times and masses in other units: Z has none. */
 CHECK_TIMES(10, test_units, i)
 {
-    check_ask("Z is a pure number. Is there a number with a unit in your "
-              "program?");
     const struct list l = draw_list();
     const double m = ldexp(1.0, check_draw_whole(-30, 30));
     const double s = ldexp(1.0, check_draw_whole(-30, 30));
@@ -96,8 +94,6 @@ CHECK_TIMES(10, test_units, i)
 /* Left is bottom now, and right is top. */
 CHECK_TIMES(10, test_on_its_side, i)
 {
-    check_ask("The box lies on its side. What has changed but the names of "
-              "the walls?");
     const struct list l = draw_list();
     struct list side = l;
     for (int h = 0; h <= HITS; ++h)
@@ -116,8 +112,6 @@ CHECK_TIMES(10, test_on_its_side, i)
    one of the two parts. */
 CHECK_TIMES(20, test_cut, i)
 {
-    check_ask("A time is cut in two at the moment of a hit. Is the hit in "
-              "just one of the two?");
     const struct list l = draw_list();
     const double cut = l.hit[check_draw_whole(6, 9)].t;
     const int k = check_draw_whole(0, 1);
@@ -140,10 +134,7 @@ CHECK_TIMES(10, test_quiet, i)
     double z[2] = {NAN, NAN};
     wall_z(0, l.hit, l.size, l.disks, l.energy, from, l.until, z);
     for (int k = 0; k < 2; ++k) {
-        check_ask("There is nothing in the list. What is the pressure, and "
-                  "was it filled in?");
         check(z[k], 0.0, "Z from a list without hits", &l);
-        check_ask("Nothing was hit in this time. What is the pressure?");
         check(answer(&l, from, until, k), 0.0,
               "Z of a time between two hits", &l);
     }

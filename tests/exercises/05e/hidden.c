@@ -93,16 +93,12 @@ static void check_both(const struct judged both[2])
         CHECK_NEAR(
             called[i] > 0 ? 1.0 : 0.0,
             .quantity = "1 if the program that you judge was run at all",
-            .input = both[i].how, .expected = 1.0, .because = "yes or no",
-            .question =
-                "What do you know of a program that you have not run?");
+            .input = both[i].how, .expected = 1.0, .because = "yes or no");
         CHECK_NEAR(
             said[i],
             .quantity = "what you say of a program (1 true, 0 false)",
             .input = both[i].how, .expected = both[i].right ? 1.0 : 0.0,
-            .because = "yes or no",
-            .question = "Which sample would tell, and do you look at both "
-                        "of its coordinates?");
+            .because = "yes or no");
     }
 }
 

@@ -41,9 +41,7 @@ static void check(double got, double expected, double tolerance,
     CHECK_NEAR(got, .quantity = quantity, .input = input,
                .expected = expected, .tolerance = tolerance,
                .because = "8 epsilons of the size of the box; a number of "
-                          "throws is exact",
-               .question = "Any two of the disks may overlap. Are all of "
-                           "them looked at, and all thrown again?");
+                          "throws is exact");
 }
 
 static void check_places(const struct placing *p, const double size[2],

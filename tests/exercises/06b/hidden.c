@@ -64,18 +64,15 @@ static void draw_tries(struct ring *r)
 static void check(const struct ring *r, double got, double expected,
                   double tolerance, const char *quantity)
 {
-    CHECK_NEAR(
-        got, .quantity = quantity,
-        .input = check_text("%d disks of %g m in a ring, dish of %g m, %d "
-                            "tries, a third of which are allowed",
-                            r->n, 0.1 * r->unit, r->unit, TRIES),
-        .expected = expected, .tolerance = tolerance,
-        .because = "a few epsilons of the step for each try; what is "
-                   "counted is exact",
-        .equation = "eq:balance",
-        .question =
-            "Some of these moves are allowed, and most are not. Does a "
-            "rejected one leave all disks where they are, and count?");
+    CHECK_NEAR(got, .quantity = quantity,
+               .input =
+                   check_text("%d disks of %g m in a ring, dish of %g m, "
+                              "%d tries, a third of which are allowed",
+                              r->n, 0.1 * r->unit, r->unit, TRIES),
+               .expected = expected, .tolerance = tolerance,
+               .because = "a few epsilons of the step for each try; what "
+                          "is counted is exact",
+               .equation = "eq:balance");
 }
 
 static void check_ring(double unit)

@@ -79,9 +79,7 @@ static void check_growth(const struct zones *z, double near, double far)
                        distance(z, near)),
         .unit = z->dimensions == 2 ? "m^2" : "m^3", .input = input(z, far),
         .expected = expected, .tolerance = 1e-6 * expected,
-        .because = "the error of the integral, of 5 points",
-        .question = "Two big bodies come nearer. By how much does the lens "
-                    "grow at its chord?");
+        .because = "the error of the integral, of 5 points");
 }
 
 CHECK_TIMES(20, test_growth, i)
@@ -104,13 +102,10 @@ CHECK_TIMES(20, test_units, i)
     check_growth(&z, 0.0, 0.25);
     if (z.dimensions == 3)
         check_growth(&z, 0.25, 1.0);
-    CHECK_NEAR(
-        u, .quantity = "the potential", .unit = "kT",
-        .input = input(&z, 0.25), .expected = -z.density * shared,
-        .tolerance = 1e-12 * z.density * shared,
-        .because = "a multiple of kT has no unit of length",
-        .question =
-            "How many small ones gain the room that is in *overlap?");
+    CHECK_NEAR(u, .quantity = "the potential", .unit = "kT",
+               .input = input(&z, 0.25), .expected = -z.density * shared,
+               .tolerance = 1e-12 * z.density * shared,
+               .because = "a multiple of kT has no unit of length");
 }
 
 const struct check_test check_hidden[] = {

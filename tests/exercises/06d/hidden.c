@@ -17,8 +17,6 @@ CHECK_TIMES(10, test_touching, i)
     const double way = check_draw(0.1, 6.0), at = check_draw(0.5, 1.0);
     double x[] = {at, at + 1.0, at + 2.0}, y[] = {1.0, 1.0, 1.0};
     const size_t touches = push_chain(3, 1.0, 10.0, 4.0, x, y, 0, way);
-    check_ask("The three touch from the start, so the push is handed on "
-              "before anybody has moved. How far does the first one go?");
     check((double)touches, 2.0, "what is returned");
     check(x[0], at, "x[0] after");
     check(fmod(x[2] - at - 2.0 + 10.0, 10.0), way,
@@ -28,9 +26,6 @@ CHECK_TIMES(10, test_touching, i)
 /* The second part begins with the disk that the first part ended with. */
 CHECK_TIMES(10, test_parts, i)
 {
-    check_ask(
-        "A push in two parts is the same push, when the second part begins "
-        "where the first has ended. What does your chain forget?");
     const double one = check_draw(0.1, 0.4), two = check_draw(1.0, 2.0);
     double x[] = {1.0, 2.5, 4.25}, z[] = {1.0, 2.5, 4.25};
     const double y[] = {1.0, 1.25, 0.75};

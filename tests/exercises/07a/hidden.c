@@ -24,9 +24,7 @@ static void check(double got, double expected, double tolerance,
         .input = check_text(
             "n = %d disks, mean square %g m^2/s^2, v = %g m/s", n, mean, v),
         .expected = expected, .tolerance = tolerance,
-        .because = "1e-12 of what is summed up",
-        .question = "A law gives all its means. Do yours belong to one "
-                    "law, and to the energy that was given?");
+        .because = "1e-12 of what is summed up");
 }
 
 /* For n disks the probability of a speed above v is a polynomial of the
@@ -34,30 +32,28 @@ static void check(double got, double expected, double tolerance,
    v^2 times it the mean of v^4. Gauss with five points is exact up to the
    degree 9. The points and weights are those of the interval from -1 to 1,
    worked out from their roots. */
-static void test_means(void)
+CHECK_TIMES(20, test_means, i)
 {
     const double root = 2.0 * sqrt(10.0 / 7.0);
     const double x[] = {0.0, sqrt(5.0 - root) / 3.0,
                         sqrt(5.0 + root) / 3.0};
     const double w[] = {128.0 / 225.0, (322.0 + 13.0 * sqrt(70.0)) / 900.0,
                         (322.0 - 13.0 * sqrt(70.0)) / 900.0};
-    for (int i = 0; i < 20; ++i) {
-        const int n = check_draw_whole(2, 9);
-        const double mean = check_draw(0.1, 9.0), half = 0.5 * n * mean;
-        double second = 0.0, last = 0.0;
-        for (int k = 0; k < 6; ++k) {
-            const double s = half * (1.0 + (k % 2 ? x[k / 2] : -x[k / 2]));
-            const double part = (k < 2 ? 0.5 : 1.0) * w[k / 2] * half *
-                                (1.0 - below(n, mean, sqrt(s)));
-            second += part;
-            last += 2.0 * s * part;
-        }
-        const double v = check_draw(-3.0, 9.0);
-        check(second, mean, 1e-12 * half,
-              "mean of v^2, from your probabilities", n, mean, v);
-        check(fourth(n, mean, v), last, 1e-12 * half * half,
-              "*fourth, from your probabilities", n, mean, v);
+    const int n = check_draw_whole(2, 9);
+    const double mean = check_draw(0.1, 9.0), half = 0.5 * n * mean;
+    double second = 0.0, last = 0.0;
+    for (int k = 0; k < 6; ++k) {
+        const double s = half * (1.0 + (k % 2 ? x[k / 2] : -x[k / 2]));
+        const double part = (k < 2 ? 0.5 : 1.0) * w[k / 2] * half *
+                            (1.0 - below(n, mean, sqrt(s)));
+        second += part;
+        last += 2.0 * s * part;
     }
+    const double v = check_draw(-3.0, 9.0);
+    check(second, mean, 1e-12 * half,
+          "mean of v^2, from your probabilities", n, mean, v);
+    check(fourth(n, mean, v), last, 1e-12 * half * half,
+          "*fourth, from your probabilities", n, mean, v);
 }
 
 /* In units in which speeds are large or small: two disks, of which every

@@ -62,8 +62,6 @@ static double draw_unit(void)
 
 CHECK_TIMES(20, test_none, i)
 {
-    check_ask("Nothing has collided, whatever stands behind the list. What "
-              "is Z, and what is P, for so many particles?");
     const double m = draw_unit(), s = draw_unit(), kg = draw_unit();
     const struct record r = draw_box(m, s, kg);
     check(&r, 1.0);
@@ -100,8 +98,6 @@ static struct record to_and_fro(double m, double s, double kg, double *z)
 
 CHECK_TIMES(30, test_to_and_fro, i)
 {
-    check_ask("Two bodies, one perhaps much heavier, meet on both sides. "
-              "What does each collision add, in any unit?");
     double z;
     const struct record r =
         to_and_fro(draw_unit(), draw_unit(), draw_unit(), &z);

@@ -44,24 +44,19 @@ static double integral_to(double t)
     return sum;
 }
 
-static void test_cubics(void)
+CHECK_TIMES(20, test_cubics, i)
 {
     const struct table table = new_method();
-    check_ask("Newton's rule is exact for cubics. At which times are the "
-              "four slopes taken?");
-    for (int i = 0; i < 20; ++i) {
-        const double t = check_draw(-2.0, 2.0), h = check_draw(-2.0, 2.0);
-        double y[2] = {check_draw(-1.0, 1.0), 0.0}, begin = y[0];
-        for (int k = 0; k < 4; ++k)
-            cubic[k] = check_draw(-1.0, 1.0);
-        (void)step_under(grows, &table, 1, t, h, y);
-        check(y[0], begin + integral_to(t + h) - integral_to(t), 2e-13,
-              "y by the 3/8 rule",
-              check_text("y' = %g + %g t + %g t^2 + %g t^3, y = %g at t = "
-                         "%g, h = %g",
-                         cubic[0], cubic[1], cubic[2], cubic[3], begin, t,
-                         h));
-    }
+    const double t = check_draw(-2.0, 2.0), h = check_draw(-2.0, 2.0);
+    double y[2] = {check_draw(-1.0, 1.0), 0.0}, begin = y[0];
+    for (int k = 0; k < 4; ++k)
+        cubic[k] = check_draw(-1.0, 1.0);
+    (void)step_under(grows, &table, 1, t, h, y);
+    check(y[0], begin + integral_to(t + h) - integral_to(t), 2e-13,
+          "y by the 3/8 rule",
+          check_text(
+              "y' = %g + %g t + %g t^2 + %g t^3, y = %g at t = %g, h = %g",
+              cubic[0], cubic[1], cubic[2], cubic[3], begin, t, h));
 }
 
 /* A top: three numbers that act on each other. */
@@ -97,11 +92,8 @@ CHECK_TIMES(20, test_places, i)
         check_text("%zu stages of a drawn table, h = %g; the last two do "
                    "not use each other and change places",
                    s, h);
-    check_ask("Two stages that do not use each other have changed places. "
-              "Has each taken its row and its weight with it?");
     for (int k = 0; k < 3; ++k)
         check(z[k], y[k], 1e-12, check_text("y[%d]", k), input);
-    check_ask("How many stages are there?");
     check(asked, (double)s, 0.0, "how often the slopes were asked", input);
 }
 
@@ -126,19 +118,16 @@ static double spiral_error(const struct table *table, double angle,
                  y[1] - sin(angle + end) / (1.0 + end));
 }
 
-static void test_spiral(void)
+CHECK_TIMES(5, test_spiral, i)
 {
     const struct table table = new_method();
-    check_ask("Half the step: how much smaller should the error be?");
-    for (int i = 0; i < 5; ++i) {
-        const double angle = check_draw(0.0, 6.0);
-        const double end = check_draw(1.5, 2.5);
-        check(log2(spiral_error(&table, angle, end, 40) /
-                   spiral_error(&table, angle, end, 80)),
-              4.0, 0.15, "order, from 40 steps and 80",
-              check_text("a spiral inwards from the angle %g to t = %g",
-                         angle, end));
-    }
+    const double angle = check_draw(0.0, 6.0);
+    const double end = check_draw(1.5, 2.5);
+    check(log2(spiral_error(&table, angle, end, 40) /
+               spiral_error(&table, angle, end, 80)),
+          4.0, 0.15, "order, from 40 steps and 80",
+          check_text("a spiral inwards from the angle %g to t = %g", angle,
+                     end));
 }
 
 const struct check_test check_hidden[] = {

@@ -137,24 +137,22 @@ static void test_rows(void)
             check_entry(&table, order[i], j);
 }
 
-static void test_weights(void)
+CHECK_TIMES(4, test_weights, i)
 {
     static const double eighths[] = {1.0, 3.0, 3.0, 1.0};
     const struct table table = new_method();
-    for (int i = 0; i < 4; ++i)
-        CHECK_NEAR(
-            table.b[i], .quantity = check_text("b[%d]", i),
-            .input = "the weights are 1/8, 3/8, 3/8 and 1/8",
-            .expected = eighths[i] / 8.0, .tolerance = DBL_EPSILON,
-            .because = "eighths are exact in binary",
-            .question =
-                "What is the mean of four slopes that are all the same?",
-            .mistakes = {
-                {"integer-division", 0.0, "This is 0. What is 3 / 8 in C?"},
-                {"weights-of-the-classical-table",
-                 eighths[i] < 2.0 ? 1.0 / 6.0 : 1.0 / 3.0,
-                 "This is a weight of the classical method. What is the "
-                 "3/8 rule called after?"}});
+    CHECK_NEAR(table.b[i], .quantity = check_text("b[%d]", i),
+               .input = "the weights are 1/8, 3/8, 3/8 and 1/8",
+               .expected = eighths[i] / 8.0, .tolerance = DBL_EPSILON,
+               .because = "eighths are exact in binary",
+               .question =
+                   "What is the mean of four slopes that are all the same?",
+               .mistakes = {{"integer-division", 0.0,
+                             "This is 0. What is 3 / 8 in C?"},
+                            {"weights-of-the-classical-table",
+                             eighths[i] < 2.0 ? 1.0 / 6.0 : 1.0 / 3.0,
+                             "This is a weight of the classical method. "
+                             "What is the 3/8 rule called after?"}});
 }
 
 /* ---- steps of one number ---- */
@@ -483,33 +481,30 @@ static void wheel(size_t n, double t, const double y[], double dy[])
 
 /* In the complex plane a wheel is y' = i spin y, and four stages of order 4
    give the first terms of the exponential. */
-static void test_wheel(void)
+CHECK_TIMES(20, test_wheel, i)
 {
     const struct table table = new_method();
-    for (int i = 0; i < 20; ++i) {
-        const double h = check_draw(0.05, 1.5);
-        double y[3] = {check_draw(-1.0, 1.0), check_draw(-1.0, 1.0), 0.0};
-        spin = check_draw(-1.0, 1.0);
-        const double complex z = I * spin * h;
-        const double complex end =
-            (y[0] + I * y[1]) *
-            (1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0))));
-        const char *input = check_text("y' = %g i y, y = %g + %g i, h = %g",
-                                       spin, y[0], y[1], h);
-        (void)step_under(wheel, &table, 2, 0.0, h, y);
-        for (int k = 0; k < 2; ++k)
-            CHECK_NEAR(
-                y[k],
-                .quantity = k == 0 ? "y[0], by your table and your step"
-                                   : "y[1], by your table and your step",
-                .input = input,
-                .expected = k == 0 ? creal(end) : cimag(end),
-                .tolerance = 1e-14 * 10.0,
-                .because = "some epsilons of ten terms",
-                .question = "Four stages of order 4 give 1 + z + z^2/2 + "
-                            "z^3/6 + z^4/24. Does every y, and every "
-                            "slope, have the number that it should?");
-    }
+    const double h = check_draw(0.05, 1.5);
+    double y[3] = {check_draw(-1.0, 1.0), check_draw(-1.0, 1.0), 0.0};
+    spin = check_draw(-1.0, 1.0);
+    const double complex z = I * spin * h;
+    const double complex end =
+        (y[0] + I * y[1]) *
+        (1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0))));
+    const char *input = check_text("y' = %g i y, y = %g + %g i, h = %g",
+                                   spin, y[0], y[1], h);
+    (void)step_under(wheel, &table, 2, 0.0, h, y);
+    for (int k = 0; k < 2; ++k)
+        CHECK_NEAR(y[k],
+                   .quantity = k == 0 ? "y[0], by your table and your step"
+                                      : "y[1], by your table and your step",
+                   .input = input,
+                   .expected = k == 0 ? creal(end) : cimag(end),
+                   .tolerance = 1e-14 * 10.0,
+                   .because = "some epsilons of ten terms",
+                   .question = "Four stages of order 4 give 1 + z + z^2/2 "
+                               "+ z^3/6 + z^4/24. Does every y, and every "
+                               "slope, have the number that it should?");
 }
 
 /* y' = -2 t y^2 with y = 1 at t = 0 has the solution 1/(1 + t^2). */

@@ -53,9 +53,7 @@ CHECK_TIMES(40, test_series, i)
     double order = -99.0;
     const enum verdict verdict =
         measure_order(RUNS, s.h, s.error, 1e-16, &order);
-    check_ask("Which two runs have the smallest steps?");
     check(order, last, 1e-12, "*order", text_of(&s));
-    check_ask("How far apart are the slopes of the last two pairs?");
     if (fabs(change - 0.2) > 1e-3)
         check((double)verdict, change > 0.2 ? NOT_YET : MEASURED, 0.0,
               "what is returned (0 TOO_FEW, 1 NOT_YET, 2 MEASURED)",
@@ -66,7 +64,6 @@ CHECK_TIMES(40, test_series, i)
    and no verdict at all. */
 CHECK_TIMES(20, test_units, i)
 {
-    check_ask("Is there a number with a unit in your program?");
     struct series s = draw_series(), other = s;
     const double m = ldexp(1.0, check_draw_whole(-60, 60));
     const double second = ldexp(1.0, check_draw_whole(-60, 60));
@@ -104,11 +101,9 @@ CHECK_TIMES(20, test_limit, i)
     const char *input =
         check_text("%s, of which %d are of use", text_of(&s), useful);
     if (useful < 2) {
-        check_ask("How many runs are of use?");
         check((double)verdict, TOO_FEW, 0.0,
               "what is returned (0 TOO_FEW, 1 NOT_YET, 2 MEASURED)", input);
     } else {
-        check_ask("Which runs are of use?");
         check(order, slope_of(&s, useful - 2), 1e-12, "*order", input);
     }
 }

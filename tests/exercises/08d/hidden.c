@@ -27,8 +27,6 @@ static void check(double got, double expected, const char *input)
    above 1 at every step for q < 1/2, and at none for a larger q. */
 CHECK_TIMES(20, test_implicit, i)
 {
-    check_ask(
-        "Does this oscillator grow at 0.01 s, and at any other step?");
     const struct method m = {.text = "partly implicit",
                              .kind = THETA,
                              .part = i % 2 ? check_draw(0.0, 0.45)
@@ -47,8 +45,6 @@ CHECK_TIMES(20, test_implicit, i)
    The limit goes as the period. */
 CHECK_TIMES(10, test_period, i)
 {
-    check_ask("Half the frequency, twice the step: is there a number with "
-              "a unit in your program?");
     struct method m;
     const double limit = draw_method(&m);
     const double slower = check_draw(0.3, 4.0);
@@ -62,8 +58,6 @@ CHECK_TIMES(10, test_period, i)
 /* How far one looks does not matter as soon as the limit is seen. */
 CHECK_TIMES(10, test_most, i)
 {
-    check_ask("One looks a little beyond the limit, or far. Does that "
-              "change it?");
     struct method m;
     const double limit = draw_method(&m);
     const double far = limit * check_draw(1.3, 6.0);

@@ -29,7 +29,6 @@ static void check(double got, double expected, double tolerance,
 /* The bodies in another order, and the axes too. */
 CHECK_TIMES(10, test_order, i)
 {
-    check_ask("Does it matter who is the first?");
     const size_t n = (size_t)check_draw_whole(2, MOST);
     const size_t turn = (size_t)check_draw_whole(1, (int)n - 1);
     const struct bodies b = draw_bodies(n);
@@ -62,11 +61,8 @@ CHECK_TIMES(10, test_brought, i)
     for (size_t j = 0; j < n; ++j)
         sum += b.mass[j] * answer_of(&b, j);
     const double energy = answer_of(&b, n);
-    check_ask("What does the sum of mass times potential count twice?");
     check(0.5 * sum, energy, 1e-13 * fabs(energy),
           "half the sum of mass times potential", &b);
-    check_ask("One more body is brought in from far away. How much work is "
-              "that?");
     check(answer_of(&fewer, n - 1) + b.mass[n - 1] * answer_of(&b, n - 1),
           energy, 1e-13 * fabs(energy),
           "the energy without the last body, and the work to bring it", &b);
@@ -75,7 +71,6 @@ CHECK_TIMES(10, test_brought, i)
 /* Lengths and masses in other units. */
 CHECK_TIMES(10, test_units, i)
 {
-    check_ask("Is there a number with a unit in your program?");
     const size_t n = (size_t)check_draw_whole(2, 20);
     const struct bodies b = draw_bodies(n);
     const double m = ldexp(1.0, check_draw_whole(-60, 60));

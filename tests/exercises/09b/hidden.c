@@ -25,12 +25,8 @@ CHECK_TIMES(30, test_virial, i)
         check_text("k2 = %g m^3/(kg s^2), m1 = %g kg, m2 = %g kg, d = %g m",
                    k2, m1, m2, d);
     binary_speeds(k2, m1, m2, d, &v1, &v2);
-    check_ask(
-        "On a circle, how is the kinetic energy to the potential energy?");
     check(m1 * v1 * v1 + m2 * v2 * v2, k2 * m1 * m2 / d,
           "twice the kinetic energy", input, "eq:binary-speeds");
-    check_ask("Which total momentum do the two have, seen from their "
-              "centre of mass?");
     check(m1 * v1, m2 * v2, "the momentum of the first", input,
           "eq:binary-speeds");
 }
@@ -46,43 +42,35 @@ CHECK_TIMES(20, test_units, i)
     const char *input =
         check_text("k2 = %g m^3/(kg s^2), n = %zu, %g kg each, radius %g m",
                    k2, n, m, r);
-    check_ask("How does v go with the mass?");
     check(choreography_speed(k2, n, unit * m, r), sqrt(unit) * v,
           "the speed with other masses", input, "eq:choreography-speed");
-    check_ask("How does v go with the radius?");
     check(choreography_speed(k2, n, m, r / unit), sqrt(unit) * v,
           "the speed on another circle", input, "eq:choreography-speed");
-    check_ask("How does v go with k2?");
     check(choreography_speed(unit * k2, n, m, r), sqrt(unit) * v,
           "the speed with another k2", input, "eq:choreography-speed");
 }
 
 /* Of twice as many bodies every other one belongs to the ring of n. The
    odd ones add 1/sin of the odd parts of the circle. */
-static void test_twice_as_many(void)
+CHECK_TIMES(10, test_twice_as_many, i)
 {
     const double quarter = atan(1.0);
-    check_ask("A body is put between each and the next one. What do these "
-              "add to the pull?");
-    for (int i = 0; i < 10; ++i) {
-        const size_t n = (size_t)check_draw_whole(1, 200);
-        const double k2 = check_draw(0.1, 9.0), m = check_draw(0.1, 9.0);
-        const double r = check_draw(0.1, 9.0);
-        const double few = choreography_speed(k2, n, m, r);
-        const double many = choreography_speed(k2, 2 * n, m, r);
-        double odd = 0.0;
-        for (size_t j = 0; j < n; ++j) {
-            const size_t part = 2 * j + 1 < n ? 2 * j + 1 : 2 * (n - j) - 1;
-            odd += 1.0 / sin(2.0 * quarter * (double)part / (double)n);
-        }
-        check(4.0 * r * (many * many - few * few) / (k2 * m), odd,
-              "what n further bodies between the others add to 4 R v^2/(k2 "
-              "m)",
-              check_text("k2 = %g m^3/(kg s^2), n = %zu and %zu, %g kg "
-                         "each, radius %g m",
-                         k2, n, 2 * n, m, r),
-              "eq:choreography-speed");
+    const size_t n = (size_t)check_draw_whole(1, 200);
+    const double k2 = check_draw(0.1, 9.0), m = check_draw(0.1, 9.0);
+    const double r = check_draw(0.1, 9.0);
+    const double few = choreography_speed(k2, n, m, r);
+    const double many = choreography_speed(k2, 2 * n, m, r);
+    double odd = 0.0;
+    for (size_t j = 0; j < n; ++j) {
+        const size_t part = 2 * j + 1 < n ? 2 * j + 1 : 2 * (n - j) - 1;
+        odd += 1.0 / sin(2.0 * quarter * (double)part / (double)n);
     }
+    check(4.0 * r * (many * many - few * few) / (k2 * m), odd,
+          "what n further bodies between the others add to 4 R v^2/(k2 m)",
+          check_text("k2 = %g m^3/(kg s^2), n = %zu and %zu, %g kg each, "
+                     "radius %g m",
+                     k2, n, 2 * n, m, r),
+          "eq:choreography-speed");
 }
 
 const struct check_test check_hidden[] = {

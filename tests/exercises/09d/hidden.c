@@ -25,8 +25,6 @@ static void check(double got, double expected, const char *what)
 
 CHECK_TIMES(10, test_order, i)
 {
-    check_ask(
-        "Who comes first is chance. Which of your pulls knows the order?");
     double gm[2], x[2][3], v[2][3], mg[2], y[2][3], w[2][3];
     draw(gm, x, v);
     for (int k = 0; k < 6; ++k) {
@@ -43,7 +41,6 @@ CHECK_TIMES(10, test_order, i)
 
 CHECK_TIMES(10, test_units, i)
 {
-    check_ask("Which of your numbers has a unit of its own?");
     double gm[2], x[2][3], v[2][3], y[2][3], w[2][3];
     draw(gm, x, v);
     double other[2] = {64.0 * gm[0], 64.0 * gm[1]};

@@ -18,9 +18,7 @@ static void check(double got, double expected, double tolerance,
 {
     CHECK_NEAR(got, .quantity = quantity, .input = text,
                .expected = expected, .tolerance = tolerance,
-               .because = "16 epsilons of the terms",
-               .question = "How fast does the distance of the two change, "
-                           "wherever they are and however they turn?");
+               .because = "16 epsilons of the terms");
 }
 
 static void draw(double x[3], double unit)

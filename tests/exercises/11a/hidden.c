@@ -14,9 +14,7 @@ static void check(const struct sphere s[2], double got, double expected,
                             s[0].x[2], s[1].mass, s[1].radius, s[1].x[0],
                             s[1].x[1], s[1].x[2]),
         .expected = expected, .tolerance = tolerance,
-        .because = "16 epsilons of the largest of coordinates and radii",
-        .question = "The same two spheres in another way. Do they end up "
-                    "where they did?");
+        .because = "16 epsilons of the largest of coordinates and radii");
 }
 
 /* Two that overlap, all of it in the unit given. */

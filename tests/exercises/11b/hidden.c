@@ -8,14 +8,11 @@ enum { LONG = 100 };
 static void check(size_t n, const char *row, double got, double expected,
                   double tolerance, const char *quantity)
 {
-    CHECK_NEAR(
-        got, .quantity = quantity,
-        .input = check_text("%zu balls, %s", n, row), .expected = expected,
-        .tolerance = tolerance,
-        .because =
-            "1e-11 of the largest that there is, or a number that is exact",
-        .question = "A row of balls does not depend on who looks at it. "
-                    "Does yours?");
+    CHECK_NEAR(got, .quantity = quantity,
+               .input = check_text("%zu balls, %s", n, row),
+               .expected = expected, .tolerance = tolerance,
+               .because = "1e-11 of the largest that there is, or a number "
+                          "that is exact");
 }
 
 /* check_draw has four digits, so that two pairs might meet at the same time

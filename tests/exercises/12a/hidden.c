@@ -21,9 +21,7 @@ static void check(size_t n, const char *what, double got, double expected,
     CHECK_NEAR(got, .quantity = quantity,
                .input = check_text("%zu choices, %s", n, what),
                .expected = expected,
-               .because = "a number of things is exact",
-               .question = "Is there anything in your program that knows "
-                           "more of two choices than which is less?");
+               .because = "a number of things is exact");
 }
 
 /* The same front as before, from the other end. */

@@ -27,7 +27,6 @@ static void check(double got, double expected, double tolerance,
 /* cosh(2 x) - 1 = 2 (cosh(x) - 1) (cosh(x) + 1). */
 CHECK_TIMES(50, test_twice, i)
 {
-    check_ask("Does your formula hold for any time?");
     const double push = pow(10.0, check_draw(-9.0, 3.0));
     const double stretch = pow(10.0, check_draw(-5.0, 5.0));
     const double time = pow(10.0, check_draw(-6.0, 1.0)) / stretch;
@@ -56,9 +55,7 @@ CHECK_TIMES(50, test_units, i)
     const bool too =
         leave_out(push * m / (s * s), stretch / s, time * s, &rest, &other);
     const char *input = text_of(push, stretch, time);
-    check_ask("Is the bound more than the budget?");
     check(may, share > 1.0, 0.0, "may it go? (1 yes, 0 no)", input);
-    check_ask("Is there a number with a unit in your program?");
     check(too, may, 0.0, "may it go, in other units? (1 yes, 0 no)", input);
     check(other / m, bound, 2e-12 * bound, "*bound, in other units", input);
     check(rest / m, budget, 1e-11 * bound, "*budget, in other units",
@@ -76,7 +73,6 @@ CHECK_TIMES(50, test_happens, i)
     const double damped = push * (t + expm1(-w * t) / w) / w;
     const double held = bound_of(push, w, t);
     const double free = bound_of(push, 0.0, t);
-    check_ask("How can a bound be less than what happens?");
     check(held >= 2.0 * push * swing * swing, 1.0, 0.0,
           "is the bound at least what happens? (1 yes, 0 no)",
           check_text("an oscillator of %g rad/s: %s", w,
@@ -85,7 +81,6 @@ CHECK_TIMES(50, test_happens, i)
         free >= damped, 1.0, 0.0,
         "is the bound at least what happens? (1 yes, 0 no)",
         check_text("friction of c/m = %g/s: %s", w, text_of(push, 0.0, t)));
-    check_ask("What does stretch do to what strays?");
     check(held >= free, 1.0, 0.0,
           "is the bound larger with stretch? (1 yes, 0 no)",
           text_of(push, w, t));

@@ -27,8 +27,7 @@ static void check_meeting(struct meeting m)
     double ratio = NAN, restitution = NAN;
     const bool told =
         measure_collision(u1, u2, v1, v2, &ratio, &restitution);
-    CHECK_NEAR(told ? 1.0 : 0.0,
-               .quantity = "what is returned (1 true, 0 false)",
+    CHECK_NEAR(told, .quantity = "what is returned (1 true, 0 false)",
                .input = input, .expected = 1.0, .because = "yes or no");
     CHECK_NEAR(ratio, .quantity = "mass ratio m1/m2", .input = input,
                .expected = m.m1 / m.m2, .tolerance = slack * m.m1 / m.m2,

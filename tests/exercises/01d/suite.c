@@ -43,9 +43,6 @@ static double tolerance(struct shot s)
     return 8.0 * DBL_EPSILON * (s.r1 + s.r2) * (1.0 + steep);
 }
 
-static const char because[] =
-    "8 epsilons of r1 + r2, and more as the largest deflection is near";
-
 /* What the formula gives for the mass ratio m1/m2, whatever it is worth. */
 static double formula(struct shot s, double ratio, bool harder)
 {
@@ -79,7 +76,8 @@ static void check_aim(struct shot s, double expected)
     CHECK_NEAR(
         aim(s), .quantity = "impact parameter b", .unit = "m",
         .input = input(s), .expected = expected, .tolerance = tolerance(s),
-        .because = because,
+        .because = "8 epsilons of r1 + r2, and more as the largest "
+                   "deflection is near",
         .mistakes = {
             {"the-harder-blow",
              ratio > 1.0 ? formula(s, ratio, true) : expected,

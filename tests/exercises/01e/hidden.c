@@ -60,7 +60,7 @@ static void check_all(const struct judged all[], int count)
         called[order[k]] = calls;
     }
     for (int i = 0; i < count; ++i) {
-        CHECK_NEAR(called[i] > 0 ? 1.0 : 0.0,
+        CHECK_NEAR(called[i] > 0,
                    .quantity =
                        "1 if the function that you judge was called at all",
                    .input = all[i].how, .expected = 1.0,

@@ -250,14 +250,14 @@ static void check_two(const char *question)
 {
     const double hair = 4.0 * DBL_EPSILON;
     const struct ring back = {2, 10.0, {3.0, 3.0}, {-1.0, 1.0}};
-    static const char behind[] =
-        "Bead 0 and bead 1 touch and part, and these are all there are. "
-        "Whom does each of them run into, on the other side of the ring?";
     CHECK_NEAR(answer(&back).time, .quantity = "time until two beads meet",
                .unit = "s", .input = input(&back), .expected = 5.0,
                .tolerance = tolerance(&back, 1, 5.0), .because = because,
                .question = question,
-               .mistakes = {{"one-pair-of-two", INFINITY, behind}});
+               .mistakes = {{"one-pair-of-two", INFINITY,
+                             "Bead 0 and bead 1 touch and part, and these "
+                             "are all there are. Whom does each of them "
+                             "run into, on the other side of the ring?"}});
     check_ask(question);
     check_both(back, 5.0, 1);
     check_both(RING(2, 10.0, {3.0, 3.0}, {1.0, -1.0}), 0.0, 0);
@@ -414,14 +414,12 @@ static struct ring first_picture(const struct film *f)
     return r;
 }
 
-static const char film_question[] =
-    "This ring was made by running a film backwards from its meeting. How "
-    "long has the film run, and who meets at its end?";
-
 /* Every third time all pairs that can meet do so at one time. */
 CHECK_TIMES(60, test_drawn, take)
 {
-    check_ask(film_question);
+    check_ask(
+        "This ring was made by running a film backwards from its meeting. "
+        "How long has the film run, and who meets at its end?");
     struct film f = draw_film(check_draw_whole(1, 40) / 8.0);
     const size_t left = let_meet(&f, take % 3 == 2);
     const struct ring r = first_picture(&f);

@@ -241,8 +241,7 @@ static void check_end(const struct law *l, size_t bins, bool last,
         CHECK_NEAR(off,
                    .quantity = check_text("%s, minus %s", quantity,
                                           last ? "high" : "low"),
-                   .expected = 0.0, .because = because,
-                   .question = searched,
+                   .because = because, .question = searched,
                    .mistakes = {{"ends-searched-for", off, searched}});
     CHECK_NEAR(
         got, .quantity = quantity, .expected = end, .because = because,
@@ -280,7 +279,7 @@ static void check_edge(const struct law *l, size_t bins, size_t k,
     if (fabs(off) > tolerance && fabs(off) < 1e-4 * (l->high - l->low))
         CHECK_NEAR(
             off, .quantity = check_text("%s, minus its place", quantity),
-            .expected = 0.0, .tolerance = tolerance, .because = because,
+            .tolerance = tolerance, .because = because,
             .mistakes = {{"stops-early", off,
                           "Your search is on the right way and stops too "
                           "early. What makes it stop? Can it go on until "
@@ -419,14 +418,12 @@ static void test_flat(void)
 /* limit: 1e-6 (a tolerance, and any other: 1e-15, or sixty halvings) */
 static void test_steep(void)
 {
-    static const char near_zero[] =
-        "Here an edge lies near 0, where a double has more digits behind "
-        "the point than anywhere else. How does your search know when none "
-        "is left?";
     check_ask("Here all edges lie within a few thousand-millionths. How "
               "does your search know when it is near enough?");
     check_law(&steep, 8);
-    check_ask(near_zero);
+    check_ask("Here an edge lies near 0, where a double has more digits "
+              "behind the point than anywhere else. How does your search "
+              "know when none is left?");
     check_law(&crowded, 2);
     check_law(&crowded, 3);
 }
@@ -436,7 +433,7 @@ static void check_inside(void)
     CHECK_NEAR((double)asked_outside,
                .quantity =
                    "how often distribution() was asked outside low to high",
-               .expected = 0.0, .because = "it is given from low to high",
+               .because = "it is given from low to high",
                .question = "Between which two places must an edge lie, "
                            "whatever the law is?");
 }

@@ -114,11 +114,6 @@ static double error_of(size_t n, const double x[], double *mean)
    1 + n. */
 CHECK_TIMES(8, test_mean, i)
 {
-    static const char question[] =
-        "How many values are there, and what is their sum?";
-    static const char left_out[] =
-        "The last values are not in your mean. They may fill no block; but "
-        "are they no measurements?";
     const size_t n = i == 0 ? 6000 : (size_t)check_draw_whole(6000, MOST);
     double mean;
     for (size_t k = 0; k < n; ++k)
@@ -132,9 +127,12 @@ CHECK_TIMES(8, test_mean, i)
                                    n, s.x[0], n + 1),
                .expected = 3.5, .tolerance = 1e-11,
                .because = "the roundings of thousands of additions",
-               .question = question,
+               .question =
+                   "How many values are there, and what is their sum?",
                .mistakes = {
-                   {"rest-left-out", mean < 2.6 ? mean : 3.5, left_out},
+                   {"rest-left-out", mean < 2.6 ? mean : 3.5,
+                    "The last values are not in your mean. They may fill "
+                    "no block; but are they no measurements?"},
                    {"sum-for-mean", 3.5 * (double)n,
                     "This is the sum of all values. How many are there?"}});
 }

@@ -10,15 +10,11 @@ struct flight {
 
 static double answer(const struct flight *f)
 {
+    check_about(check_text("box = %g m, radius = %g m, r = {%.17g, %.17g} "
+                           "m, v = {%.17g, %.17g} m/s",
+                           f->box, f->radius, f->r[0], f->r[1], f->v[0],
+                           f->v[1]));
     return round_wall_time(f->box, f->radius, f->r, f->v);
-}
-
-static const char *input(const struct flight *f)
-{
-    return check_text("box = %g m, radius = %g m, r = {%.17g, %.17g} m, v "
-                      "= {%.17g, %.17g} m/s",
-                      f->box, f->radius, f->r[0], f->r[1], f->v[0],
-                      f->v[1]);
 }
 
 static double dot(const double a[2], const double b[2])
@@ -99,8 +95,8 @@ static void check_inside(struct flight f, double expected)
     const double got = answer(&f);
     CHECK_NEAR(
         got, .quantity = "time until the disk touches the wall",
-        .unit = "s", .input = input(&f), .expected = expected,
-        .tolerance = tolerance(&f, got), .because = because,
+        .unit = "s", .expected = expected, .tolerance = tolerance(&f, got),
+        .because = because,
         .mistakes = {
             {"radius-forgotten", box_alone(&f),
              "By then the CENTRE of the disk is at the wall of the box. "
@@ -131,13 +127,12 @@ static void check_inside(struct flight f, double expected)
 }
 
 /* A disk that moves comes to the wall, sooner or later. */
-static void check_comes(const struct flight *f, double got)
+static void check_comes(double got)
 {
     CHECK_NEAR(
         got == INFINITY ? 0.0 : 1.0,
         .quantity = "does the disk come to the wall? (1 yes, 0 never)",
-        .input = input(f), .expected = 1.0, .because = "yes or no",
-        .equation = "eq:wall-time",
+        .expected = 1.0, .because = "yes or no", .equation = "eq:wall-time",
         .question = "Which disks never come to the wall?",
         .mistakes = {
             {"lost-through-the-wall", 0.0,
@@ -150,11 +145,10 @@ static void check_comes(const struct flight *f, double got)
 static void check_now(struct flight f)
 {
     const double got = answer(&f);
-    check_comes(&f, got);
+    check_comes(got);
     CHECK_NEAR(got, .quantity = "time until the disk touches the wall",
-               .unit = "s", .input = input(&f), .expected = 0.0,
-               .tolerance = tolerance(&f, got), .because = because,
-               .equation = "eq:wall-time",
+               .unit = "s", .tolerance = tolerance(&f, got),
+               .because = because, .equation = "eq:wall-time",
                .mistakes = {
                    {"first-root", root(&f, reach(&f), -1.0),
                     "This time is in the past, when the disk came from the "
@@ -169,9 +163,9 @@ static void check_now(struct flight f)
 static void check_across(struct flight f, double expected)
 {
     const double got = answer(&f);
-    check_comes(&f, got);
+    check_comes(got);
     CHECK_NEAR(got, .quantity = "time until the disk touches the wall",
-               .unit = "s", .input = input(&f), .expected = expected,
+               .unit = "s", .expected = expected,
                .tolerance = tolerance(&f, got), .because = because,
                .mistakes = {{"stuck-at-the-wall", 0.0,
                              "The disk has just bounced and moves inwards. "
@@ -314,9 +308,9 @@ static void test_a_hair_beyond(void)
 static void check_along(struct flight f)
 {
     const double got = answer(&f);
-    check_comes(&f, got);
+    check_comes(got);
     CHECK_NEAR(got, .quantity = "time until the disk touches the wall",
-               .unit = "s", .input = input(&f), .expected = 0.0,
+               .unit = "s",
                .tolerance = 4.0 * sqrt(DBL_EPSILON) * reach(&f) /
                             sqrt(dot(f.v, f.v)),
                .because = "4 square roots of an epsilon, times the time to "
@@ -334,13 +328,12 @@ static void test_along_the_wall(void)
 {
     const double hair = 4.0 * DBL_EPSILON, slope = 1e-9;
     const struct flight f = {2.0, 1.0, {1.0 + hair, 0.0}, {-slope, 1.0}};
-    const double got = answer(&f);
     check_along((struct flight){6.0, 1.0, {5.0, 0.0}, {0.0, 2.0}});
     check_along((struct flight){6.0, 1.0, {3.0, 4.0}, {4.0, -3.0}});
-    check_comes(&f, got);
+    const double got = answer(&f);
+    check_comes(got);
     CHECK_NEAR(got, .quantity = "time until the disk touches the wall",
-               .unit = "s", .input = input(&f), .expected = slope,
-               .tolerance = slope,
+               .unit = "s", .expected = slope, .tolerance = slope,
                .because = "from now to twice the time of the nearest "
                           "approach: inside the rounding all are alike",
                .question = "This path all but touches the circle. Which "
@@ -356,7 +349,7 @@ static void check_at_rest(double x, double y)
     const struct flight f = {6.0, 1.0, {x, y}, {0.0, 0.0}};
     CHECK_NEAR(answer(&f),
                .quantity = "time until the disk touches the wall",
-               .unit = "s", .input = input(&f), .expected = INFINITY,
+               .unit = "s", .expected = INFINITY,
                .because = "never is never", .equation = "eq:wall-time",
                .mistakes = {
                    {"at-rest-divided", CHECK_NAN,
@@ -379,9 +372,9 @@ static void check_slow(double u, double w, double expected)
         "number a speed or the square of one?";
     CHECK_NEAR(
         got, .quantity = "time until the disk touches the wall",
-        .unit = "s", .input = input(&f), .expected = expected,
-        .tolerance = tolerance(&f, got), .because = because,
-        .equation = "eq:wall-time", .question = question,
+        .unit = "s", .expected = expected, .tolerance = tolerance(&f, got),
+        .because = because, .equation = "eq:wall-time",
+        .question = question,
         .mistakes = {{"slow-taken-for-at-rest", INFINITY, question}});
 }
 

@@ -121,7 +121,7 @@ CHECK_TIMES(40, test_under_way, i)
     rest.time += gone;
     check_same("begun anew when a part of the way is done", &p, rest,
                first);
-    CHECK_NEAR(first.time < INFINITY ? 1.0 : 0.0,
+    CHECK_NEAR(first.time < INFINITY,
                .quantity = "do they meet? (1 yes, 0 never)",
                .expected = 1.0, .because = "yes or no");
 }

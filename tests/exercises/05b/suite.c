@@ -114,10 +114,6 @@ static double tolerance(const struct pair *p)
            sqrt(q.disc);
 }
 
-static const char because[] =
-    "16 epsilons of the squares of distance and contact distance, and of "
-    "positions times contact distance, over the square root in the formula";
-
 static const char quantity[] = "time until the disks touch";
 
 /* Whether they meet at all is a check of its own, since never is not a
@@ -138,7 +134,10 @@ static void check_time(struct pair p, double expected)
     check_meets(got, NULL, NULL);
     CHECK_NEAR(
         got, .quantity = quantity, .unit = "s", .expected = expected,
-        .tolerance = allowed, .because = because,
+        .tolerance = allowed,
+        .because = "16 epsilons of the squares of distance and contact "
+                   "distance, and of positions times contact distance, "
+                   "over the square root in the formula",
         .equation = "eq:pair-quadratic",
         .mistakes = {
             {"second-root", root(&p, touching(&p), 1.0),
@@ -172,7 +171,7 @@ static void check_never(struct pair p)
         got == INFINITY ? 0.0 : told,
         .quantity = "0 if they never touch, -1 if they meet now, or else "
                     "the time until they touch",
-        .expected = 0.0, .because = "never is never",
+        .because = "never is never",
         .mistakes = {
             {"root-of-a-negative", CHECK_NAN,
              "Not a number: they pass each other, or move alike. What "
@@ -199,7 +198,7 @@ static void check_now(struct pair p)
     const double got = answer(&p).time;
     check_meets(got, "contact-lost", lost);
     CHECK_NEAR(
-        got, .quantity = quantity, .unit = "s", .expected = 0.0,
+        got, .quantity = quantity, .unit = "s",
         .because = "two that touch and approach meet now",
         .mistakes = {
             {"time-in-the-past", root(&p, touching(&p), -1.0),

@@ -120,10 +120,6 @@ struct box {
     double last;        /* time of the last sample, s */
 };
 
-double box_next(struct box *b);
-void box_fly(struct box *b, double time);
-void box_collide(struct box *b);
-void box_record(struct box *b, double t);
 void box_run(struct box *b, double tick, size_t samples);
 
 double box_next(struct box *b)
@@ -503,9 +499,6 @@ static void test_several(void)
 /* Both walls of a corner at one time; after 0.8 s, and again after 3 s. */
 static void test_corner(void)
 {
-    static const char question[] =
-        "The disk runs into the corner: two collisions at one time, one "
-        "for each wall. What does box_next say after the first of them?";
     struct box corner = lonely;
     corner.d.x[0][1] = 2.7;
     corner.d.v[0][1] = 1.0;
@@ -523,7 +516,10 @@ static void test_corner(void)
                       .expected = lonely_place((double)(k + 1) * j.tick),
                       .tolerance = few,
                       .because = of_few,
-                      .question = question});
+                      .question =
+                          "The disk runs into the corner: two collisions "
+                          "at one time, one for each wall. What does "
+                          "box_next say after the first of them?"});
 }
 
 static void test_times(void)
@@ -567,8 +563,6 @@ struct alone {
     double length[2], radius, x[2], v[2], tick;
     size_t samples;
 };
-
-void clock_check_alone(const struct alone *a);
 
 /* Unfolded, a disk that runs between two walls flies straight on: it is
    back after twice the free way. */

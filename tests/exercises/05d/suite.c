@@ -472,8 +472,7 @@ static void test_no_hits(void)
     quiet.until = 8.5;
     for (int k = 0; k < 2; ++k)
         CHECK_NEAR(answer(&none, k), .quantity = name_of(k),
-                   .input = input(&none), .expected = 0.0,
-                   .because = "nothing was hit",
+                   .input = input(&none), .because = "nothing was hit",
                    .question = "Nothing was hit in this time. What is the "
                                "pressure, and was it filled in?",
                    .mistakes = {{"nothing-over-nothing", CHECK_NAN,
@@ -481,7 +480,7 @@ static void test_no_hits(void)
                                  "this time. By what do you divide?"}});
     CHECK_NEAR(
         answer(&quiet, 0), .quantity = name_of(0), .input = input(&quiet),
-        .expected = 0.0, .because = "nothing was hit",
+        .because = "nothing was hit",
         .question =
             "No hit falls into this time. What is the pressure in it?");
 }

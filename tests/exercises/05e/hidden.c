@@ -91,7 +91,7 @@ static void check_both(const struct judged both[2])
     }
     for (int i = 0; i < 2; ++i) {
         CHECK_NEAR(
-            called[i] > 0 ? 1.0 : 0.0,
+            called[i] > 0,
             .quantity = "1 if the program that you judge was run at all",
             .input = both[i].how, .expected = 1.0, .because = "yes or no");
         CHECK_NEAR(

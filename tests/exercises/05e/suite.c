@@ -211,7 +211,7 @@ static void check_called(const struct judged *j)
     static const char question[] =
         "You have said something of this program, and have not run it "
         "once. What do you know of it?";
-    CHECK_NEAR(j->calls > 0 ? 1.0 : 0.0,
+    CHECK_NEAR(j->calls > 0,
                .quantity = "1 if the program that you judge was run at all",
                .input = j->how, .expected = 1.0, .because = "yes or no",
                .question = question,
@@ -231,17 +231,15 @@ static void check_right(const struct judged *j)
 
 static void check_wrong(const struct judged *j)
 {
-    static const char none[] =
-        "Not one of your runs has seen a bounce. What can a clock do wrong "
-        "when nothing happens?";
     const bool seen = j->bounces > 0;
     check_called(j);
     CHECK_NEAR(
         j->said,
         .quantity = "what you say of a wrong program (1 true, 0 false)",
-        .input = j->how, .expected = 0.0, .because = "yes or no",
-        .question = j->question,
-        .mistakes = {{"no-bounce", seen ? 0.0 : j->said, none},
+        .input = j->how, .because = "yes or no", .question = j->question,
+        .mistakes = {{"no-bounce", seen ? 0.0 : j->said,
+                      "Not one of your runs has seen a bounce. What can a "
+                      "clock do wrong when nothing happens?"},
                      {j->mistake, seen ? j->said : 0.0, j->question}});
 }
 

@@ -94,10 +94,6 @@ static size_t student(const struct job *j, double x[], double y[])
    these random numbers. Returns whether it ended. */
 bool throw_scripted(size_t n, const double radius[], const double size[2],
                     const double script[], size_t count, double x[],
-                    double y[], size_t *throws);
-
-bool throw_scripted(size_t n, const double radius[], const double size[2],
-                    const double script[], size_t count, double x[],
                     double y[], size_t *throws)
 {
     source.script = script;
@@ -376,7 +372,7 @@ static const char *input(const struct job *j)
 
 static void check_ended(const struct job *j, const struct answer *a)
 {
-    CHECK_NEAR(a->ended ? 1.0 : 0.0,
+    CHECK_NEAR(a->ended,
                .quantity = "does it end before it has asked for 100000 "
                            "random numbers? (1 yes, 0 no)",
                .input = input(j), .expected = 1.0, .because = "yes or no");
@@ -492,15 +488,13 @@ static void test_three(void)
 
 static void test_two(void)
 {
-
-    static const char near[] =
-        "The two disks are near in x and near in y. Do they overlap?";
     check_ask("The second disk fell on the first. Which of the two must be "
               "thrown again?");
     check_script(JOB(2, {0.2, 0.2}, 1.0, 1.0, 8,
                      {0.5, 0.5, 0.6, 0.7, 0.1, 0.2, 0.8, 0.9}),
                  2.0);
-    check_ask(near);
+    check_ask(
+        "The two disks are near in x and near in y. Do they overlap?");
     check_script(JOB(2, {0.2, 0.2}, 1.0, 1.0, 4, {0.2, 0.1, 0.75, 0.65}),
                  1.0);
 }
@@ -780,10 +774,6 @@ static double second_moment(sampler *s, bool *ended)
 
 static void test_crowd(void)
 {
-    static const char question[] =
-        "The disks keep away from the walls more than they should. Which "
-        "placings have most room, and does your sampler find them as often "
-        "as the others?";
     bool ended;
     const double expected = 0.1082915, tolerance = 4.0 * 0.0006;
     const double got = second_moment(student, &ended);
@@ -801,7 +791,11 @@ static void test_crowd(void)
                .input = check_text("1000 placings, %s", input(&four)),
                .expected = expected, .tolerance = tolerance,
                .because = "4 times the scatter of 1000 placings",
-               .question = question, .mistakes = {m});
+               .question =
+                   "The disks keep away from the walls more than they "
+                   "should. Which placings have most room, and does your "
+                   "sampler find them as often as the others?",
+               .mistakes = {m});
 }
 
 const struct check_suite check_suite = {

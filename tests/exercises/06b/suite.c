@@ -87,10 +87,6 @@ static struct answer run(chain *c, const struct job *j)
    it had asked for just so many. */
 bool chain_scripted(size_t n, double radius, double dish, double step,
                     size_t tries, const double script[], double x[],
-                    double y[], size_t *accepted, double *mean);
-
-bool chain_scripted(size_t n, double radius, double dish, double step,
-                    size_t tries, const double script[], double x[],
                     double y[], size_t *accepted, double *mean)
 {
     source.used = 0;
@@ -333,8 +329,6 @@ static double rounding(const struct job *j)
     return 4.0 * DBL_EPSILON * (double)j->tries * j->dish;
 }
 
-static const char because[] = "4 epsilons of the dish for each try";
-
 static void check_places(const struct job *j, const struct answer *a,
                          const struct answer *expected)
 {
@@ -348,14 +342,15 @@ static void check_places(const struct job *j, const struct answer *a,
                        check_text("%s of disk %zu after the last try",
                                   c % 2 ? "y" : "x", c / 2),
                    .unit = "m", .input = input(j), .expected = want,
-                   .tolerance = rounding(j), .because = because,
+                   .tolerance = rounding(j),
+                   .because = "4 epsilons of the dish for each try",
                    .mistakes = {behind(j, a, got)});
     }
 }
 
 static void check_ended(const struct job *j, const struct answer *a)
 {
-    CHECK_NEAR(a->ended ? 1.0 : 0.0,
+    CHECK_NEAR(a->ended,
                .quantity = "does it end before it has asked for 60 random "
                            "numbers a try? (1 yes, 0 no)",
                .input = input(j), .expected = 1.0, .because = "yes or no",

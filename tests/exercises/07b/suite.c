@@ -165,9 +165,6 @@ static double tolerance(const struct record *r)
     return DBL_EPSILON * (16.0 + (16.0 + (double)r->count) * sum);
 }
 
-static const char because[] =
-    "16 epsilons, and one for each collision, of the sum without signs";
-
 /* The mistake whose value was got, or one without a name. */
 static struct check_mistake mistake(const struct record *r, double got)
 {
@@ -226,7 +223,9 @@ static void check_z(const struct record *r, double expected)
     const double got = answer(r).z;
     CHECK_NEAR(got, .quantity = "Z", .input = input(r),
                .expected = expected, .tolerance = tolerance(r),
-               .because = because, .mistakes = {mistake(r, got)});
+               .because = "16 epsilons, and one for each collision, of the "
+                          "sum without signs",
+               .mistakes = {mistake(r, got)});
 }
 
 static double ideal(const struct record *r, int sides)

@@ -360,15 +360,13 @@ static void test_few(void)
     check_few(&perfect);
 }
 
-static const char doubt_question[] =
-    "Look at these errors from the largest step to the smallest. Do they "
-    "follow one straight line on logarithmic paper, and does it fall?";
-
 static void check_doubt(const struct runs *r, double p, const char *name,
                         const char *hint)
 {
     const struct result got = measured(r);
-    check_ask(doubt_question);
+    check_ask("Look at these errors from the largest step to the smallest. "
+              "Do they follow one straight line on logarithmic paper, and "
+              "does it fall?");
     check_order(r, got.order, p);
     check_verdict(r, got.verdict, NOT_YET,
                   (struct check_mistake){name, MEASURED, hint}, nothing);

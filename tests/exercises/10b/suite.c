@@ -116,8 +116,8 @@ static void check_digits(const struct known *k, double off,
 {
     const bool much = ratio(&k->o) > 2.0;
     CHECK_NEAR(
-        off, .quantity = quantity, .input = input(k), .expected = 0.0,
-        .tolerance = 1e-12, .because = because,
+        off, .quantity = quantity, .input = input(k), .tolerance = 1e-12,
+        .because = because,
         .mistakes = {
             {"digits-lost", off,
              much ? "The formula is right and its digits go. The slow one "

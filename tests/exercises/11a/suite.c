@@ -120,7 +120,7 @@ static void check_finite(const struct pair *p, const struct answer *r)
         no,
         .quantity =
             "is there a coordinate that is no number? (1 yes, 0 no)",
-        .input = input(p), .expected = 0.0, .because = "yes or no",
+        .input = input(p), .because = "yes or no",
         .question = "Where does something come from that is no number?",
         .mistakes = {{"no-line", line ? 0.0 : 1.0,
                       "At the same place there is no line from one centre "
@@ -262,7 +262,7 @@ static void check_unchanged(const struct pair *p, double gap)
     const bool moved = r.a.x[0] != p->a.x[0] || r.b.x[0] != p->b.x[0];
     CHECK_NEAR(
         r.depth, .quantity = "depth of the overlap", .unit = "m",
-        .input = input(p), .expected = 0.0, .because = "there is none",
+        .input = input(p), .because = "there is none",
         .mistakes = {{"pulled-together", moved ? r.depth : 0.0,
                       "These two are apart, and have been pulled together. "
                       "What is to be done when nothing overlaps?"},

@@ -275,7 +275,7 @@ static void check_left(const struct pair *p, const char *mistake,
                .mistakes = {{mistake, got, question}});
     CHECK_NEAR(changed,
                .quantity = "how many numbers of the spheres have changed",
-               .input = input(p), .expected = 0.0, .because = "none should",
+               .input = input(p), .because = "none should",
                .question = "You say that nothing is to be done, and do "
                            "something. In which order?",
                .mistakes = {{"changed-anyway", changed,

@@ -170,12 +170,10 @@ static void check_all(const struct force *f, double bound)
 
 /* ---- the tests ---- */
 
-static const char fall_question[] = "Nothing stretches here: d\" is the "
-                                    "push. How far is it after that time?";
-
 static void test_push(void)
 {
-    check_ask(fall_question);
+    check_ask("Nothing stretches here: d\" is the push. How far is it "
+              "after that time?");
     check_force(0.25, 0.0, 3.0, 1.125);
     check_force(2.0, 0.0, 1.0, 1.0);
     check_force(9.81, 0.0, 1e-3, 4.905e-6);

@@ -198,11 +198,6 @@ static const struct run_order *order(const struct scene *s, int given,
 static const char for_ever[] =
     "How does the time to the next event come to be 0 again and again? "
     "Print it, and which event it is.";
-static const char root_again[] =
-    "A bead that has just left the stop is at 0, and 0 is a root of its "
-    "equation. Which of the two roots is the bounce to come? "
-    "[root-zero-again]";
-
 static void check_form(const struct scene *s, const struct run *r)
 {
     project_form(r, (size_t)s->rows + 1, 2 + 2 * (size_t)s->n,
@@ -298,8 +293,6 @@ static void check_rows(const struct scene *s, const struct table *t,
                        const struct run *r, double slack,
                        const char *question)
 {
-    static const char because[] =
-        "rounding, and what the collisions make of it";
     const int columns = 2 + 2 * s->n;
     double size[COLUMNS] = {0.0};
     for (int k = 0; k <= s->rows; ++k)
@@ -330,7 +323,7 @@ static void check_rows(const struct scene *s, const struct table *t,
                                  : "m",
                 .expected = want,
                 .tolerance = most,
-                .because = because,
+                .because = "rounding, and what the collisions make of it",
                 .equation = "eq:gap-time",
                 .question = c != 1 ? question
                             : s->g > 0.0
@@ -357,8 +350,12 @@ static void check_scene(const struct scene *s, double slack, bool counts,
                         const char *question)
 {
     static struct table t;
-    const struct run *r =
-        run_program(order(s, 0, s->g > 0.0 ? root_again : for_ever));
+    const struct run *r = run_program(order(
+        s, 0,
+        s->g > 0.0 ? "A bead that has just left the stop is at 0, and 0 is "
+                     "a root of its equation. Which of the two roots is "
+                     "the bounce to come? [root-zero-again]"
+                   : for_ever));
     simulate(s, NONE, &t);
     check_form(s, r);
     check_rows(s, &t, r, slack, question);
@@ -544,20 +541,20 @@ static void check_long(void)
         for (int i = 0; i < s.n; ++i) {
             const double here = row[2 + 2 * i];
             energy += s.m[i] * row[3 + 2 * i] * row[3 + 2 * i] / 2.0;
-            CHECK_NEAR(
-                here < last - 1e-9 ? here - last : 0.0,
-                .quantity = check_text("how far bead %d has passed its "
-                                       "neighbour or its stop in row %zu",
-                                       i + 1, k),
-                .unit = "m", .expected = 0.0, .equation = "eq:gap-time",
-                .question = "Which collision was missed?");
+            CHECK_NEAR(here < last - 1e-9 ? here - last : 0.0,
+                       .quantity =
+                           check_text("how far bead %d has passed its "
+                                      "neighbour or its stop in row %zu",
+                                      i + 1, k),
+                       .unit = "m", .equation = "eq:gap-time",
+                       .question = "Which collision was missed?");
             last = here;
         }
         const double off = last > s.length + 1e-9 ? last - s.length : 0.0;
         CHECK_NEAR(off,
                    .quantity = check_text(
                        "how far the last bead is outside in row %zu", k),
-                   .unit = "m", .expected = 0.0, .equation = "eq:gap-time",
+                   .unit = "m", .equation = "eq:gap-time",
                    .question = "Which bounce was missed?");
         CHECK_NEAR(
             energy,
@@ -638,8 +635,8 @@ static void stage_clock(void)
         CHECK_NEAR(
             r->numbers[4 * k] - k * s.tc,
             .quantity = check_text("t in row %d, less %d TC", k, k),
-            .unit = "s", .expected = 0.0,
-            .because = "k TC is one multiplication", .equation = "eq:clock",
+            .unit = "s", .because = "k TC is one multiplication",
+            .equation = "eq:clock",
             .question =
                 "How does the program know what time it is in this row?",
             .mistakes = {
@@ -923,7 +920,7 @@ static void check_numbers(const char *name, bool upright,
     CHECK_NEAR(
         (got[0] - theory) / got[1],
         .quantity = check_text("%s: run less theory, in errors", name),
-        .expected = 0.0, .tolerance = 5.0,
+        .tolerance = 5.0,
         .because = "beyond lies less than one run in a hundred thousand",
         .equation = "eq:equipartition",
         .question = "Theory and run do not agree. Which of them do you "

@@ -316,7 +316,7 @@ static void check_rows(const struct scene *s, const struct table *want,
             }
             check_near(got, check);
         }
-    CHECK_NEAR(0.0, .quantity = "rows that differ", .expected = 0.0);
+    CHECK_NEAR(0.0, .quantity = "rows that differ");
     if (!want->torn[s->rows]) {
         check_count(r, "# pairs", want->pairs, want->pairs + want->walls);
         check_count(r, "# walls", want->walls, want->pairs + want->walls);
@@ -439,7 +439,6 @@ static void check_touching(void)
     const struct run *r = run_program(&o);
     CHECK_NEAR(
         r->status, .quantity = "the status with which it ended",
-        .expected = 0.0,
         .question = "There is nothing wrong with this input.",
         .mistakes = {
             {"touching-refused", 2.0,
@@ -518,12 +517,12 @@ static void check_long(void)
         deepest = fmax(deepest, depth(row, 4, s.r));
     }
     CHECK_NEAR(change, .quantity = "largest change of the energy",
-               .expected = 0.0, .tolerance = 1e-9,
+               .tolerance = 1e-9,
                .because = "rounding of some thousand collisions",
                .question = "Which event changes the energy?");
     CHECK_NEAR(
         deepest, .quantity = "deepest overlap", .unit = "m",
-        .expected = 0.0, .tolerance = 1e-9, .because = "rounding",
+        .tolerance = 1e-9, .because = "rounding",
         .equation = "eq:pair-time",
         .question =
             "Two disks, or a disk and a wall, are in each other. Which "
@@ -763,13 +762,12 @@ static void check_seeds(double r)
     const bool same = !memcmp(a.density, b.density, sizeof a.density);
     CHECK_NEAR(
         same, .quantity = "1 if the seeds 1 and 2 give the same",
-        .expected = 0.0, .question = "What does your program do with SEED?",
+        .question = "What does your program do with SEED?",
         .mistakes = {
             {"seed-ignored", 1.0,
              "Two seeds have given one table. Where does SEED come in?"}});
     CHECK_NEAR(memcmp(a.density, again.density, sizeof a.density),
                .quantity = "0 if a seed gives the same table twice",
-               .expected = 0.0,
                .question =
                    "What else than SEED is your generator begun with?");
 }
@@ -799,7 +797,6 @@ static void check_least(void)
     const struct run_order *o = order_throw(1, 0.1, 1, 2);
     CHECK_NEAR(run_program(o)->status,
                .quantity = "the status with which it ended",
-               .expected = 0.0,
                .question = "Two samples are few, and enough. Who refuses "
                            "them, or what breaks?");
 }
@@ -935,7 +932,7 @@ static void check_looks(const struct counted *h, double least, double kept)
 {
     CHECK_NEAR(
         fmax(0.0, least - h->looks),
-        .quantity = "looks at a pair that are not counted", .expected = 0.0,
+        .quantity = "looks at a pair that are not counted",
         .because = "a throw that is kept has six pairs, and one that is "
                    "not was looked at, too",
         .question = "Which looks are not counted?",
@@ -964,7 +961,6 @@ static void check_flight_looks(const struct scene *s,
     CHECK_NEAR(
         fmax(0.0, 3.0 - each),
         .quantity = "looks that are missing, for each two that have met",
-        .expected = 0.0,
         .because = "both have other ways from then on, and two others each",
         .question = "Which looks are not counted?",
         .mistakes = {
@@ -1197,7 +1193,7 @@ static void check_pair(int n, double r, double small)
             fmax(fabs(row[0] - low), fabs(row[1] - low - width)),
             .quantity =
                 check_text("how far the ends of slice %d are off", i + 1),
-            .unit = "m", .expected = 0.0, .tolerance = 1e-9,
+            .unit = "m", .tolerance = 1e-9,
             .question =
                 "From which distance to which do the ten slices go?");
         check_near(row[4], theory);

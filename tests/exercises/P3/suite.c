@@ -645,7 +645,7 @@ static void check_room(void)
         "There are 64 bodies and 64 springs, and so many are allowed. How "
         "many does each of your arrays hold?";
     CHECK_NEAR(r->status, .quantity = "the status with which it ended",
-               .expected = 0.0, .question = question,
+               .question = question,
                .mistakes = {{"too-little-room", 2.0, question}});
     project_form(r, 3, WIDTH, question);
     CHECK_NEAR(r->numbers[2 * WIDTH + 2 + PER_BODY * (ALL - 1)],
@@ -769,7 +769,7 @@ static void check_order(struct scene s, int steps, const char *what)
         error[1] / size,
         .quantity = check_text(
             "how far from its place the worst body is, after %s", what),
-        .expected = 0.0, .tolerance = 2e-3,
+        .tolerance = 2e-3,
         .because =
             "a part of the orbit's size; methods of order 4 differ much",
         .equation = "eq:order",
@@ -816,7 +816,6 @@ static void check_stated(const struct scene *s, double t)
     const double stated = project_remark(r, "# error", &question);
     struct check check = {
         .quantity = "log10 of the stated error over the true one",
-        .expected = 0.0,
         .tolerance = log10(3.0),
         .because = "a factor of 3",
         .equation = "eq:order",
@@ -959,7 +958,7 @@ static double named(const struct scene *s, int status)
                     : "Your program refuses a step that is short enough. "
                       "Where does its limit come from?"}});
     CHECK_NEAR(status ? (double)r->rows : 0.0,
-               .quantity = "rows of a run that is refused", .expected = 0.0,
+               .quantity = "rows of a run that is refused",
                .question = "It is refused before it begins.");
     CHECK_NEAR(*r->complaint != '\0', .quantity = "a line on stderr",
                .expected = status,
@@ -967,7 +966,7 @@ static double named(const struct scene *s, int status)
     if (!status)
         check_form(s, r);
     CHECK_NEAR(isnan(got), .quantity = "a # limit that is missing",
-               .expected = 0.0, .question = question);
+               .question = question);
     return got * fastest(s);
 }
 
@@ -1024,7 +1023,7 @@ static void check_own_limit(void)
     const double limit = named(&s, 0);
     CHECK_NEAR(limit < 1.0 ? 1.0 - limit : 0.0,
                .quantity = "how far below 1/omega the limit is",
-               .expected = 0.0, .equation = "eq:stability-limit",
+               .equation = "eq:stability-limit",
                .question =
                    "Every method of order 4 in the book goes further. "
                    "Where does the matrix of yours cease to be stable?");
@@ -1101,10 +1100,6 @@ static void check_meeting(const struct scene *s, int i, int j, double t,
     const struct run *r = run_program(order(s));
     double got[3] = {NAN, NAN, NAN};
     run_remark(r, "# meet", got, 3);
-    static const char when[] =
-        "The two begin to touch where the distance of their centres is the "
-        "sum of their radii. Between the ends of a step, how does that "
-        "distance change?";
     const double ends = ceil(t / s->dt) * s->dt;
     CHECK_NEAR(r->status, .quantity = "the status with which it ended",
                .expected = 1.0, .equation = "eq:back-time",
@@ -1126,7 +1121,9 @@ static void check_meeting(const struct scene *s, int i, int j, double t,
         .expected = t, .tolerance = slack, .equation = "eq:back-time",
         .because = slack > 1e-6 * s->dt ? "how much a path bends in a step"
                                         : "they fly straight",
-        .question = when,
+        .question = "The two begin to touch where the distance of their "
+                    "centres is the sum of their radii. Between the ends "
+                    "of a step, how does that distance change?",
         .mistakes = {{"end-of-the-step", ends,
                       "That is the end of the step in which they meet. How "
                       "much of it was over?"},
@@ -1147,8 +1144,8 @@ static void check_miss(const struct scene *s,
 {
     const struct run *r = run_program(order(s));
     CHECK_NEAR(r->status, .quantity = "the status with which it ended",
-               .expected = 0.0, .equation = "eq:back-time",
-               .question = "These do not meet.", .mistakes = {false_alarm});
+               .equation = "eq:back-time", .question = "These do not meet.",
+               .mistakes = {false_alarm});
     check_form(s, r);
 }
 

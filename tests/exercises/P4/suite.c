@@ -340,7 +340,6 @@ static void answered(const struct request *q, struct answer *a)
     double pick[3] = {NAN, NAN, NAN};
     CHECK_NEAR(
         r->status, .quantity = "the status with which it ended",
-        .expected = 0.0,
         .question = "What did it complain about? This request can be held.",
         .mistakes = {
             {"refused-in-vain", 1.0,
@@ -409,7 +408,6 @@ static void check_velocities(const struct request *q,
         .quantity = "how far the velocities of the row are from those of "
                     "its pick, in the largest of them",
         .input = with_pick(a),
-        .expected = 0.0,
         .tolerance = 1e-6,
         .because = "the same steps, but for rounding",
         .equation = "eq:triple-jump",
@@ -435,7 +433,6 @@ static void held(const struct request *q, const struct answer *a,
     struct check check = {
         .quantity = "how far the row is from that of its pick, in TOL",
         .input = with_pick(a),
-        .expected = 0.0,
         .tolerance = 1e-3 + 1e-9 / q->tol,
         .because = "the same steps, but for rounding",
         .equation = "eq:triple-jump",
@@ -706,7 +703,7 @@ static void stage_horizon(void)
                       "No run of 50000 steps knows where these bodies are. "
                       "What do two of your runs say of each other, with "
                       "steps of different length?"}});
-    CHECK_NEAR((double)r->rows, .quantity = "rows", .expected = 0.0,
+    CHECK_NEAR((double)r->rows, .quantity = "rows",
                .question = "What is refused has no row.");
     CHECK_NEAR(*r->complaint != '\0', .quantity = "a line on stderr",
                .expected = 1.0,

@@ -19,13 +19,6 @@ static const char *input(size_t n, const double masses[], double speed,
 
 /* The slips, each worked out for the stack at hand. */
 
-/* Each blow multiplies the velocity of the lower ball by the factor that
-   belongs to the velocity of approach. */
-static double upper_at_rest(double speed, double e, double expected)
-{
-    return e / (1.0 + e) * (expected + speed);
-}
-
 static double masses_exchanged(size_t n, const double m[], double speed,
                                double e)
 {
@@ -43,17 +36,6 @@ static double only_the_last_pair(size_t n, const double m[], double speed,
     return (1.0 + e) * m[n - 2] / (m[n - 2] + m[n - 1]) * (1.0 + e) *
                speed -
            speed;
-}
-
-/* The bottom ball comes up with the whole speed. */
-static double floor_without_loss(double speed, double e, double expected)
-{
-    return 2.0 / (1.0 + e) * (expected + speed) - speed;
-}
-
-static double masses_ignored(size_t n, double speed, double e)
-{
-    return (pow(1.0 + e, (double)n) - 1.0) * speed;
 }
 
 /* With a restitution of 0 some slips answer 0, as much else does: such a
@@ -84,7 +66,7 @@ static void check_top(size_t n, const double masses[], double speed,
              "falling stack. Somebody stands on the ground and watches. "
              "What does the top ball do for them?"},
             {"upper-ball-at-rest",
-             telling(upper_at_rest(speed, e, expected), expected),
+             telling(e / (1.0 + e) * (expected + speed), expected),
              "This would be right if each upper ball hung still when it is "
              "hit. How fast does it come down on the one below?"},
             {"masses-exchanged", masses_exchanged(n, masses, speed, e),
@@ -94,14 +76,15 @@ static void check_top(size_t n, const double masses[], double speed,
             {"only-the-last-pair", only_the_last_pair(n, masses, speed, e),
              "The ball below the top one did not come straight from the "
              "floor. Who threw it up, and how fast was it then?"},
-            {"floor-without-loss", floor_without_loss(speed, e, expected),
+            {"floor-without-loss",
+             2.0 / (1.0 + e) * (expected + speed) - speed,
              "The floor sends the lowest ball back as fast as it came. Is "
              "that so with this restitution?"},
             {"never-downwards", expected < 0.0 ? 0.0 : expected,
              "Nothing was to stop here. The blow from below only slows "
              "this ball, and it goes on falling. Which sign has that?"},
             {"masses-ignored",
-             telling(masses_ignored(n, speed, e), expected),
+             telling((pow(1.0 + e, (double)n) - 1.0) * speed, expected),
              "This is the limit in which each ball is far heavier than the "
              "next. Where do the masses come in when they are not?"}});
 }

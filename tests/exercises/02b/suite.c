@@ -69,11 +69,6 @@ static double place(const struct job *j, size_t k)
 
 /* The slips, each worked out for the k-th tick. */
 
-static double at_events(const struct job *j, size_t k)
-{
-    return j->path[k < j->events ? k : j->events - 1].x;
-}
-
 static double nearest(const struct job *j, size_t k)
 {
     const double time = (double)k * j->tick;
@@ -81,11 +76,6 @@ static double nearest(const struct job *j, size_t k)
     const bool next =
         e + 1 < j->events && j->path[e + 1].t - time < time - j->path[e].t;
     return j->path[next ? e + 1 : e].x;
-}
-
-static double not_flown(const struct job *j, size_t k)
-{
-    return j->path[passed(j, (double)k * j->tick)].x;
 }
 
 static double velocity_before(const struct job *j, size_t k)
@@ -156,7 +146,7 @@ static void check_sample(const struct job *j, const double x[], size_t k,
         .unit = "m", .input = input(j), .expected = expected,
         .tolerance = tolerance(j, k), .because = because,
         .mistakes = {
-            {"at-the-events", at_events(j, k),
+            {"at-the-events", j->path[k < j->events ? k : j->events - 1].x,
              "This is the place of a collision. The clock asks at its own "
              "times. At which time is this sample wanted, and where in the "
              "path is that?"},
@@ -164,7 +154,7 @@ static void check_sample(const struct job *j, const double x[], size_t k,
              "This is where the nearest collision took place, and the ball "
              "was there a little earlier or later. How far does it fly in "
              "between?"},
-            {"not-flown", not_flown(j, k),
+            {"not-flown", j->path[passed(j, (double)k * j->tick)].x,
              "This is where the last flight began. How long has the ball "
              "been flying since, and how fast?"},
             {"velocity-before", velocity_before(j, k),

@@ -42,11 +42,6 @@ static double root(const struct flight *f, double s, double sign)
 
 /* The slips, each worked out for the flight at hand. */
 
-static double box_alone(const struct flight *f)
-{
-    return root(f, f->box, 1.0);
-}
-
 static double b_not_doubled(const struct flight *f)
 {
     const double s = reach(f), b = dot(f->r, f->v), v2 = dot(f->v, f->v);
@@ -68,11 +63,6 @@ static double square_box(const struct flight *f)
             first = fmin(first,
                          (copysign(reach(f), f->v[k]) - f->r[k]) / f->v[k]);
     return first;
-}
-
-static double a_length(const struct flight *f, double time)
-{
-    return time * sqrt(dot(f->v, f->v));
 }
 
 /* Each term of the discriminant is at most s^2 v^2 and is rounded a few
@@ -98,7 +88,7 @@ static void check_inside(struct flight f, double expected)
         .unit = "s", .expected = expected, .tolerance = tolerance(&f, got),
         .because = because,
         .mistakes = {
-            {"radius-forgotten", box_alone(&f),
+            {"radius-forgotten", root(&f, f.box, 1.0),
              "By then the CENTRE of the disk is at the wall of the box. "
              "Where is it when the edge of the disk is there?"},
             {"first-root", root(&f, reach(&f), -1.0),
@@ -118,7 +108,7 @@ static void check_inside(struct flight f, double expected)
             {"sign-of-b", -root(&f, reach(&f), -1.0),
              "A quadratic has -b in its solution. Which sign has yours, "
              "and is the disk on its way to the wall or from it?"},
-            {"length-for-time", a_length(&f, expected),
+            {"length-for-time", expected * sqrt(dot(f.v, f.v)),
              "This is the length of the way. Which unit does a time have, "
              "and by what do you divide?"},
             {"not-divided", expected * dot(f.v, f.v),

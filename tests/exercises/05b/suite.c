@@ -8,6 +8,8 @@ struct pair {
     struct thrown a, b;
 };
 
+#define PAIR(...) ((struct pair){__VA_ARGS__})
+
 /* What the student's function answers; an untouched place reads as NaN. */
 struct answer {
     double time, height;
@@ -258,14 +260,12 @@ static void test_along_a_line(void)
 {
     check_ask("The disks are on one line. How large is the gap between "
               "their edges, and how fast does it shrink?");
-    check_time((struct pair){0.0,
-                             {0.0, 0.0, 0.5, 0.0, 0.5},
-                             {6.0, 0.0, -1.5, 0.0, 1.5}},
-               2.0);
-    check_time((struct pair){0.0,
-                             {1.0, 7.0, 0.0, -3.0, 2.0},
-                             {1.0, 1.0, 0.0, -1.0, 1.0}},
-               1.5);
+    check_time(
+        PAIR(0.0, {0.0, 0.0, 0.5, 0.0, 0.5}, {6.0, 0.0, -1.5, 0.0, 1.5}),
+        2.0);
+    check_time(
+        PAIR(0.0, {1.0, 7.0, 0.0, -3.0, 2.0}, {1.0, 1.0, 0.0, -1.0, 1.0}),
+        1.5);
 }
 
 /* Triangles with the sides 3, 4, 5 and 5, 12, 13. */
@@ -273,13 +273,11 @@ static void test_in_the_plane(void)
 {
     check_ask("Draw disk a at rest and the path of disk b past it. Where "
               "is its centre when the edges touch?");
-    check_time((struct pair){0.0,
-                             {0.0, 0.0, 0.0, 0.0, 2.0},
-                             {7.0, 4.0, -1.0, 0.0, 3.0}},
-               4.0);
-    check_time((struct pair){0.0,
-                             {2.0, -1.0, 3.0, 0.5, 10.0},
-                             {-3.0, -21.0, 3.0, 2.5, 3.0}},
+    check_time(
+        PAIR(0.0, {0.0, 0.0, 0.0, 0.0, 2.0}, {7.0, 4.0, -1.0, 0.0, 3.0}),
+        4.0);
+    check_time(PAIR(0.0, {2.0, -1.0, 3.0, 0.5, 10.0},
+                    {-3.0, -21.0, 3.0, 2.5, 3.0}),
                4.0);
 }
 
@@ -302,21 +300,20 @@ static void test_never(void)
 {
     check_ask("These two never touch. What is the sign of d.u, and what "
               "stands under the square root?");
-    check_never((struct pair){
-        9.81, {0.0, 0.0, 0.0, 0.0, 1.0}, {9.0, 4.0, -2.0, 0.0, 2.0}});
-    check_never((struct pair){
-        9.81, {0.0, 0.0, -1.0, 0.0, 1.0}, {5.0, 0.0, 1.0, 0.0, 2.0}});
-    check_never((struct pair){
-        9.81, {0.0, 0.0, 2.0, 1.0, 1.0}, {5.0, 0.0, 2.0, 1.0, 2.0}});
-    check_never((struct pair){
-        9.81, {0.0, 0.0, 0.0, 0.0, 1.0}, {0.0, 5.0, 3.0, 0.0, 2.0}});
+    check_never(
+        PAIR(9.81, {0.0, 0.0, 0.0, 0.0, 1.0}, {9.0, 4.0, -2.0, 0.0, 2.0}));
+    check_never(
+        PAIR(9.81, {0.0, 0.0, -1.0, 0.0, 1.0}, {5.0, 0.0, 1.0, 0.0, 2.0}));
+    check_never(
+        PAIR(9.81, {0.0, 0.0, 2.0, 1.0, 1.0}, {5.0, 0.0, 2.0, 1.0, 2.0}));
+    check_never(
+        PAIR(9.81, {0.0, 0.0, 0.0, 0.0, 1.0}, {0.0, 5.0, 3.0, 0.0, 2.0}));
 }
 
 static struct pair in_contact(double overlap, double u, double w)
 {
-    return (struct pair){9.81,
-                         {1.0, 2.0, 0.25, 0.5, 2.0},
-                         {4.0 - overlap, 6.0, 0.25 + u, 0.5 + w, 3.0}};
+    return PAIR(9.81, {1.0, 2.0, 0.25, 0.5, 2.0},
+                {4.0 - overlap, 6.0, 0.25 + u, 0.5 + w, 3.0});
 }
 
 static const double hair = 16.0 * DBL_EPSILON;
@@ -346,18 +343,15 @@ static void test_height(void)
 {
     check_ask("Where are the two centres at that time, and where between "
               "them is the point of contact?");
-    check_height((struct pair){0.0,
-                               {1.0, 1.0, 0.0, 1.0, 1.0},
-                               {1.0, 8.0, 0.0, -1.0, 3.0}},
-                 3.5);
-    check_height((struct pair){10.0,
-                               {0.0, 2.0, 3.0, 4.0, 0.25},
-                               {6.0, 10.0, 0.0, 0.0, 0.75}},
-                 2.0 + 7.2 + 0.2 - 16.2);
-    check_height((struct pair){2.0,
-                               {0.0, 0.0, 0.0, 2.0, 2.0},
-                               {7.0, 4.0, -1.0, 2.0, 3.0}},
-                 8.0 - 16.0 + 1.6);
+    check_height(
+        PAIR(0.0, {1.0, 1.0, 0.0, 1.0, 1.0}, {1.0, 8.0, 0.0, -1.0, 3.0}),
+        3.5);
+    check_height(
+        PAIR(10.0, {0.0, 2.0, 3.0, 4.0, 0.25}, {6.0, 10.0, 0.0, 0.0, 0.75}),
+        2.0 + 7.2 + 0.2 - 16.2);
+    check_height(
+        PAIR(2.0, {0.0, 0.0, 0.0, 2.0, 2.0}, {7.0, 4.0, -1.0, 2.0, 3.0}),
+        8.0 - 16.0 + 1.6);
 }
 
 /* Two that touch already: the contact is where it is. */
@@ -509,7 +503,7 @@ CHECK_TIMES(40, test_drawn_never, i)
         b->y = m.p.a.y - w * m.time - u * beside;
     }
     if (i % 4 < 2)
-        m.p = (struct pair){m.p.g, small(m.p.a), small(m.p.b)};
+        m.p = PAIR(m.p.g, small(m.p.a), small(m.p.b));
     check_never(m.p);
 }
 

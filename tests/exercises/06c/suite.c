@@ -63,18 +63,6 @@ static double one_part(struct pair p)
     return part(p.dimensions, a, chord(a, b, p.r));
 }
 
-static double in_the_middle(struct pair p)
-{
-    return part(p.dimensions, p.R1 + p.small, 0.5 * p.r) +
-           part(p.dimensions, p.R2 + p.small, 0.5 * p.r);
-}
-
-static double small_diameter(struct pair p)
-{
-    return shared(p.dimensions, p.R1 + 2.0 * p.small, p.R2 + 2.0 * p.small,
-                  p.r);
-}
-
 static double sectors(struct pair p)
 {
     const double a = p.R1 + p.small, b = p.R2 + p.small;
@@ -150,7 +138,9 @@ static void check_overlap(struct pair p, double expected,
             {"area-for-volume", flat(p),
              "This is the area of a lens in the plane. How many dimensions "
              "were asked for?"},
-            {"chord-in-the-middle", in_the_middle(p),
+            {"chord-in-the-middle",
+             part(p.dimensions, p.R1 + p.small, 0.5 * p.r) +
+                 part(p.dimensions, p.R2 + p.small, 0.5 * p.r),
              "The chord lies half way between the centres when the zones "
              "are equal. Towards which one does it move when they are "
              "not?"},
@@ -163,7 +153,9 @@ static void check_overlap(struct pair p, double expected,
             {"one-piece", one_part(p),
              "This is what the chord cuts off one of the two zones. What "
              "lies on its other side?"},
-            {"small-diameter", small_diameter(p),
+            {"small-diameter",
+             shared(p.dimensions, p.R1 + 2.0 * p.small,
+                    p.R2 + 2.0 * p.small, p.r),
              "Your zones are too wide. When a small body touches a big "
              "one, how far apart are their centres?"},
             {"sectors-only", p.dimensions == 2 ? sectors(p) : expected,

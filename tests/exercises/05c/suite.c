@@ -412,6 +412,9 @@ static void check(const struct job *j, look *see, size_t which,
     check_near(got, c);
 }
 
+#define CHECK_SEEN(j, see, which, first, ...)                              \
+    check(j, see, which, first, (struct check){__VA_ARGS__})
+
 /* Ten flights, and each place or time is the sum of what was flown before:
    an epsilon of at most 16 for each. */
 static const double few = 160.0 * DBL_EPSILON;
@@ -439,29 +442,24 @@ static void check_hit(double tick, size_t samples, size_t which,
                       double expected)
 {
     const struct job j = {&lonely, lonely_disk, tick, samples};
-    check(&j, hit, which, FIRST,
-          (struct check){.quantity =
-                             check_text("time that the disk has flown when "
-                                        "collision %zu takes place",
-                                        which + 1),
-                         .unit = "s",
-                         .expected = expected,
-                         .tolerance = few,
-                         .because = of_few});
+    CHECK_SEEN(
+        &j, hit, which, FIRST,
+        .quantity = check_text(
+            "time that the disk has flown when collision %zu takes place",
+            which + 1),
+        .unit = "s", .expected = expected, .tolerance = few,
+        .because = of_few);
 }
 
 static void check_places(double tick, size_t samples)
 {
     const struct job j = {&lonely, lonely_disk, tick, samples};
     for (size_t k = 0; k < samples; ++k)
-        check(&j, across, k, LAST,
-              (struct check){
-                  .quantity =
-                      check_text("x of the disk in sample %zu", k + 1),
-                  .unit = "m",
-                  .expected = lonely_place((double)(k + 1) * tick),
-                  .tolerance = few,
-                  .because = of_few});
+        CHECK_SEEN(
+            &j, across, k, LAST,
+            .quantity = check_text("x of the disk in sample %zu", k + 1),
+            .unit = "m", .expected = lonely_place((double)(k + 1) * tick),
+            .tolerance = few, .because = of_few);
 }
 
 static void test_first(void)
@@ -508,52 +506,43 @@ static void test_corner(void)
                           0.5, 20};
     for (size_t k = 0; k < j.samples; ++k)
         for (int axis = 0; axis < 2; ++axis)
-            check(&j, axis ? up : across, k, LAST,
-                  (struct check){
-                      .quantity = check_text("%s of the disk in sample %zu",
-                                             axis ? "y" : "x", k + 1),
-                      .unit = "m",
-                      .expected = lonely_place((double)(k + 1) * j.tick),
-                      .tolerance = few,
-                      .because = of_few,
-                      .question =
-                          "The disk runs into the corner: two collisions "
-                          "at one time, one for each wall. What does "
-                          "box_next say after the first of them?"});
+            CHECK_SEEN(
+                &j, axis ? up : across, k, LAST,
+                .quantity = check_text("%s of the disk in sample %zu",
+                                       axis ? "y" : "x", k + 1),
+                .unit = "m",
+                .expected = lonely_place((double)(k + 1) * j.tick),
+                .tolerance = few, .because = of_few,
+                .question = "The disk runs into the corner: two collisions "
+                            "at one time, one for each wall. What does "
+                            "box_next say after the first of them?");
 }
 
 static void test_times(void)
 {
     const struct job j = {&lonely, lonely_disk, 0.5, 20};
     for (size_t k = 0; k < j.samples; ++k)
-        check(&j, claimed, k, LAST,
-              (struct check){.quantity =
-                                 check_text("time of sample %zu", k + 1),
-                             .unit = "s",
-                             .expected = (double)(k + 1) * j.tick,
-                             .tolerance = few,
-                             .because = of_few,
-                             .question = "A clock ticks, whatever the "
-                                         "disks do. When is this tick?"});
+        CHECK_SEEN(
+            &j, claimed, k, LAST,
+            .quantity = check_text("time of sample %zu", k + 1),
+            .unit = "s", .expected = (double)(k + 1) * j.tick,
+            .tolerance = few, .because = of_few,
+            .question =
+                "A clock ticks, whatever the disks do. When is this tick?");
 }
 
 static void test_how_many(void)
 {
     const struct job j = {&lonely, lonely_disk, 0.5, 20};
-    check(&j, count, 0, LAST,
-          (struct check){.quantity = "samples recorded",
-                         .expected = (double)j.samples,
-                         .because = "a number of samples is exact",
-                         .question = "How often is box_record called?"});
-    check(&j, flown, 0, LAST,
-          (struct check){
-              .quantity = "time flown in the whole run",
-              .unit = "s",
-              .expected = (double)j.samples * j.tick,
-              .tolerance = few,
-              .because = of_few,
-              .question =
-                  "The run ends with the last sample. When is that?"});
+    CHECK_SEEN(&j, count, 0, LAST, .quantity = "samples recorded",
+               .expected = (double)j.samples,
+               .because = "a number of samples is exact",
+               .question = "How often is box_record called?");
+    CHECK_SEEN(
+        &j, flown, 0, LAST, .quantity = "time flown in the whole run",
+        .unit = "s", .expected = (double)j.samples * j.tick,
+        .tolerance = few, .because = of_few,
+        .question = "The run ends with the last sample. When is that?");
 }
 
 /* ---- one disk, with drawn numbers ---- */
@@ -612,39 +601,34 @@ static void alone_place(const struct alone *a, const struct box *b,
     const double expected = unfolded(a, k, (double)(which + 1) * a->tick);
     const double tolerance = alone_tolerance(a, k);
     const struct box start = alone_box(a);
+    const struct job j = {&start, alone_text(a), a->tick, a->samples};
     if (fabs(b->at[which][k] - expected) <= tolerance)
         return;
-    check(
-        &(struct job){&start, alone_text(a), a->tick, a->samples},
-        k ? up : across, which, LAST,
-        (struct check){
-            .quantity = check_text("%s of the disk in sample %zu",
-                                   k ? "y" : "x", which + 1),
-            .unit = "m",
-            .expected = expected,
-            .tolerance = tolerance,
-            .because =
-                "2 epsilons of the size and of the way, for each flight"});
+    CHECK_SEEN(
+        &j, k ? up : across, which, LAST,
+        .quantity = check_text("%s of the disk in sample %zu",
+                               k ? "y" : "x", which + 1),
+        .unit = "m", .expected = expected, .tolerance = tolerance,
+        .because =
+            "2 epsilons of the size and of the way, for each flight");
 }
 
 /* All samples of one disk, KEPT at most, and how long it has flown. */
 void clock_check_alone(const struct alone *a)
 {
     const struct box start = alone_box(a);
+    const struct job j = {&start, alone_text(a), a->tick, a->samples};
     const struct box b = after(start, STUDENT, a->tick, a->samples, NO_END);
     const double last = (double)a->samples * a->tick;
     for (size_t i = 0; i < a->samples; ++i)
         for (int k = 0; k < 2; ++k)
             alone_place(a, &b, i, k);
-    check(&(struct job){&start, alone_text(a), a->tick, a->samples}, flown,
-          0, LAST,
-          (struct check){.quantity = "time flown in the whole run",
-                         .unit = "s",
-                         .expected = last,
-                         .tolerance =
-                             alone_tolerance(a, 0) / a->length[0] * last +
-                             few * last,
-                         .because = "2 epsilons of it for each flight"});
+    CHECK_SEEN(&j, flown, 0, LAST,
+               .quantity = "time flown in the whole run", .unit = "s",
+               .expected = last,
+               .tolerance =
+                   alone_tolerance(a, 0) / a->length[0] * last + few * last,
+               .because = "2 epsilons of it for each flight");
 }
 
 /* Long and short flights, and ticks with many collisions or none. */
@@ -716,14 +700,13 @@ static void check_contact(const struct box *start, const char *disks,
                           size_t samples, const char *because)
 {
     const struct job j = {start, disks, 0.01, samples};
-    check(&j, gap, 0, FIRST,
-          (struct check){
-              .quantity = "largest distance between two edges that collide",
-              .unit = "m",
-              .tolerance = 64.0 * DBL_EPSILON * 20.0,
-              .because = because,
-              .question = "Do things touch when they collide? If not, "
-                          "where have the disks been moved to?"});
+    CHECK_SEEN(&j, gap, 0, FIRST,
+               .quantity =
+                   "largest distance between two edges that collide",
+               .unit = "m", .tolerance = 64.0 * DBL_EPSILON * 20.0,
+               .because = because,
+               .question = "Do things touch when they collide? If not, "
+                           "where have the disks been moved to?");
 }
 
 /* The clock counts to 20 s and is rounded at each flight; the disks are no
@@ -753,16 +736,14 @@ CHECK_TIMES(5, test_any_four, i)
     check_contact(&start, text, 200,
                   "a hundred flights, each with a rounding of the 2 s, and "
                   "room to spare");
-    check(
+    CHECK_SEEN(
         &j, clock_error, 0, LAST,
-        (struct check){
-            .quantity = "how far a sample is from its tick, at most",
-            .unit = "s",
-            .tolerance = 1000.0 * DBL_EPSILON * 2.0,
-            .because = "1000 flights, each with a rounding of 2 s",
-            .question =
-                "Whatever happens in the box, sample number k is that of k "
-                "ticks. What has your clock to do with the collisions?"});
+        .quantity = "how far a sample is from its tick, at most",
+        .unit = "s", .tolerance = 1000.0 * DBL_EPSILON * 2.0,
+        .because = "1000 flights, each with a rounding of 2 s",
+        .question =
+            "Whatever happens in the box, sample number k is that of k "
+            "ticks. What has your clock to do with the collisions?");
 }
 
 /* As long as the pressure takes, see below. */
@@ -774,17 +755,15 @@ static void test_long_clock(void)
 {
     const struct box start = four();
     const struct job j = {&start, four_disks, tick, TICKS};
-    check(
+    CHECK_SEEN(
         &j, clock_error, 0, LAST,
-        (struct check){
-            .quantity = "how far a sample is from its tick, by the time "
-                        "given or by what the disks have flown, at most",
-            .unit = "s",
-            .tolerance = 40000.0 * DBL_EPSILON * 500.0,
-            .because = "40000 flights, each with a rounding of 500 s",
-            .question =
-                "Whatever happens in the box, sample number k is that of k "
-                "ticks. What has your clock to do with the collisions?"});
+        .quantity = "how far a sample is from its tick, by the time given "
+                    "or by what the disks have flown, at most",
+        .unit = "s", .tolerance = 40000.0 * DBL_EPSILON * 500.0,
+        .because = "40000 flights, each with a rounding of 500 s",
+        .question =
+            "Whatever happens in the box, sample number k is that of k "
+            "ticks. What has your clock to do with the collisions?");
 }
 
 /* The value is that of placing four disks at random 5e9 times and keeping
@@ -796,17 +775,15 @@ static void test_pressure(void)
 {
     const struct box start = four();
     const struct job j = {&start, four_disks, tick, TICKS};
-    check(&j, pressure, 0, FIRST,
-          (struct check){
-              .quantity = "P V / (N kT), from the momentum given to the "
-                          "walls in 500 s",
-              .expected = 2.69889,
-              .tolerance = 0.09,
-              .because = "5 standard deviations of runs of this length",
-              .equation = "eq:wall-pressure",
-              .question =
-                  "Do the disks come to the walls as often as they should, "
-                  "and do they touch them when they collide?"});
+    CHECK_SEEN(
+        &j, pressure, 0, FIRST,
+        .quantity =
+            "P V / (N kT), from the momentum given to the walls in 500 s",
+        .expected = 2.69889, .tolerance = 0.09,
+        .because = "5 standard deviations of runs of this length",
+        .equation = "eq:wall-pressure",
+        .question = "Do the disks come to the walls as often as they "
+                    "should, and do they touch them when they collide?");
 }
 
 const struct check_suite check_suite = {

@@ -255,116 +255,102 @@ static void judge(const struct judged wrong[])
     }
 }
 
-#define JUDGE(...) judge((const struct judged[]){__VA_ARGS__, {0}})
+/* Defines a test that judges these and the right ones. */
+#define JUDGE(test, ...)                                                   \
+    static void test(void)                                                 \
+    {                                                                      \
+        judge((const struct judged[]){__VA_ARGS__, {0}});                  \
+    }
 
 static void test_right(void)
 {
     judge(&(const struct judged){0});
 }
 
-static void test_energy(void)
-{
-    JUDGE({stuck, 0, 0, "both stick together", "energy-forgotten",
-           "This one loses energy. Which quantity did you not compare?"});
-}
+JUDGE(test_energy,
+      {stuck, 0, 0, "both stick together", "energy-forgotten",
+       "This one loses energy. Which quantity did you not compare?"})
 
-static void test_momentum(void)
-{
-    JUDGE({in_the_lab, 0, 0, "both velocities change their signs",
-           "momentum-forgotten",
-           "A lorry and a fly turn round, each with the velocity it had: "
-           "no energy is lost. Which quantity did you not compare?"});
-}
+JUDGE(test_momentum,
+      {in_the_lab, 0, 0, "both velocities change their signs",
+       "momentum-forgotten",
+       "A lorry and a fly turn round, each with the velocity it had: no "
+       "energy is lost. Which quantity did you not compare?"})
 
-static void test_nothing(void)
-{
-    JUDGE({nothing, 0, 0, "nothing changes", "nothing-happens",
-           "This collide conserves energy and momentum. What else does a "
-           "collision do?"});
-}
+JUDGE(test_nothing, {nothing, 0, 0, "nothing changes", "nothing-happens",
+                     "This collide conserves energy and momentum. What "
+                     "else does a collision do?"})
 
-static void test_unequal(void)
-{
-    static const char question[] =
-        "This one is right for equal masses. Which masses did you try?";
-    JUDGE({swapped, 0, 0, "the two exchange their velocities",
-           "equal-masses-only", question},
-          {inverse, 0, 0, "the lighter body counts for more",
-           "equal-masses-only", question});
-}
+static const char unequal_question[] =
+    "This one is right for equal masses. Which masses did you try?";
 
-static void test_sides(void)
-{
-    static const char question[] =
-        "This one is right when the first body is the faster one to the "
-        "right. Did you ever let the second one come from the left?";
-    JUDGE({without_sign, 0, 0, "the difference has lost its sign",
-           "one-side-only", question},
-          {parting, 0, 0, "nothing happens unless v1 > v2", "one-side-only",
-           question});
-}
+JUDGE(test_unequal,
+      {swapped, 0, 0, "the two exchange their velocities",
+       "equal-masses-only", unequal_question},
+      {inverse, 0, 0, "the lighter body counts for more",
+       "equal-masses-only", unequal_question})
 
-static void test_both(void)
-{
-    static const char question[] =
-        "One of the two bodies never changes its velocity. Which numbers "
-        "did you look at afterwards?";
-    JUDGE({first_only, 0, 0, "only the first body changes", "one-body-only",
-           question},
-          {second_only, 0, 0, "only the second body changes",
-           "one-body-only", question});
-}
+static const char sides_question[] =
+    "This one is right when the first body is the faster one to the right. "
+    "Did you ever let the second one come from the left?";
 
-static void test_moving(void)
-{
-    JUDGE({second_at_rest, 0, 0, "the second body is taken to be at rest",
-           "second-at-rest",
-           "This one is right when the second body is at rest. Have both "
-           "of yours moved, ever?"});
-}
+JUDGE(test_sides,
+      {without_sign, 0, 0, "the difference has lost its sign",
+       "one-side-only", sides_question},
+      {parting, 0, 0, "nothing happens unless v1 > v2", "one-side-only",
+       sides_question})
 
-static void test_special(void)
-{
-    JUDGE({twins_pass, 0, 0, "bodies of equal mass do not collide",
-           "no-twins",
-           "This one is right for all masses but equal ones. It is a "
-           "special case: did you try it?"},
-          {whole_masses, 0, 0, "masses are rounded up to kilograms",
-           "whole-masses",
-           "This one is right for whole kilograms. Which masses did you "
-           "try?"},
-          {not_light, 0, 0, "masses below 2 g are taken for 2 g",
-           "not-all-masses",
-           "This one is wrong for a gram alone. From which mass on, and up "
-           "to which, was it to be right?"},
-          {not_heavy, 0, 0, "masses above 500 kg are taken for 500 kg",
-           "not-all-masses",
-           "This one is wrong for a ton alone. From which mass on, and up "
-           "to which, was it to be right?"});
-}
+static const char both_question[] =
+    "One of the two bodies never changes its velocity. Which numbers did "
+    "you look at afterwards?";
 
-static void test_digits(void)
-{
-    static const char question[] =
-        "A right function errs by ten epsilons, 2e-15; this one by much "
-        "more. How much do you let pass?";
-    JUDGE({nearly_elastic, 0, 0,
-           "one part in ten thousand of the approach is lost",
-           "small-error-passes", question},
-          {in_float, 0, 0, "the result is rounded to a float",
-           "small-error-passes", question},
-          {inexact, 4500.0, 0.0, "the first velocity is off by 1e-12",
-           "small-error-passes", question},
-          {inexact, 0.0, -4500.0, "the second velocity is off by 1e-12",
-           "small-error-passes", question});
-}
+JUDGE(test_both,
+      {first_only, 0, 0, "only the first body changes", "one-body-only",
+       both_question},
+      {second_only, 0, 0, "only the second body changes", "one-body-only",
+       both_question})
 
-static void test_nan(void)
-{
-    JUDGE({no_number, 0, 0, "the second velocity is NaN", "nan-passes",
-           "This one answers NaN. Is NaN larger than your tolerance, or "
-           "smaller? Which way round must the question be asked?"});
-}
+JUDGE(test_moving,
+      {second_at_rest, 0, 0, "the second body is taken to be at rest",
+       "second-at-rest",
+       "This one is right when the second body is at rest. Have both of "
+       "yours moved, ever?"})
+
+JUDGE(test_special,
+      {twins_pass, 0, 0, "bodies of equal mass do not collide", "no-twins",
+       "This one is right for all masses but equal ones. It is a special "
+       "case: did you try it?"},
+      {whole_masses, 0, 0, "masses are rounded up to kilograms",
+       "whole-masses",
+       "This one is right for whole kilograms. Which masses did you try?"},
+      {not_light, 0, 0, "masses below 2 g are taken for 2 g",
+       "not-all-masses",
+       "This one is wrong for a gram alone. From which mass on, and up to "
+       "which, was it to be right?"},
+      {not_heavy, 0, 0, "masses above 500 kg are taken for 500 kg",
+       "not-all-masses",
+       "This one is wrong for a ton alone. From which mass on, and up to "
+       "which, was it to be right?"})
+
+static const char digits_question[] =
+    "A right function errs by ten epsilons, 2e-15; this one by much more. "
+    "How much do you let pass?";
+
+JUDGE(test_digits,
+      {nearly_elastic, 0, 0,
+       "one part in ten thousand of the approach is lost",
+       "small-error-passes", digits_question},
+      {in_float, 0, 0, "the result is rounded to a float",
+       "small-error-passes", digits_question},
+      {inexact, 4500.0, 0.0, "the first velocity is off by 1e-12",
+       "small-error-passes", digits_question},
+      {inexact, 0.0, -4500.0, "the second velocity is off by 1e-12",
+       "small-error-passes", digits_question})
+
+JUDGE(test_nan,
+      {no_number, 0, 0, "the second velocity is NaN", "nan-passes",
+       "This one answers NaN. Is NaN larger than your tolerance, or "
+       "smaller? Which way round must the question be asked?"})
 
 static void test_drawn(void)
 {

@@ -285,82 +285,72 @@ static void judge(const struct judged wrong[])
             check_wrong(&all[i]);
 }
 
-#define JUDGE(...) judge((const struct judged[]){__VA_ARGS__, {0}})
+/* Defines a test that judges these and the right ones. */
+#define JUDGE(test, ...)                                                   \
+    static void test(void)                                                 \
+    {                                                                      \
+        judge((const struct judged[]){__VA_ARGS__, {0}});                  \
+    }
 
 static void test_right(void)
 {
     judge(&(const struct judged){0});
 }
 
-static void test_article(void)
-{
-    JUDGE(JUDGED(by_events, BACKWARDS | RECORDS | RESTARTS, 0, 0, 0,
-                 "the article's program", "energy-only",
-                 "The article's program jumps back in time at each bounce, "
-                 "and its speeds are right to the last digit. Which of its "
-                 "numbers belong to a time?"));
-}
+JUDGE(test_article,
+      JUDGED(by_events, BACKWARDS | RECORDS | RESTARTS, 0, 0, 0,
+             "the article's program", "energy-only",
+             "The article's program jumps back in time at each bounce, and "
+             "its speeds are right to the last digit. Which of its numbers "
+             "belong to a time?"))
 
-static void test_mended(void)
-{
-    JUDGE(
-        JUDGED(by_events, RECORDS | RESTARTS, 0, 0, 0,
-               "the article's, with its sign mended", "place-not-compared",
-               "This disk is always inside, always on its way, and turns "
-               "round at the walls. Is it there at the right time?"),
-        JUDGED(by_events, RECORDS, 0, 0, 0,
-               "each bounce is recorded like a tick", "place-not-compared",
-               "Some of these samples belong to bounces. To which time "
-               "does number k belong?"));
-}
+JUDGE(test_mended,
+      JUDGED(by_events, RECORDS | RESTARTS, 0, 0, 0,
+             "the article's, with its sign mended", "place-not-compared",
+             "This disk is always inside, always on its way, and turns "
+             "round at the walls. Is it there at the right time?"),
+      JUDGED(by_events, RECORDS, 0, 0, 0,
+             "each bounce is recorded like a tick", "place-not-compared",
+             "Some of these samples belong to bounces. To which time does "
+             "number k belong?"))
 
-static void test_restarting(void)
-{
-    JUDGE(JUDGED(by_events, RESTARTS, 0, 0, 0,
-                 "the tick begins anew after a bounce",
-                 "place-not-compared",
-                 "Between two samples with a bounce more than a tick goes "
-                 "by. Do you look at those?"));
-}
+JUDGE(test_restarting,
+      JUDGED(by_events, RESTARTS, 0, 0, 0,
+             "the tick begins anew after a bounce", "place-not-compared",
+             "Between two samples with a bounce more than a tick goes by. "
+             "Do you look at those?"))
 
-static void test_once(void)
-{
-    JUDGE(JUDGED(by_events, ONCE, 0, 0, 0,
-                 "one bounce a tick is seen, and no more",
-                 "one-bounce-a-tick",
-                 "This program forgets the second bounce between two "
-                 "ticks. Is there ever more than one in your runs?"));
-}
+JUDGE(test_once,
+      JUDGED(by_events, ONCE, 0, 0, 0,
+             "one bounce a tick is seen, and no more", "one-bounce-a-tick",
+             "This program forgets the second bounce between two ticks. Is "
+             "there ever more than one in your runs?"))
 
-static void test_losing(void)
-{
-    static const char question[] =
-        "This program loses a little time at each bounce, and the "
-        "differences grow. How much do you let pass, and how long do you "
-        "look?";
-    JUDGE(
-        JUDGED(by_events, 0, 0.1, 0, 0, "each bounce loses 0.1 ticks",
-               "small-error-passes", question),
-        JUDGED(by_events, 0, 1e-3, 0, 0, "each bounce loses 0.001 ticks",
-               "small-error-passes", question),
-        JUDGED(inexact, 0, 0, 0, 1.2e-5,
-               "from the hundredth tick on all is off by 1.2e-5 of the box",
-               "small-error-passes",
-               "This program is off by more than 1e-5 of the box, later "
-               "on. How much do you let pass, and how long do you look?"));
-}
+static const char losing_question[] =
+    "This program loses a little time at each bounce, and the differences "
+    "grow. How much do you let pass, and how long do you look?";
 
-static void test_axes(void)
-{
-    JUDGE(JUDGED(late_above, 0, 0, 0, 0, "along y all is 0.01 ticks late",
-                 "one-axis-only",
-                 "Along x this program is right. Which coordinates do you "
-                 "look at?"),
-          JUDGED(late_across, 0, 0, 0, 0, "along x all is 0.01 ticks late",
-                 "one-axis-only",
-                 "Along y this program is right. Which coordinates do you "
-                 "look at?"));
-}
+JUDGE(test_losing,
+      JUDGED(by_events, 0, 0.1, 0, 0, "each bounce loses 0.1 ticks",
+             "small-error-passes", losing_question),
+      JUDGED(by_events, 0, 1e-3, 0, 0, "each bounce loses 0.001 ticks",
+             "small-error-passes", losing_question),
+      JUDGED(inexact, 0, 0, 0, 1.2e-5,
+             "from the hundredth tick on all is off by 1.2e-5 of the box",
+             "small-error-passes",
+             "This program is off by more than 1e-5 of the box, later on. "
+             "How much do you let pass, and how long do you look?"))
+
+JUDGE(
+    test_axes,
+    JUDGED(
+        late_above, 0, 0, 0, 0, "along y all is 0.01 ticks late",
+        "one-axis-only",
+        "Along x this program is right. Which coordinates do you look at?"),
+    JUDGED(
+        late_across, 0, 0, 0, 0, "along x all is 0.01 ticks late",
+        "one-axis-only",
+        "Along y this program is right. Which coordinates do you look at?"))
 
 /* limit: 1e-9 m */
 /* limit: 1e9 m */

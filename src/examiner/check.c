@@ -186,12 +186,11 @@ static const char *ask_of_nan(double got)
                  "value yet?";
 }
 
-static const char *asked;
-static char about[512];
+static char asked[512], about[512];
 
 void check_ask(const char *question)
 {
-    asked = question;
+    snprintf(asked, sizeof asked, "%s", question);
 }
 
 const char *check_about(const char *input)

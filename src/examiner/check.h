@@ -79,7 +79,8 @@ extern const struct check_suite check_suite;
 /* Hidden tests, which only the grader runs, with the lecturer's seed. The
    last entry has no name. The list is empty if the exercise has no
    hidden.c. Hidden tests earn points only if a test of the suite that is
-   not idle has passed. */
+   not idle has passed. They ask no questions, because no student sees their
+   reports. */
 extern const struct check_test check_hidden[];
 /* A write outside an output. */
 struct check_overrun {

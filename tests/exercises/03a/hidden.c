@@ -72,24 +72,21 @@ CHECK_TIMES(3, test_mirror, i)
 }
 
 /* In micrometres and in megametres the edges are the same places. */
-static void test_units(void)
+CHECK_TIMES(2, test_units, i)
 {
     static const double units[] = {1e-6, 1e6};
-    for (size_t i = 0; i < 2; ++i) {
-        draw_law();
-        const size_t bins = (size_t)check_draw_whole(2, MOST / 2);
-        double edge[MOST + 1], other[MOST + 1];
-        equal_bins(below, low, high, bins, edge);
-        unit = units[i];
-        equal_bins(below, low / unit, high / unit, 2 * bins, other);
-        for (size_t k = 0; k <= bins; ++k)
-            check_edge(
-                check_text(
-                    "edge[%zu] of twice as many bins, in units of %g",
-                    2 * k, unit),
-                bins, other[2 * k] * unit, edge[k]);
-        unit = 1.0;
-    }
+    draw_law();
+    const size_t bins = (size_t)check_draw_whole(2, MOST / 2);
+    double edge[MOST + 1], other[MOST + 1];
+    equal_bins(below, low, high, bins, edge);
+    unit = units[i];
+    equal_bins(below, low / unit, high / unit, 2 * bins, other);
+    for (size_t k = 0; k <= bins; ++k)
+        check_edge(
+            check_text("edge[%zu] of twice as many bins, in units of %g",
+                       2 * k, unit),
+            bins, other[2 * k] * unit, edge[k]);
+    unit = 1.0;
 }
 
 const struct check_test check_hidden[] = {

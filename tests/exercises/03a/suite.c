@@ -428,16 +428,6 @@ static void test_steep(void)
     check_law(&crowded, 3);
 }
 
-static void check_inside(void)
-{
-    CHECK_NEAR((double)asked_outside,
-               .quantity =
-                   "how often distribution() was asked outside low to high",
-               .because = "it is given from low to high",
-               .question = "Between which two places must an edge lie, "
-                           "whatever the law is?");
-}
-
 static void test_drawn(void)
 {
     check_ask("This law rises by the same from corner to corner. In which "
@@ -450,7 +440,13 @@ static void test_drawn(void)
         const size_t many = (size_t)check_draw_whole(1, MOST / 2);
         check_law(&bent, pieces);
         check_law(&bent, many);
-        check_inside();
+        CHECK_NEAR(
+            (double)asked_outside,
+            .quantity =
+                "how often distribution() was asked outside low to high",
+            .because = "it is given from low to high",
+            .question = "Between which two places must an edge lie, "
+                        "whatever the law is?");
     }
 }
 

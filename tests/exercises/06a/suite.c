@@ -426,21 +426,6 @@ static double disks_thrown(const struct job *j)
     return call(right, j).ended ? 0.5 * (double)source.used : NAN;
 }
 
-static void check_throws(const struct job *j, const struct answer *a,
-                         double expected)
-{
-    CHECK_NEAR(
-        a->throws, .quantity = "how often all disks were thrown",
-        .input = input(j), .expected = expected,
-        .because = "a number of throws is exact",
-        .mistakes = {{"counts-failures", expected - 1.0,
-                      "These are the throws that failed. Was the last one, "
-                      "which fitted, not a throw?"},
-                     {"counts-disks", disks_thrown(j),
-                      "This is how many single disks were thrown. How "
-                      "often were all of them thrown, or begun to be?"}});
-}
-
 /* A script of which every throw fails at its last disk, if it fails: those
    who stop at an overlap and those who do not use the same numbers. */
 static void check_given(const struct job *j, const struct answer *expected)
@@ -450,7 +435,16 @@ static void check_given(const struct job *j, const struct answer *expected)
     const struct answer a = first(student, j);
     check_ended(j, &a);
     check_place(j, &a, expected, before);
-    check_throws(j, &a, expected->throws);
+    CHECK_NEAR(
+        a.throws, .quantity = "how often all disks were thrown",
+        .input = input(j), .expected = expected->throws,
+        .because = "a number of throws is exact",
+        .mistakes = {{"counts-failures", expected->throws - 1.0,
+                      "These are the throws that failed. Was the last one, "
+                      "which fitted, not a throw?"},
+                     {"counts-disks", disks_thrown(j),
+                      "This is how many single disks were thrown. How "
+                      "often were all of them thrown, or begun to be?"}});
 }
 
 static void check_script(struct job j, double throws)

@@ -976,21 +976,6 @@ static void check_among(void)
     }
 }
 
-/* Six errors know more together than each: of a hundred blocks the mean of
-   their logarithms scatters by 0.05. */
-static void check_errors(double mean_log)
-{
-    CHECK_NEAR(exp(mean_log),
-               .quantity =
-                   "the six errors together, in units of the true ones",
-               .expected = 1.0, .tolerance = 0.25,
-               .because = "found from 250 runs; and an error has an error",
-               .equation = "eq:block",
-               .question = "Each error alone could be chance, all of them "
-                           "together are not. What is the error of a root, "
-                           "when that of the square is known?");
-}
-
 static void stage_theory(void)
 {
     double mean_log = 0.0;
@@ -1026,8 +1011,19 @@ static void stage_theory(void)
                           naive[i], spread[i]);
             mean_log += log(got[i][1] / (theory[i] * spread[i])) / 6.0;
         }
+        /* Six errors know more together than each: of a hundred blocks the
+           mean of their logarithms scatters by 0.05. */
         if (upright)
-            check_errors(mean_log);
+            CHECK_NEAR(
+                exp(mean_log),
+                .quantity =
+                    "the six errors together, in units of the true ones",
+                .expected = 1.0, .tolerance = 0.25,
+                .because = "found from 250 runs; and an error has an error",
+                .equation = "eq:block",
+                .question = "Each error alone could be chance, all of them "
+                            "together are not. What is the error of a "
+                            "root, when that of the square is known?");
     }
 }
 

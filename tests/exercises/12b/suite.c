@@ -161,7 +161,7 @@ static void check_same(const struct job *j)
     const double got = answer(j, &end);
     const enum fault f = fault(j);
     const double size = fabs(j->x) + fabs(j->v) + fabs(j->w.g);
-    const bool all = !isnan(got) && (f == NONE || f == TWO || f == SAME);
+    const bool all = isfinite(got) && (f == NONE || f == TWO || f == SAME);
     CHECK_NEAR(
         got, .quantity = "how far the two runs are apart", .unit = "m",
         .tolerance = 1e-10 * size,

@@ -2,6 +2,8 @@
 # twice the difference of the ends, whatever the method.
 s/2, 2, 1\.573}/2, 2, 2.8}/
 s/fastest(&now)/bound()/
+/^\/\* The square of the fastest/,/^}/d
+/static const int order/d
 s/%.17g\\n", error .*/%.3g\\n", 2 * error);/
 /const double out = /c\
         runge_kutta(s, t);

@@ -186,7 +186,7 @@ static const char *ask_of_nan(double got)
                  "value yet?";
 }
 
-static char asked[512], about[512];
+static char asked[512], about[512]; /* set by check_ask and check_about */
 
 void check_ask(const char *question)
 {
@@ -200,8 +200,8 @@ const char *check_about(const char *input)
     return about;
 }
 
-/* Reports a failed check. If the answer is a known mistake, prints the hint
-   instead of the question, which would lead away from the mistake. */
+/* Reports a failed check. If the answer shows a known mistake, prints its
+   hint instead of the question, which would distract from the mistake. */
 static void say_failure(double got, const struct check *c)
 {
     char wanted[64], found[64];

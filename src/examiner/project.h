@@ -22,8 +22,8 @@ double project_draw(int year, double low, double high);
 void project_reads(const struct run *run, const char *hint);
 
 /* Checks that the program ended with status 0 and printed `rows` rows of
-   `columns` numbers. If the number of columns is wrong, the report asks the
-   student the question. */
+   `columns` numbers. If the number of columns is wrong, the report asks
+   `question`. */
 void project_form(const struct run *run, size_t rows, size_t columns,
                   const char *question);
 

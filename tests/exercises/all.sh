@@ -46,7 +46,8 @@ mistake_of() {
 # Its author is told of this mistake, and of no other.
 recognised() { # MISTAKE
     says 1 failed --strict && [ "$(grep -c '^  hint ' "$out/said")" -eq 1 ] &&
-        [ "$(grep -o '\[[a-z][a-z0-9-]\{2,\}\]$' "$out/said")" = "[$1]" ]
+        [ "$(sed -n '/^  hint /,$p' "$out/said" |
+            grep -o '\[[a-z][a-z0-9-]\{2,\}\]$')" = "[$1]" ]
 }
 
 # A wrong answer whose value several mistakes share, or that none explains:

@@ -206,8 +206,8 @@ static void slips_of(const struct record *r, int k,
          "This is the value of the other two walls. Which hits belong to "
          "the wall on the left and on the right?"},
         {"axes-exchanged", right(r, 1 - k) * r->size[1 - k] / r->size[k],
-         "These are the hits of the other two walls. Which of them belong "
-         "to the wall on the left and on the right?"},
+         "The hits of the other two walls give this. Which hits belong to "
+         "the wall on the left and on the right?"},
         {"signs-cancel", z_of(r, k, sum(r, k, SIGNED, COUNTED)),
          "Left and right cancel here. In which direction is each wall "
          "pushed, and does that matter for the pressure?"},

@@ -440,8 +440,8 @@ static void check_given(const struct job *j, const struct answer *expected)
         .input = input(j), .expected = expected->throws,
         .because = "a number of throws is exact",
         .mistakes = {{"counts-failures", expected->throws - 1.0,
-                      "These are the throws that failed. Was the last one, "
-                      "which fitted, not a throw?"},
+                      "So many throws failed. Was the last one, which "
+                      "fitted, not a throw?"},
                      {"counts-disks", disks_thrown(j),
                       "This is how many single disks were thrown. How "
                       "often were all of them thrown, or begun to be?"}});

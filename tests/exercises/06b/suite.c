@@ -243,8 +243,8 @@ static const struct slip {
       "that?"},
      UNTIL},
     {{"before-the-try", 0.0,
-      "These are the placings before each try, the start among them. Which "
-      "ones were wanted?"},
+      "The placings before each try, the start among them, give this. "
+      "Which ones were wanted?"},
      BEFORE},
     {{"mover-only", 0.0,
       "After a try only the disk that was chosen was added up. Over which "

@@ -85,7 +85,7 @@ static void check_below(const struct known *k)
              "This is the law for one disk more. What should come out for "
              "two disks, which share the energy in all ways alike?"},
             {"exponent-of-the-density", roughly(share, n - 2.0),
-             "This is the exponent that the density has. What does "
+             "The exponent that the density has gives this. What does "
              "integrating do to a power?"},
             {"share-of-the-mean", roughly(k->v * k->v / k->mean, n - 1.0),
              "Here v^2 is divided by the mean of the squares. Of what is "

@@ -198,8 +198,8 @@ static struct check_mistake mistake(const struct record *r, double got)
          "This is the temperature of a gas in the plane. Among how many "
          "directions is the energy shared here?"},
         {"ideal-part-forgotten", e,
-         "The collisions are right. Which pressure has a gas that has "
-         "none?"},
+         "The collisions alone give this. Which pressure has a gas that "
+         "has none?"},
         {"distance-forgotten", 1.0 + excess(r, no_distance),
          "This sums the momentum that was exchanged. Over which distance "
          "did it jump? Which unit must the virial have?"},

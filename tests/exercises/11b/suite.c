@@ -285,8 +285,8 @@ static void check_two(double m0, double m1, double v0, double v1, double u0,
             .question =
                 "Two balls meet once. What does each give to the other?",
             .mistakes = {{"velocities-exchanged", i ? v0 : v1,
-                          "They have exchanged their velocities. Do balls "
-                          "of different masses do that?"},
+                          "An exchange of the velocities gives this. Do "
+                          "balls of different masses make one?"},
                          {"they-stick", both,
                           "This is the velocity of their centre of mass. "
                           "Do they stick, or bounce?"},

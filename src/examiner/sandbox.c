@@ -92,13 +92,6 @@ long sandbox_judge(void)
     return user;
 }
 
-static void add_user(struct words *w)
-{
-    const char *user = number(w, sandbox_user());
-    ADD(w, "setpriv", "--reuid", user, "--regid", user, "--clear-groups",
-        "--no-new-privs");
-}
-
 static bool bounded; /* whether mount_disk works; set by sandbox_probe */
 /* Settings for enter(), which a new process calls before it becomes
    bubblewrap: enter() empties the environment, changes the user and mounts
@@ -111,7 +104,6 @@ static bool own_disk; /* mount a writable folder by mount_disk */
 static void give_up(const char *what)
 {
     fprintf(stderr, "no sandbox: cannot %s: %s\n", what, strerror(errno));
-    fflush(stderr);
     _exit(127);
 }
 
@@ -133,12 +125,10 @@ static void become_user(void)
 #ifdef __linux__
     if (syscall(SYS_setgroups, 0, NULL) != 0)
         give_up("leave the groups");
+    prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
 #endif
     if (setgid((gid_t)new_user) != 0 || setuid((uid_t)new_user) != 0)
         give_up("become another user");
-#ifdef __linux__
-    prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
-#endif
 }
 
 #ifdef __linux__
@@ -268,8 +258,10 @@ static void add_walls(struct words *w, enum sandbox_kind kind,
     add_system(w);
     add_copies(w, order);
     if (kind == SANDBOX_ROOT) {
-        add_user(w);
-        ADD(w, "--inh-caps=-all", "--bounding-set=-all");
+        const char *user = number(w, sandbox_user());
+        ADD(w, "setpriv", "--reuid", user, "--regid", user,
+            "--clear-groups", "--no-new-privs", "--inh-caps=-all",
+            "--bounding-set=-all");
     }
 }
 

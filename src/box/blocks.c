@@ -19,8 +19,8 @@ void blocks_free(struct blocks *b)
     free(b->sum);
     *b = (struct blocks){0};
 }
-/* Ends the present block. When all blocks are full, joins neighbours in
-   pairs, and the second half of the blocks becomes empty. */
+/* Ends the current block. When all blocks are full, adds neighbours in
+   pairs, which empties the second half of the blocks. */
 static void end_block(struct blocks *b)
 {
     const size_t width = b->width, half = BLOCKS_MOST / 2;
@@ -51,17 +51,18 @@ void blocks_append(struct blocks *b, const double sum[])
     end_block(b);
 }
 
-enum { PARTS = 16 }; /* equal parts of a third of the values */
+enum { PARTS = 16 }; /* number of equal parts of each third of the values */
 
 struct third {
     double mean, square; /* square: of the standard error of the mean */
 };
 
 /* Returns the mean of a third of the values and the square of its standard
-   error, from the scatter of 16 parts. Both are in this unit, since squares
-   of large numbers could overflow. The square is NAN if the scatter does
-   not measure an error: a part has only zeros because events are rare, or
-   all parts are equal, as when a single disk bounces regularly. */
+   error, from the scatter of 16 parts. Both are in units of `unit`, since
+   squares of large numbers could overflow. The square is NAN if the scatter
+   does not measure an error: if a part has only zeros because events are
+   rare, or if all parts are equal, as when a single disk bounces
+   regularly. */
 static struct third third_of(double unit, const double x[], size_t per)
 {
     double part[PARTS] = {0};
@@ -76,9 +77,9 @@ static struct third third_of(double unit, const double x[], size_t per)
 }
 
 /* Returns the number of standard errors by which the last third exceeds the
-   first, or NAN if this is unknown. Uses the smaller of the two errors. In
-   a steady run both estimate the same error. If a crystal melts within a
-   third, the larger error would hide the drift. */
+   first, or NAN if this is unknown. Uses the smaller of the errors of the
+   two thirds. In a steady run both estimate the same error. If a crystal
+   melts during one third, the larger error would hide the drift. */
 static double drift_of(size_t n, const double x[])
 {
     const size_t per = n / 3 / PARTS;

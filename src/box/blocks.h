@@ -26,15 +26,16 @@ void blocks_free(struct blocks *b);
 /* Adds a sample to the unfinished block. */
 void blocks_add(struct blocks *b, const double sample[]);
 
-/* Adds a whole block, the sum of `per` samples. A caller must use either
-   this function or blocks_add. */
+/* Adds a full block: the sum of `per` samples. A caller must use either
+   this function or blocks_add, but not both. */
 void blocks_append(struct blocks *b, const double sum[]);
 
 /* A mean and its standard error, which is NAN for fewer than 2 values.
-   drift is the mean of the last third of the values minus that of the
-   first, divided by its standard error (7.18, eq:drift). It is NAN for
-   fewer than 48 values, if one of the 16 parts of a third has only zeros,
-   or if all parts of a third are equal up to rounding. */
+   drift is the difference between the means of the last and the first third
+   of the values, divided by the standard error of this difference (7.18,
+   eq:drift). It is NAN for fewer than 48 values, if one of the 16 parts of
+   a third has only zeros, or if all parts of a third are equal up to
+   rounding. */
 struct blocks_average {
     double mean, error, drift;
 };

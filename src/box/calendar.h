@@ -43,9 +43,9 @@ void calendar_free(struct calendar *c);
    cost does not depend on the number of events (7.17, eq:day). */
 void calendar_put(struct calendar *c, uint32_t event, double time);
 
-/* Returns the earliest event, or CALENDAR_NONE if no event has a time.
-   Events at the same time are ordered by the smaller number of the pair of
-   event and partner, then by the larger number. */
+/* Returns the earliest event, or CALENDAR_NONE if no event has a time. Each
+   event forms a pair of numbers with its partner. Events at the same time
+   are ordered by the smaller number of the pair, then by the larger. */
 uint32_t calendar_first(struct calendar *c);
 
 #endif

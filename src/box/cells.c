@@ -13,9 +13,9 @@
 
 enum { BATCH = 4 }; /* anchors whose distances are computed together */
 
-/* Returns the address of the x of the anchor of disk i. Its y and z are
-   stored c->room and 2 c->room floats later, since a cell stores the x of
-   all its anchors, then all y, then all z. */
+/* Returns the address of the x coordinate of the anchor of disk i. A cell
+   stores the x of all its anchors, then all y, then all z, so y and z are
+   c->room and 2 c->room floats later. */
 static const float *place_of(const struct cells *c, uint32_t i)
 {
     const struct cells_anchor *a = &c->anchor[i];
@@ -27,9 +27,9 @@ static const float *place_of(const struct cells *c, uint32_t i)
 
 /* Fills way with the displacement of disk i from its anchor, m, and v with
    its velocity, m/s. Repeats the code of disks_position and
-   disks_separation without their divisions, since every plan needs it: runs
-   of 10 000 spheres are 6 % faster. disks_position is called only under
-   gravity. */
+   disks_separation without their divisions, since every plan needs it: this
+   makes runs of 10 000 spheres 6 % faster. disks_position is called only
+   under gravity. */
 static void from_anchor(const struct cells *c, uint32_t i, double way[],
                         double v[])
 {
@@ -51,11 +51,11 @@ static void from_anchor(const struct cells *c, uint32_t i, double way[],
 
 /* Returns the time, s, at which disk i will be a skin away from its anchor
    (7.15, eq:skin-end). Returns INFINITY, without computing a root, if this
-   is not before `until`. Returns the present time if rounding has already
-   put the disk there. Under gravity the exact time would be the root of a
-   quartic. Instead, a quarter of the skin is reserved for falling, which
-   suffices for the time `most`. A straight flight may use the other three
-   quarters. */
+   time is not before `until`. Returns the present time if rounding has
+   already put the disk there. Under gravity the exact time would be the
+   root of a quartic. Instead, a quarter of the skin is reserved for
+   falling, which is enough for the time `most`, and the straight part of
+   the motion may use the other three quarters. */
 static double skin_end(const struct cells *c, uint32_t i, double until)
 {
     const double g = c->d->gravity;
@@ -114,9 +114,9 @@ VECTOR_AVX2 static inline void transpose(v4 a, v4 b, v4 c, v4 d,
     column[3] = _mm256_permute2f128_pd(ba, dc, 0x31);
 }
 
-/* Reads four disks, which fill a cache line each, into vectors. place
-   becomes x, y, z and since. speed becomes the three velocities and the
-   radius. */
+/* Loads four disks, each of which fills a cache line, into vectors: x, y, z
+   and `since` into place, and the three components of the velocity and the
+   radius into speed. */
 VECTOR_AVX2 static inline void gather(const struct disk *disk,
                                       const uint32_t *list, v4 place[4],
                                       v4 speed[4])
@@ -131,9 +131,9 @@ VECTOR_AVX2 static inline void gather(const struct disk *disk,
               _mm256_load_pd(c + 4), _mm256_load_pd(d + 4), speed);
 }
 
-/* Fills in the separations and relative velocities of four disks, seen from
-   disk a, and their distances at contact. Returns the times of these
-   separations. */
+/* Computes the separations and relative velocities of four disks with
+   respect to disk a, and their distances at contact. Returns the times to
+   which the separations belong. */
 VECTOR_AVX2 static inline v4 approach(const struct cells *c,
                                       const struct disk *a,
                                       const uint32_t *list, v4 apart[3],
@@ -173,7 +173,7 @@ struct lanes {
 };
 
 /* Updates *first by the meetings of disk a with four disks. Lanes cannot
-   branch separately, so both answers are computed and one is selected.
+   branch separately, so both results are computed and one is selected.
    Skipping the root when no lane has a meeting, which is common, was
    slower, since the processor mispredicts this branch too often. */
 VECTOR_AVX2 static inline void meet_four(const struct cells *c,
@@ -218,9 +218,9 @@ VECTOR_AVX2 static void meet_by_fours(const struct cells *c, uint32_t i,
 }
 #endif
 
-/* Code for eight neighbours at once. A 512-bit register takes halves of two
-   disks. The pairs are chosen to keep transposed columns in the order of
-   the list. */
+/* Code for eight neighbours at once. A 512-bit register holds half of the
+   data of each of two disks. The pairs of disks are chosen so that after
+   the transposition the disks are in the order of the list. */
 #ifdef VECTOR_AVX512
 #define EIGHT VECTOR_LONG VECTOR_AVX512 static inline
 typedef __m512d v8;
@@ -248,9 +248,9 @@ EIGHT void gather_eight(const struct disk *disk, const uint32_t *list,
 }
 
 /* The earliest meeting in each lane: its time, s, and the partner. ties
-   marks lanes in which two meetings had equal times. Ordering such meetings
-   in each lane would cost 2 % of the time in a dense gas. As they are very
-   rare, they are left to scalar code. */
+   marks lanes in which two meetings had equal times. Such ties are very
+   rare, so they are left to scalar code. Resolving them in each lane would
+   cost 2 % of the time in a dense gas. */
 struct lanes_eight {
     v8 time;
     __m512i who;
@@ -295,11 +295,13 @@ EIGHT void meet_eight(const struct cells *c, const struct disk *a,
     first->who = _mm512_mask_mov_epi64(first->who, sooner, who);
 }
 
-/* Does what meet_each does. Most disks have 9 to 16 neighbours. The first
-   two batches follow each other without a loop, so the processor starts the
-   second batch before the roots of the first are done. The last batch ends
-   with the end of the list. Lanes that repeat earlier neighbours are masked
-   out, as each would tie with itself. After a tie meet_each is called. */
+/* Does what meet_each does. Most disks have 9 to 16 neighbours, so the
+   first two batches follow each other without a loop. The processor then
+   starts the second batch before the roots of the first are done. The last
+   batch is placed so that it ends at the end of the list, and it may
+   overlap the batch before it. Neighbours that were already examined are
+   masked out, since each would tie with itself. If there is a tie,
+   meet_each is called. */
 EIGHT void meet_by_eights(const struct cells *c, uint32_t i,
                           struct disks_event *first)
 {
@@ -359,7 +361,7 @@ static void meet_neighbours(const struct cells *c, uint32_t i,
 }
 
 /* FETCH loads a cache line in advance. A large system mostly waits for
-   memory. The disks that collide next may be anywhere in memory, but they
+   memory: the disks that collide next may be anywhere in memory, but they
    are known early. gcc treats a function that only prefetches as having no
    effect and drops its calls, so all such functions are inlined. */
 #ifdef __GNUC__
@@ -371,15 +373,17 @@ static void meet_neighbours(const struct cells *c, uint32_t i,
 #endif
 
 /* Numbers of disks. Fewer than FETCH_EARLY disks fit into the cache and
-   need no prefetching. From FETCH_LATE on, neighbours are fetched again
-   right before they are needed. With fewer disks look_ahead is enough. */
+   need no prefetching. From FETCH_LATE disks on, neighbours are fetched
+   again right before they are needed. Below that number, look_ahead is
+   enough. */
 enum { FETCH_EARLY = 4000, FETCH_LATE = 50000 };
-enum { FETCHED = 12 }; /* entries fetched; every list has as many */
+enum { FETCHED = 12 }; /* entries fetched; no list has fewer */
 
 /* Prefetches the neighbours of disk i. Below FETCH_LATE disks it fetches
    twelve entries of the list, used or not, since the processor mispredicts
    the end of a loop of varying length. This is 4 % faster with 10 000
-   spheres. With 100 000 spheres memory is too busy for unused entries. */
+   spheres. With 100 000 spheres the memory bandwidth is too scarce for
+   unused entries. */
 FETCHING void fetch_list(const struct cells *c, uint32_t i)
 {
     const uint32_t *list = c->neighbour + i * c->seats;
@@ -410,7 +414,7 @@ FETCHING void fetch_disk(const struct cells *c, uint32_t i)
 }
 
 /* Prefetches all disks that have an event on a day and their partners. If
-   `neighbours`, prefetches the neighbours of both instead. */
+   `neighbours` is true, prefetches the neighbours of both instead. */
 FETCHING void fetch_day(const struct cells *c, size_t day, bool neighbours)
 {
     const struct calendar_event *event = c->calendar.event;
@@ -428,11 +432,11 @@ FETCHING void fetch_day(const struct cells *c, size_t day, bool neighbours)
     }
 }
 
-/* Prefetches for the next days, whenever the calendar starts a new day: the
-   first event of the day in five days, the second event of the day in four,
-   the disks of the day in three, and the neighbours for tomorrow. Each step
-   thus finds the data that the step before has loaded. This saves a third
-   of the time with 100 000 disks. */
+/* Prefetches data for the next days whenever the calendar starts a new day:
+   for the day in five days its first event, for the day in four its second
+   event, for the day in three its disks, and for tomorrow the neighbours of
+   its disks. Each step thus finds the data that an earlier step has loaded.
+   This saves a third of the time with 100 000 disks. */
 FETCHING void look_ahead(const struct cells *c, size_t today)
 {
     const struct calendar_event *event = c->calendar.event;
@@ -447,8 +451,7 @@ FETCHING void look_ahead(const struct cells *c, size_t today)
 }
 
 /* Plans the next event of disk i: a meeting with a wall or a neighbour, or
-   the end of its skin. The end of a skin is an event with i itself as the
-   partner. */
+   the end of its skin, which is an event with i itself as the partner. */
 static void plan(struct cells *c, uint32_t i)
 {
     struct disks *d = c->d;
@@ -467,9 +470,9 @@ static void plan(struct cells *c, uint32_t i)
 }
 
 /* Lengthens all lists by four entries. The number of neighbours has no
-   useful upper limit (a giant among small disks has hundreds). This happens
+   useful upper limit: a giant among small disks has hundreds. This happens
    a few times at the start of a run. The lists are moved in reverse order,
-   to overwrite none. Returns false if memory runs out. */
+   so none is overwritten. Returns false if memory runs out. */
 static bool lengthen_lists(struct cells *c)
 {
     const size_t n = c->d->count, seats = c->seats + 4, old = c->seats;
@@ -497,8 +500,8 @@ static bool add_neighbour(struct cells *c, uint32_t i, uint32_t other)
 
 /* Removes `other` from the list of disk i. The last neighbour takes its
    entry, as the order of a list has no effect on events. The loop visits
-   all entries, four at a time. Stopping at the right entry would take
-   longer, since the branch is usually mispredicted. */
+   all entries, four at a time. Stopping at the entry found would take
+   longer, since that branch is usually mispredicted. */
 static void remove_neighbour(struct cells *c, uint32_t i, uint32_t other)
 {
     uint32_t *entry = c->neighbour + i * c->seats;
@@ -598,16 +601,16 @@ static bool enter_cell(struct cells *c, uint32_t i)
     return true;
 }
 
-/* A cell and its neighbours along an axis, and the shifts of their anchors.
-   In a periodic box the neighbour of an edge cell is the cell at the
-   opposite edge. */
+/* A cell and its neighbours along an axis, and the shifts to be added to
+   their anchors. In a periodic box the neighbour of an edge cell is the
+   cell at the opposite edge. */
 struct beside {
     size_t count, at[3];
     float shift[3]; /* m */
 };
 
-/* Returns cell g along axis k and its neighbours: two, or one for a cell at
-   a wall. */
+/* Returns cell g along axis k and its neighbours: one on each side, but
+   none beyond a wall. */
 static struct beside beside(const struct cells *c, size_t g, size_t k)
 {
     const bool periodic = c->inverse[k] > 0;
@@ -638,10 +641,11 @@ static bool join_if_near(struct cells *c, uint32_t i, uint32_t other,
     return add_neighbour(c, i, other) && add_neighbour(c, other, i);
 }
 
-/* NEAR: largest number of collected anchors; ROW: vector lanes. */
+/* NEAR: largest number of anchors collected; ROW: number of vector
+   lanes. */
 enum { NEAR = 64, ROW = 16 };
 
-/* Anchors so close that their disks would be neighbours if they had the
+/* Anchors so close that their disks would be neighbours if both had the
    largest radius. */
 struct near {
     size_t count;
@@ -661,9 +665,9 @@ static bool join_all(struct cells *c, uint32_t i, struct near *near)
 }
 
 /* Computes the distances of all anchors of a cell, at most 16, at once, and
-   appends the near anchors to *near. Unused lanes are overwritten the next
-   time. A dense gas of 10 000 spheres, in which every eleventh collision
-   renews a list, runs 3 % faster. */
+   appends the near anchors to *near. Entries written by unused lanes are
+   overwritten by the next call. A dense gas of 10 000 spheres, in which
+   every eleventh collision renews a list, runs 3 % faster. */
 #ifdef VECTOR_AVX512
 VECTOR_AVX512 static void search_row(const struct cells *c, size_t cell,
                                      const float from[], float farthest,
@@ -691,11 +695,11 @@ VECTOR_AVX512 static void search_row(const struct cells *c, size_t cell,
    position `from` is at most `farthest`, m^2. Returns false if memory runs
    out. Four distances are computed together, in a loop of fixed length that
    compilers vectorise. Entries beyond the last anchor of the cell never
-   count. All four entries are written, but the count grows only for near
-   anchors, and the next write replaces a distant one. One anchor in seven
-   is near, and a mispredicted branch costs more than a write. With this,
-   and with remove_neighbour, spheres at packing fraction 0.3 run a fifth
-   faster. */
+   count. All four anchors are written to the list, but its count grows only
+   for near anchors, so the next write replaces a distant one. Only one
+   anchor in seven is near, and a mispredicted branch would cost more than a
+   write. Together with remove_neighbour, this makes spheres at packing
+   fraction 0.3 run a fifth faster. */
 static bool search_cell(struct cells *c, uint32_t i, size_t cell,
                         const float from[], float farthest,
                         struct near *near)
@@ -772,17 +776,17 @@ static bool renew(struct cells *c, uint32_t i)
 }
 
 /* Wanted mean number of neighbours in the plane and in space. These numbers
-   were fastest for spheres at packing fractions from 0.3 to 0.5. 50 % more
-   would cost little time, but memory. */
+   were fastest for spheres at packing fractions from 0.3 to 0.5. Numbers 50
+   % larger would cost little time, but more memory. */
 enum { CROWD = 10, CROWD_3 = 11 };
 
 /* Returns the skin, m. A circle or sphere of radius 2 (r + skin) should
    contain CROWD disks besides the disk at its centre. The skin is at least
-   0.3 diameters, since in dense packings no disk gets far (spheres at 0.49
-   then have 15 neighbours). A periodic box limits the skin in two ways.
-   Each axis needs three cells. When a plan is made two neighbours are at
-   most sigma + 4 skins apart, and this must be less than half the box,
-   since they must meet as nearest images. */
+   0.3 diameters, since in dense packings no disk gets far (spheres at
+   packing fraction 0.49 then have 15 neighbours). A periodic box limits the
+   skin in two ways. Each axis needs three cells. And when a plan is made,
+   two neighbours are at most sigma + 4 skins apart, and this must be less
+   than half the box, since they must meet as nearest images. */
 static double choose_skin(const struct disks *d, double radius, double pair)
 {
     double volume = 1, least = INFINITY;
@@ -819,14 +823,14 @@ static struct sizes sizes(const struct disks *d)
     return (struct sizes){first, first + second, sum / (double)d->count};
 }
 
-/* Chooses the skin, and divides the box into cells as wide as the range of
-   the two widest disks. (With twice the largest radius, a single giant
-   would count twice.) The number of cells is at most about two for each
-   disk, since more bring no gain. Returns whether the box is wide enough. A
-   periodic axis needs three cells, since otherwise a cell would be on both
-   sides of another. Between walls one cell is enough. slack allows for the
-   rounding of anchors to floats. It is a millionth of the box, and the
-   errors are at most a sixteen-millionth. */
+/* Chooses the skin, and divides the box into cells as wide as the range
+   within which the two widest disks are neighbours. (With twice the largest
+   radius, a single giant would count twice.) There are at most about two
+   cells for each disk, since more bring no gain. Returns whether the box is
+   wide enough. A periodic axis needs three cells, since otherwise a cell
+   would be on both sides of another. Between walls one cell is enough.
+   slack allows for the rounding of anchors to floats. It is a millionth of
+   the box; the rounding errors are at most a sixteen-millionth. */
 static bool lay_grid(struct cells *c, const struct disks *d)
 {
     const struct sizes s = sizes(d);
@@ -873,8 +877,8 @@ void cells_free(struct cells *c)
 }
 
 /* Allocates the lists and the calendar for n disks. Returns false if memory
-   runs out. The first guess for a day need not be good: it is the time in
-   which a disk crosses its skin, divided by n. */
+   runs out. The first guess of the length of a day need not be good: it is
+   the time in which a disk crosses its skin, divided by n. */
 static bool make_lists(struct cells *c, size_t n)
 {
     double vv = 0;
@@ -931,9 +935,9 @@ bool cells_fit(const struct cells *c, size_t *a, size_t *b)
 }
 
 /* Handles the events that are not collisions: the end of a skin, and a
-   stale plan, whose partner has collided since. Returns whether e is such
-   an event, after making a new plan. Sets *memory to false if memory runs
-   out. */
+   stale plan, whose partner has collided since it was made. Makes a new
+   plan for such an event. Returns whether e is one. Sets *memory to false
+   if memory runs out. */
 static bool replan(struct cells *c, struct disks_event e, bool *memory)
 {
     struct disks *d = c->d;
@@ -952,8 +956,8 @@ static bool replan(struct cells *c, struct disks_event e, bool *memory)
     return true;
 }
 
-/* Runs as disks_run does and calls disks_collide, too. But it takes the
-   next event from the calendar and plans events only with neighbours. */
+/* Like disks_run, and also uses disks_collide, but takes the next event
+   from the calendar and plans events only with neighbours. */
 enum disks_stop cells_run(struct cells *c, double until,
                           uint64_t collisions)
 {

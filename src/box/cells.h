@@ -17,10 +17,10 @@ struct cells_anchor {
     uint16_t neighbours; /* number of neighbours */
 };
 
-/* An engine for the disks of *d. A skin surrounds each anchor. The list of
-   a disk has all disks that it can meet while both stay within their skins
-   (7.14, eq:neighbours). skin and the counts may be read. lanes may be
-   reduced to 4 or 1 between runs. */
+/* An engine for the disks of *d. Each anchor is surrounded by a skin. The
+   list of a disk contains all disks that it can meet while both stay within
+   their skins (7.14, eq:neighbours). skin and the counts may be read. lanes
+   may be reduced to 4 or 1 between runs. */
 struct cells {
     struct disks *d;
     struct calendar calendar; /* one event for each disk */
@@ -36,7 +36,8 @@ struct cells {
     struct cells_anchor *anchor;
     size_t grid[DISKS_AXES], cells, room;
     double widest, slack; /* largest radius; allowance for floats, m */
-    float *place;     /* `room` x, `room` y and `room` z of each cell, m */
+    float *place;     /* all x, all y, all z of each cell, `room` of each,
+                         m */
     uint32_t *who;    /* disks of the `room` anchors of each cell */
     uint16_t *full;   /* number of anchors in each cell */
     uint64_t stale;   /* events dropped because the partner had collided */
@@ -58,9 +59,9 @@ void cells_free(struct cells *c);
    called before the first run. */
 bool cells_fit(const struct cells *c, size_t *a, size_t *b);
 
-/* Runs as disks_run does, with results equal to the last bit. The time per
+/* Runs like disks_run, with results equal to the last bit. The time per
    collision does not grow with the number of disks. If memory runs out,
-   returns DISKS_COLLISIONS before that number is reached. */
+   returns DISKS_COLLISIONS before the number of collisions is reached. */
 enum disks_stop cells_run(struct cells *c, double until,
                           uint64_t collisions);
 

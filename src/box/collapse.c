@@ -33,7 +33,7 @@ bool disks_cold(const struct disks *d)
 
 /* Returns, after a collision of disk i, whether all disks are too cold.
    Only a gas that loses energy gets cold. Nearly always disk i itself is
-   fast enough, so most calls need no loop. */
+   fast enough, so most calls do not examine the other disks. */
 static bool may_be_cold(const struct disks *d, size_t i)
 {
     return d->restitution < 1 && square_of_speed(&d->disk[i]) < 1e-100 &&

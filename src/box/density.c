@@ -45,8 +45,8 @@ struct line {
     size_t count; /* number of blocked intervals, in s->blocked */
 };
 
-/* Marks the part of the line within `reach` of a centre as blocked. The
-   centre is relative to l->from. Keeps the blocked intervals sorted. */
+/* Marks as blocked the part of the line within `reach` of a centre, whose
+   position is relative to l->from. Keeps the blocked intervals sorted. */
 static void block(struct line *l, const double centre[], double reach)
 {
     double(*blocked)[2] = l->s->blocked;
@@ -64,9 +64,9 @@ static void block(struct line *l, const double centre[], double reach)
     blocked[k][1] = b + half;
 }
 
-/* Marks the part of the line that is blocked by disk j. In a periodic box
-   each of its nearest images blocks the line: 9 in the plane and 27 in
-   space. */
+/* Marks as blocked the part of the line that disk j blocks. In a periodic
+   box each of its nearest images, 9 in the plane and 27 in space, can block
+   the line. */
 static void block_by(struct line *l, size_t j)
 {
     const struct disks *d = &l->s->disks;
@@ -93,8 +93,9 @@ static double moment(double t, int power)
     return (power == 0 ? t : power == 1 ? t * t : t * t * t) / (power + 1);
 }
 
-/* Returns the integral of t^power over the unblocked part of the line. *low
-   and *high become true if this end of the line is unblocked. */
+/* Returns the integral of t^power over the unblocked part of the line. Sets
+   *low and *high to true if the lower or upper end of the line is
+   unblocked. */
 static double free_part(struct line *l, int power, bool *low, bool *high)
 {
     const struct sampling *s = l->s;
@@ -129,7 +130,7 @@ double sampling_wall_density(const struct sampling *s, size_t i, size_t k)
 }
 
 /* Returns the largest distance, m, by which disk i can be moved along the
-   line. It ends at a wall or, in a periodic box, where another image
+   line. The line ends at a wall or, in a periodic box, where another image
    becomes the nearest. */
 static double end_of_ray(const struct line *l)
 {
@@ -147,7 +148,7 @@ static double end_of_ray(const struct line *l)
 }
 
 /* The line starts at the centre of disk j and passes through the centre of
-   disk i. The part in use begins where the two disks touch. */
+   disk i. Only the part beyond the contact of the two disks is used. */
 double sampling_pair_density(const struct sampling *s, size_t i, size_t j)
 {
     const struct disks *d = &s->disks;

@@ -1,6 +1,6 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 1804552199 of the lines below */
-/* Runs disks from event to event, with all pairs or one plan per disk. */
+/* checksum 3529783127 of the lines below */
+/* Runs disks from event to event, over all pairs or by plans per disk. */
 #include "box/disks.h"
 
 #include "box/falling.h"
@@ -39,7 +39,7 @@ static struct disks_event event_of(size_t i, size_t j, double time)
 }
 
 /* Returns the first event of disk i that involves no other disk: a meeting
-   with a wall, or a new plan after a long flight. */
+   with a wall, or the need for a new plan after a long flight. */
 static struct disks_event alone(const struct disks *d, size_t i,
                                 double replan)
 {

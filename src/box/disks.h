@@ -51,8 +51,8 @@ struct disks_event {
     uint32_t disk, partner;
 };
 
-/* Disks in a box from 0 to box[k] along axis k. The members above the line
-   may be read, and written before the first run. */
+/* Disks in a box from 0 to box[k] along axis k. The members above the
+   dashed line may be read, and may be written before the first run. */
 struct disks {
     size_t dimensions, count; /* 2 or 3; number of disks */
     enum disks_boundary boundary;
@@ -79,10 +79,10 @@ bool disks_create(struct disks *d, size_t dimensions, size_t count);
 /* Frees the disks and makes *d empty. */
 void disks_free(struct disks *d);
 
-/* Returns the time, s, at least 0, until a disk meets the wall ahead of it,
-   at 0 or at length, m: its centre is then a radius away from the wall
-   (5.1, eq:wall-time). x is the position of the centre and v its velocity.
-   Returns INFINITY if v is 0. */
+/* Returns the time, s, at least 0, until a disk meets the wall toward which
+   it flies, at 0 or at length, m: its centre is then a radius away from the
+   wall (5.1, eq:wall-time). x is the position of the centre and v its
+   velocity. Returns INFINITY if v is 0. */
 double disks_wall_time(double x, double v, double radius, double length);
 
 /* Returns the time, s, at least 0, until the centres of two disks are at
@@ -95,8 +95,8 @@ double disks_pair_time(const double separation[], const double closing[],
 
 /* Returns the time, s, at which disks i and j will meet (5.10, eq:meeting).
    The result is the same to the last bit for all calls until one of the
-   disks collides again. In a periodic box the images that are nearest at
-   the time `at`, s, are used. `at` must not be before the last collision of
+   disks collides again. In a periodic box, uses the images that are nearest
+   at the time `at`, s, which must not be before the last collision of
    either disk. */
 double disks_meeting(const struct disks *d, size_t i, size_t j, double at);
 
@@ -120,12 +120,13 @@ void disks_collide(struct disks *d, struct disks_event event);
 bool disks_collapsed(const struct disks *d);
 
 /* Returns whether all disks are too slow for double precision, though some
-   move. With v the speed of the fastest disk, all of v^2, m v^2 and (v
-   times the largest radius)^2, which the time of a contact needs, must be
-   at least 2^-900. Squares of speeds 3e10 times lower, 2^-970, still have
-   full precision, and such slow disks meet 3e10 times later. With radii and
-   masses of 1 the slowest speed is 3.5e-136 m/s. A colder gas ends as in a
-   collapse. Under gravity no speed is too slow. */
+   move. With v the speed of the fastest disk, each of v^2, m v^2 and (v
+   times the largest radius)^2 must be at least 2^-900; the last one is
+   needed for the time of a contact. Even squares as small as 2^-970 still
+   have full precision. They belong to speeds 3e10 times lower, at which
+   disks meet 3e10 times later. With radii and masses of 1 the slowest speed
+   is 3.5e-136 m/s. A colder gas ends as in a collapse. Under gravity no
+   speed is too slow. */
 bool disks_cold(const struct disks *d);
 
 /* Returns, after a collision of disk i, whether the run must end because of
@@ -133,26 +134,26 @@ bool disks_cold(const struct disks *d);
 bool disks_over(const struct disks *d, size_t i);
 
 /* Returns the first disk that lies at rest on the floor under gravity,
-   because its bounces are too short for the clock. Returns count if there
-   is no such disk. Such a disk ends a run as a collapse does. */
+   because its bounces are shorter than the clock can resolve. Returns count
+   if there is no such disk. Such a disk ends a run as a collapse does. */
 size_t disks_lying(const struct disks *d);
 
 /* Returns the distance, m, that a disk may fly before it needs a new plan,
    since other images may then be the nearest. Returns INFINITY with walls.
-   Returns 0 if the box is too narrow to be periodic: it must be a few
-   millionths wider than four of the largest radii. */
+   Returns 0 if the box is too narrow to be periodic: its width must exceed
+   four times the largest radius by at least a few millionths. */
 double disks_replan_distance(const struct disks *d);
 
 /* Allocates the plans for disks_run, and plans from the present state. Must
-   be called again after every change of the state from outside. Returns
-   false if memory runs out. Requires disks_replan_distance(d) > 0. */
+   be called again whenever the caller has changed the state. Returns false
+   if memory runs out. Requires disks_replan_distance(d) > 0. */
 bool disks_plan(struct disks *d);
 
 /* Runs until the time `until` (s), or until `collisions` pair collisions
    have been counted, whichever is first. Examines all disks after each
-   collision, in a time proportional to count. The number of calls does not
-   affect the results. Requires disks_plan. `until` must be finite if the
-   disks may never meet again, as the run would not end. */
+   collision, in a time proportional to count. Splitting a run into several
+   calls does not affect the results. Requires disks_plan. `until` must be
+   finite if the disks may never meet again, since the run would not end. */
 enum disks_stop disks_run(struct disks *d, double until,
                           uint64_t collisions);
 
@@ -169,18 +170,19 @@ void disks_velocity(const struct disks *d, size_t i, double velocity[]);
 double disks_energy(const struct disks *d);
 
 /* Fills drift[DISKS_AXES] with the velocity of the centre of mass, m/s.
-   Only components along periodic axes are computed, where no collision
-   changes them. The others are 0, as walls take momentum. All are 0 if the
+   Only the components along periodic axes are computed, which no collision
+   changes. The others are 0, since walls take momentum. All are 0 if the
    energy of the drift is below the last bit of the kinetic energy: such a
    drift is a rounding error. */
 void disks_drift(const struct disks *d, double drift[]);
 
 /* Return the energy of the motion relative to the drift, J, and the
    temperature kT, J. Under gravity the energy includes the potential
-   energy. kT is 2 K / (D N - P), where P is the number of periodic axes:
-   along each of these N disks have only N - 1 independent relative
-   velocities. Under gravity kT is that of equilibrium, 2 E / ((D + 2) N -
-   P) (7.13, eq:weight-energy). kT is 0 for a single disk without walls. */
+   energy. kT is 2 K / (D N - P), where K is the kinetic energy, D the
+   number of dimensions and P the number of periodic axes: along each
+   periodic axis N disks have only N - 1 independent relative velocities.
+   Under gravity kT is that of equilibrium, 2 E / ((D + 2) N - P) (7.13,
+   eq:weight-energy). kT is 0 for a single disk without walls. */
 double disks_heat(const struct disks *d);
 double disks_temperature(const struct disks *d);
 
@@ -202,10 +204,10 @@ void disks_fold(const struct disks *d, double place[]);
 void disks_separation(const struct disks *d, const double a[],
                       const double b[], double separation[]);
 
-/* Returns whether all disks are in the box and do not overlap by more than
-   1e-9 of the box or of their distance. If not, *a and *b are the first two
-   disks that overlap, or *b = count if disk *a overlaps a wall. Examines
-   every pair. */
+/* Returns whether all disks are in the box and no two overlap by more than
+   1e-9 of the box or of their distance. If not, sets *a and *b to the first
+   two disks that overlap, or *b to count if disk *a overlaps a wall.
+   Examines every pair. */
 bool disks_fit(const struct disks *d, size_t *a, size_t *b);
 
 /* Returns whether disks a and b overlap at present by more than disks_fit
@@ -213,17 +215,17 @@ bool disks_fit(const struct disks *d, size_t *a, size_t *b);
    walls. */
 bool disks_clash(const struct disks *d, size_t a, size_t b);
 
-/* Place the disks on a lattice or at random. Their radii are given. Of the
-   close-packed lattices (triangular or face-centred cubic), the lattice
-   that keeps the disks farthest apart is used, and a disk wider than all
-   others is placed in the middle. Random disks are placed one after
-   another. Return false if the disks do not fit. */
+/* Place the disks, whose radii are given, on a lattice or at random. The
+   lattice is close-packed (triangular or face-centred cubic): the one that
+   keeps the disks farthest apart. A disk wider than all others is placed in
+   the middle. Random disks are placed one after another. Return false if
+   the disks do not fit. */
 bool disks_place_lattice(struct disks *d);
 bool disks_place_random(struct disks *d, struct random *r);
 
 /* Give every disk the speed v in a random direction, or a random velocity
-   of the temperature kT. Along periodic axes the total momentum is then
-   removed and the energy restored. */
+   of the temperature kT. Then remove the total momentum along periodic axes
+   and restore the energy. */
 void disks_set_speed(struct disks *d, double v, struct random *r);
 void disks_set_temperature(struct disks *d, double kT, struct random *r);
 

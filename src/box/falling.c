@@ -34,8 +34,8 @@ void falling_land(const struct disks *d, struct disk *a)
 }
 
 /* Uses the heights at the last collisions, since the kinetic energy is
-   computed from the velocities at the last collisions. Their sum is
-   constant along a flight. */
+   computed from the velocities at the last collisions. The sum of the two
+   energies is constant during a flight. */
 double falling_energy(const struct disks *d)
 {
     double energy = 0;

@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-/* Adds the change by gravity (5.12, eq:fall) to a position, m, and to a
+/* Adds the effect of gravity (5.12, eq:fall) to a position, m, and a
    velocity, m/s, after a straight flight for the time wait, s. velocity may
    be NULL. */
 static inline void falling_move(const struct disks *d, double wait,
@@ -17,9 +17,10 @@ static inline void falling_move(const struct disks *d, double wait,
         velocity[1] -= d->gravity * wait;
 }
 
-/* Adds the change by gravity to the separation x from disk a to disk b, m,
-   and to its rate of change v, m/s, at the later of their `since`. Both
-   disks fall alike, so only the difference between these times matters. */
+/* Adds the effect of gravity to the separation x from disk a to disk b, m,
+   and to its rate of change v, m/s, at the later of the two times `since`.
+   Both disks fall alike, so only the difference between these times
+   matters. */
 static inline void falling_between(const struct disks *d,
                                    const struct disk *a,
                                    const struct disk *b, double x[],

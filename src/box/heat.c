@@ -81,7 +81,7 @@ static void scale_velocities(struct disks *d, double factor)
 }
 
 /* Removes the total momentum along periodic axes and restores the energy.
-   Otherwise the disks would drift for ever, and the energy of this drift
+   Otherwise the disks would drift for ever, and the energy of the drift
    would count as heat. */
 static void take_out_momentum(struct disks *d)
 {

@@ -9,8 +9,8 @@ void loop_event(struct loop *l)
     l->next = disks_next(&l->d);
 }
 
-/* Moves all disks by a step, s, which may be negative. Then resets their
-   `since` to l->t, whether or not this is the right time. */
+/* Advances all disks by `step` seconds, which may be negative. Then sets
+   their `since` to l->t, whether or not that is the right time. */
 static void shift(struct loop *l, double step)
 {
     for (size_t i = 0; i < l->d.count; ++i) {

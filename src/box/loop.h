@@ -5,9 +5,9 @@
 #include "box/disks.h"
 
 /* A loop over ticks, as in the article that chapter 5 reviews, or
-   corrected. All disks are at the time t. At an event the article moves the
-   disks by the time to the event plus `offset` ticks, where offset is -1
-   instead of +1. */
+   corrected. All disks are at the time t. At an event, the loop moves the
+   disks by the time to the event plus `offset` ticks. The correct offset is
+   +1; the article has -1. */
 struct loop {
     struct disks d;
     struct disks_event next;
@@ -18,8 +18,8 @@ struct loop {
 /* Carries out the next event, and finds the event after it. */
 void loop_event(struct loop *l);
 
-/* Runs a turn of the article's loop, which makes a record. Moves the disks
-   to the next tick, `every` s later, or to the next event if this is
+/* Runs one turn of the article's loop, which makes one record: moves the
+   disks to the next tick, `every` s later, or to the next event if this is
    earlier. */
 void loop_turn(struct loop *l, double every);
 
@@ -27,9 +27,9 @@ void loop_turn(struct loop *l, double every);
    tick. */
 void loop_go_to(struct loop *l, double tick);
 
-/* Returns the deepest overlap of disks with each other or with the walls,
-   m, in a box with walls on all sides. The error of the article makes disks
-   overlap. */
+/* Returns the deepest overlap, m, of disks with each other or with the
+   walls, in a box with walls on all sides. The error in the article makes
+   disks overlap. */
 double loop_overlap(const struct loop *l);
 
 #endif

@@ -55,7 +55,7 @@ double means_mean(const struct means *m, size_t quantity)
     return samples > 0 ? sum / samples : NAN;
 }
 
-/* The full blocks count as independent values. */
+/* The full blocks are treated as independent values. */
 double means_error(const struct means *m, size_t quantity)
 {
     double mean = 0, squares = 0;

@@ -9,10 +9,10 @@
 /* Fills time[j] with the time, s, when disk i meets disk j. The results
    equal those of disks_meeting to the last bit, since the operations and
    their order are the same. There is no branch: root and quotient are
-   computed also for disks that are not met, and discarded. So a compiler
-   can handle four or eight disks at once, and no branch is mispredicted. A
-   run takes a fifth less time with 4 disks, half the time with 16, and a
-   quarter with 256. */
+   computed even for disks that are not met, and are then discarded. So a
+   compiler can handle four or eight disks at once, and no branch is
+   mispredicted. A run takes a fifth less time with 4 disks, half the time
+   with 16, and a quarter with 256. */
 static inline void meet_all(const struct disks *d, size_t i, double *time,
                             bool images)
 {

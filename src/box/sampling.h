@@ -22,9 +22,9 @@ struct sampling {
 };
 
 /* Prepares a box with this boundary and these sides (m, one for each
-   dimension). It is for `large` disks or spheres of the radius `radius` (m)
-   and `small` ideal disks of the radius `small_radius`. Places no disk.
-   Returns false, with nothing to free, if memory runs out. */
+   dimension) for `large` disks or spheres of the radius `radius` (m) and
+   `small` ideal disks of the radius `small_radius`. Places no disk. Returns
+   false, with nothing to free, if memory runs out. */
 bool sampling_create(struct sampling *s, size_t dimensions,
                      enum disks_boundary boundary, const double box[],
                      size_t large, double radius, size_t small,
@@ -36,44 +36,47 @@ void sampling_free(struct sampling *s);
    their positions are a sample of (6.1, eq:throw). */
 size_t sampling_throw(struct sampling *s, struct random *r);
 
-/* Estimates, from this number of throws, the natural logarithm of the
-   fraction of throws in which all disks fit. A disk that fewer than ten
-   throws reached gets the fraction of the last disk before it, which
-   overestimates the result at low densities. */
+/* Estimates the natural logarithm of the fraction of throws in which all
+   disks fit, from the given number of throws. If fewer than ten throws
+   reached a disk, its fraction is taken to be that of the last disk before
+   it, which overestimates the result at low densities. */
 double sampling_log_acceptance(struct sampling *s, uint64_t throws,
                                struct random *r);
 
-/* Return estimates from one configuration: the density of large disk i at
-   the two walls across axis k, 1/m, and the density of pair distances at
-   contact, 1/m, from sliding disk i away from disk j (6.6, eq:slide). Their
-   means over a run are the densities. Require places without overlaps. */
+/* Return estimates from one configuration, whose means over a run are the
+   densities: the density of large disk i at the two walls across axis k,
+   1/m, and the density of pair distances at contact, 1/m, from sliding disk
+   i away from disk j (6.6, eq:slide). Require positions without
+   overlaps. */
 double sampling_wall_density(const struct sampling *s, size_t i, size_t k);
 double sampling_pair_density(const struct sampling *s, size_t i, size_t j);
 
 /* Tries a move of a Markov chain (6.7, eq:metropolis) with a random disk. A
    large disk moves by up to +-step (m) along each axis, a small disk to any
    place. Returns whether the disk moved. If not, the old configuration
-   counts again. Requires places without overlaps. */
+   counts again. Requires positions without overlaps. */
 bool sampling_try(struct sampling *s, double step, struct random *r);
 
 /* Places the large disks on a close-packed lattice, or else on a grid, and
    the small disks at random. Returns false if they do not fit. */
 bool sampling_start(struct sampling *s, struct random *r);
 
-/* Runs an event chain. Moves a random large disk up along an axis until it
-   touches another disk, then moves the touched disk, and so on, by a total
-   of `length` (m). This keeps (6.1, eq:throw) by (6.9, eq:global-balance).
-   Returns the number of contacts. At each contact adds to *gained the
-   distance between the two disks along the axis (m). Requires a periodic
-   box, no small disks, and places without overlaps. */
+/* Runs an event chain. Moves a random large disk in the positive direction
+   of an axis until it touches another disk, then moves the touched disk,
+   and so on, by a total of `length` (m). The distribution (6.1, eq:throw)
+   stays unchanged, because the chain satisfies global balance (6.9,
+   eq:global-balance). Returns the number of contacts. Adds to *gained, at
+   each contact, the distance between the two disks along the axis (m).
+   Requires a periodic box, no small disks, and positions without
+   overlaps. */
 uint64_t sampling_chain(struct sampling *s, size_t axis, double length,
                         struct random *r, double *gained);
 
-/* Return the area (volume) that two disks (balls) of this radius with
+/* Return an area (a volume for balls), for distance >= 0 in 2 or 3
+   dimensions. sampling_overlap: the part that two disks of this radius with
    centres at this distance have in common (6.14, eq:lens), (6.15,
-   eq:lens3), and the area (volume) of the segment (cap) behind a line
-   (plane) at this distance from the centre. Require 2 or 3 dimensions,
-   distance >= 0. */
+   eq:lens3). sampling_segment: the segment (cap) of a disk (ball) beyond a
+   line (plane) at this distance from the centre. */
 double sampling_overlap(size_t dimensions, double radius, double distance);
 double sampling_segment(size_t dimensions, double radius, double distance);
 

@@ -114,8 +114,8 @@ static double nearest_site(const struct lattice *l, size_t dimensions)
 }
 
 /* Stretches the lattice over the box, for disks of radius r, m. Between
-   walls the outermost sites are a radius away from them, and half of the
-   last cell is not used. */
+   walls, the outermost sites are a radius away from the walls, and half of
+   the last cell is not used. */
 static void stretch(const struct disks *d, double r, struct lattice *l)
 {
     for (size_t k = 0; k < d->dimensions; ++k) {
@@ -146,8 +146,9 @@ static void try_layers(const struct disks *d, double r, size_t need,
 }
 
 /* Returns the lattice with at least this number of sites whose sites are
-   farthest apart. Disks in the plane have one layer. For spheres, more than
-   twice as many layers as in a cubic lattice are never best. */
+   farthest apart. Disks in the plane have one layer. For spheres, it is
+   never best to have more than twice as many layers as in a cubic
+   lattice. */
 static struct lattice best_lattice(const struct disks *d, double r,
                                    size_t places)
 {
@@ -181,7 +182,7 @@ static void place_of_site(const struct disks *d, const struct lattice *l,
 
 /* Returns the number of the widest disk if no other is as wide, or else
    count. Sets *r to the largest radius of the other disks, m. A single
-   large disk, such as a Brownian particle, is placed in the middle. A
+   large disk, such as a Brownian particle, is placed in the middle, since a
    lattice made for it would waste nearly all the space. */
 static size_t odd_one_out(const struct disks *d, double *r)
 {
@@ -247,8 +248,8 @@ static void fill_lattice(struct disks *d, const struct lattice *l,
     }
 }
 
-/* If too few sites are uncovered, adds the missing number to the sites of
-   the lattice and tries again. */
+/* If too few sites are uncovered, requests a lattice with more sites, by
+   the missing number, and tries again. */
 bool disks_place_lattice(struct disks *d)
 {
     double r;
@@ -303,8 +304,8 @@ static bool throw_disk(const struct disks *d, struct disk *a,
 /* Gives up after 10 000 tries for a disk, since earlier disks are not moved
    aside. This works up to a packing fraction of about a half in the plane.
    Not all allowed states are equally likely, as the first disks have more
-   choice. The result is a start, which a run forgets, and not a sample (see
-   chapter 6). */
+   choice. So the result can start a run, which forgets it, but is not a
+   sample (see chapter 6). */
 bool disks_place_random(struct disks *d, struct random *r)
 {
     enum { TRIES = 10000 };

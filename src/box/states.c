@@ -40,9 +40,9 @@ void states_begin(struct table *out, const struct disks *d)
 
 /* Writes the present position, folded back into a periodic box. The
    position at the last collision is not folded, since a run that is
-   continued must know how often a disk has crossed the box. From a rounded
-   position a continued run would differ after some two dozen collisions of
-   each disk. */
+   continued must know how often a disk has crossed the box. It is written
+   with all digits: from a rounded position a continued run would differ
+   after some two dozen collisions of each disk. */
 void states_write(struct table *out, const struct disks *d)
 {
     const size_t D = d->dimensions;
@@ -147,7 +147,8 @@ static bool make_room(struct file *f)
 }
 
 /* Reads all lines. Returns false at the first wrong line. A blank line ends
-   a block, and the next row starts a new block in its place. */
+   a block, and the next row starts a new block, which replaces the old
+   one. */
 static bool read_lines(struct file *f, FILE *file)
 {
     char *line = NULL;
@@ -169,10 +170,9 @@ static bool read_lines(struct file *f, FILE *file)
     return good;
 }
 
-/* Places each disk at its last collision, if the file contains this, or
-   else at its present position. Returns false if the time of a row differs
-   from that of the first row, or is before the last collision of its
-   disk. */
+/* Places each disk at its last collision if the file contains that, or else
+   at its present position. Returns false if the time of a row differs from
+   that of the first row, or is before the last collision of its disk. */
 static bool take_rows(struct disks *d, const struct file *f)
 {
     const size_t D = d->dimensions;

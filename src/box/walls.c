@@ -1,4 +1,4 @@
-/* Handles the boundaries of a box, and times of meeting its walls. */
+/* Handles the boundaries of a box, and computes when disks meet walls. */
 #include "box/falling.h"
 #include "box/image.h"
 
@@ -26,12 +26,12 @@ void disks_fold(const struct disks *d, double place[])
 }
 
 /* Returns the time, s, from the last collision of disk a to its next wall,
-   between walls on all sides and without gravity. More than half of the
-   events of four disks are at a wall. The side to which a disk flies and
-   the wall that comes first are random, so a processor would mispredict
-   every other branch. So both sides are computed, with results equal to
-   those of disks_wall_time to the last bit. This gives a tenth more events
-   a second. */
+   between walls on all sides and without gravity. With four disks, more
+   than half of the events are at a wall. The direction of a disk and the
+   wall that comes first are random, so a processor would mispredict every
+   other branch. So both sides are computed, with results equal to those of
+   disks_wall_time to the last bit. This gives a tenth more events a
+   second. */
 static double wall_of_either(const struct disks *d, const struct disk *a,
                              size_t *axis)
 {

@@ -20,8 +20,7 @@ enum start_kind {
     START_FOUR,      /* four heavy bodies */
     START_MIXED,     /* four heavy and four light bodies */
     START_CRADLE,    /* two heavy bodies beside six light ones */
-    START_THERMAL,   /* masses near 1 kg on the left, near 4 kg on the right
-                      */
+    START_THERMAL,   /* masses near 1 kg on the left, 4 kg on the right */
     START_PISTON,    /* a piston of 40 kg among ten bodies, all at 1 m/s */
     START_ADIABATIC, /* a piston between two warm gases */
     START_TWO,       /* two bodies */

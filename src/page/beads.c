@@ -16,8 +16,8 @@ static struct start start;
 static struct bonkers beads;
 static double seen[4 + 3 * (MOST + 2)];
 
-/* Makes the start of the figure of world lines. The program bonkers has no
-   such start, because the book describes it by a list of options. */
+/* Makes the start that the figure of world lines uses. The program bonkers
+   has no such start, because the book describes it by a list of options. */
 static bool start_wave(struct start *s)
 {
     static const double mass[] = {9.3, 2.1, 5.2, 0.9, 3.4,

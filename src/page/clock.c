@@ -12,9 +12,9 @@ enum { DISKS = 4, FIRST = 15, BINS = 35 };
 
 /* Parameters: the `offset` of the article's loop (box/loop.h), 0 for the
    right one; the tick, s; the seed. The wrong loops of the hard-disk
-   article look right, and so do films of them. The script shows what
-   reveals the error: the density of positions compared with direct
-   sampling, the pressure, and how deeply the disks overlap. */
+   article look right, even in films. So the script shows what reveals the
+   error: the density of positions compared with direct sampling, the
+   pressure, and how deeply the disks overlap. */
 double page_number[PAGE_NUMBERS];
 
 static struct loop loop;
@@ -51,7 +51,7 @@ bool page_begin(void)
 }
 
 /* Adds a record: counts the distances of all disks from the nearer wall,
-   along both axes. Each bin covers two hundredths of the box, one at either
+   along both axes. Each bin covers two hundredths of the box, one at each
    wall. So each of the 8 distances counts 1 / (8 * 0.02) = 100 / 16. A disk
    that touches a wall is at the edge of a bin; without the 1e-9 a rounding
    error would decide which bin counts it. The means compare blocks of

@@ -102,7 +102,7 @@ double page_run(double until, double number)
 }
 
 /* Writes the number of collisions, the energy, all x and all v to next.
-   Returns where they end. */
+   Returns a pointer to the first number after them. */
 static double *look_at(const struct way *w, double *next)
 {
     const struct scene *s = &w->scene;

@@ -10,9 +10,9 @@ enum { LARGE = 2, MOST = 400 };
 #define SHELL 0.05 /* width of the contact shell, in small radii */
 
 /* Parameters: the number of small disks; their radius, m; the step of the
-   large disks, m, or 0 to keep them in place; the seed; x and y at which
-   page_make puts a large disk, m. The small disks may overlap each other.
-   The radius of the large disks is 1 m. */
+   large disks, m, or 0 to keep them in place; the seed; the x and y, m, to
+   which page_make moves a large disk. The small disks may overlap each
+   other. The radius of the large disks is 1 m. */
 double page_number[PAGE_NUMBERS];
 
 static struct sampling box;
@@ -58,9 +58,9 @@ static void scatter(void)
                     random_between(&dice, 0, SIDE);
 }
 
-/* Puts large disk `which` where the mouse is. Returns false if the other
-   large disk is in the way. Discards the force measured so far, because it
-   was measured at another distance. */
+/* Moves large disk `which` to the position of the mouse. Returns false if
+   the other large disk is in the way. Discards the force measured so far,
+   because it was measured at another distance. */
 bool page_make(double which)
 {
     struct disk *hand = &box.disks.disk[(size_t)which];
@@ -104,8 +104,8 @@ static double sample_force(void)
     return sum / (2 * width);
 }
 
-/* Runs the Markov chain; an event is a try. Samples the force once in N
-   tries, where N is the number of disks. */
+/* Runs the Markov chain; an event is an attempted move. Samples the force
+   once in N attempts, where N is the number of disks. */
 double page_run(double until, double events)
 {
     const double before = tries, all = (double)box.disks.count;

@@ -16,13 +16,13 @@ double page_number[PAGE_NUMBERS];
 
 static struct disks gas;
 static struct cells cells;
-static bool fast; /* whether cells_run is used, not disks_run */
+static bool fast; /* whether cells_run is used instead of disks_run */
 static double law_of_bin[BINS];
 static double seen[9 + 2 * BINS + 3 * MOST];
 
 /* Places the disks on a lattice. This needs no random numbers, so the first
-   numbers of the seed give the directions of the velocities, as in the
-   program disks. */
+   random numbers give the directions of the velocities, as in the program
+   disks. */
 static bool place_gas(struct disks *d, size_t count)
 {
     const double pi = 3.14159265358979324;

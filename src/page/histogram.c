@@ -77,11 +77,11 @@ bool page_begin(void)
            begin_histogram((size_t)page_number[BEAD]);
 }
 
-/* Estimates the statistical inefficiency as the program histogram does: the
-   number of samples that are worth one independent sample. The error bars
-   then allow for correlations. Repeats the estimate only when there are 5 %
-   more samples, so that the total cost is a small multiple of the cost of
-   the last estimate. */
+/* Estimates the statistical inefficiency, the number of samples that are
+   worth one independent sample, as the program histogram does. The error
+   bars then allow for correlations. Repeats the estimate only when the
+   number of samples has grown by 5 %, so that the total cost is a small
+   multiple of the cost of the last estimate. */
 static void measure(void)
 {
     struct statistics_description d;

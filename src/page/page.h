@@ -7,10 +7,10 @@
 /* Each figure is a program of its own, so all figures define these names.
    Numbers are passed as doubles, the only numbers of JavaScript, and
    through arrays in memory that both sides see. So the functions have the
-   same parameters in every figure. No function reads a clock: the script
-   asks for as much simulated time as the last picture was shown. The
-   results depend neither on the number of calls of page_run nor on the
-   speed of the browser. */
+   same parameters in every figure. No function reads a clock: for each
+   picture, the script asks for as much simulated time as the previous
+   picture was on the screen. The results depend neither on the number of
+   calls of page_run nor on the speed of the browser. */
 
 enum { PAGE_NUMBERS = 64 };
 
@@ -31,9 +31,10 @@ double page_run(double until, double events);
    is the time. */
 const double *page_look(void);
 
-/* Functions of some figures only. page_word returns the name of item
+/* Functions that only some figures have. page_word returns the name of item
    `number` of a list, or NULL after the last item. page_array returns more
-   numbers. page_make does what the reader did with the mouse or a menu. */
+   numbers. page_make carries out what the reader chose with the mouse or a
+   menu. */
 const char *page_word(double number);
 const double *page_array(double which);
 bool page_make(double number);

@@ -6,9 +6,9 @@
 enum { MOST = 401 };
 #define STEP 0.01 /* time step of the model, s */
 
-/* The model treats the two gases as springs (line/piston.h). It gets only
-   the energies and masses of the gases and the position and velocity of the
-   piston at the start; then it runs by itself. */
+/* The model treats the two gases as springs (line/piston.h). At the start
+   it gets the energies and masses of the gases and the position and
+   velocity of the piston. After that it runs by itself. */
 
 /* Parameters: the kind of start; the number of movers; the mass ratio; the
    seed. */

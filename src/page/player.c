@@ -23,9 +23,9 @@ bool page_observe(void);
 bool page_change(double what, double value);
 bool page_save(bool table, double every);
 
-/* Parameters. page_begin uses the number of the method; page_make uses the
+/* Parameters. page_begin uses the number of the method, and page_make the
    values of a scene's keys. The player runs scenes as the program step does
-   (forces/motion.h). But its scene comes from the reader, and its rows
+   (forces/motion.h), but its scene comes from the reader, and its rows
    become pictures. Saved files are byte for byte those of step. */
 double page_number[PAGE_NUMBERS];
 
@@ -34,7 +34,8 @@ static struct motion motion;
 static bool moving;
 static enum stepping_end stopped;
 static struct observables observed;
-static char *given, *written; /* text by the script; for the script */
+static char *given, *written; /* text from the script; text for the
+                                 script */
 static char message[320];
 static size_t line; /* line of an error in the text; 0: none */
 

@@ -21,8 +21,8 @@ static struct swing {
 } swing[METHODS];
 static double seen[1 + METHODS * OWN];
 
-/* Returns method `number`. Methods that choose their steps and methods for
-   planets are not counted. */
+/* Returns method `number`, counting neither methods that choose their own
+   steps nor methods for planets. */
 static const struct stepping_method *method_of(double number)
 {
     const struct stepping_method *m = stepping_next(NULL);

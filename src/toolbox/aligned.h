@@ -1,7 +1,7 @@
 /* Memory aligned to cache lines. */
-/* A vector of eight doubles that crosses a cache line is loaded and stored
-   in two pieces, which is slower. malloc aligns memory to 16 bytes only.
-   Springs read four aligned arrays in every step. */
+/* A vector of eight doubles that crosses the border of a cache line is
+   loaded and stored in two pieces, which is slower. malloc aligns memory to
+   16 bytes only. Springs read four aligned arrays in every step. */
 #ifndef TOOLBOX_ALIGNED_H
 #define TOOLBOX_ALIGNED_H
 

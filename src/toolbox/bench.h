@@ -1,7 +1,7 @@
 /* Measures computing times: clocks, medians, the name of the machine. */
 /* A measured time is the median of the processor times of an odd number of
    runs. A mean would include every disturbance, and a minimum is reached
-   only on an idle machine. Methods to be compared run in turn, so a slow
+   only on an idle machine. Methods to be compared take turns, so a slow
    minute slows all of them. */
 #ifndef TOOLBOX_BENCH_H
 #define TOOLBOX_BENCH_H
@@ -27,10 +27,10 @@ double bench_clock(void);
    of the two values in the middle. Requires n > 0. */
 double bench_median(double values[], size_t n);
 
-/* Sets median[i], for i from 0 to n - 1, to the median of the expression
-   `value', which may contain i. Each round evaluates the expression once
-   for every i. A first round warms up and does not count. Requires n <=
-   BENCH_MOST. */
+/* Measures the expression `value', which may contain i, for each i from 0
+   to n - 1, and sets median[i] to the median of its values. Each round
+   evaluates the expression once for every i. A first round warms up and
+   does not count. Requires n <= BENCH_MOST. */
 #define BENCH_TURNS(i, n, median, value)                                   \
     do {                                                                   \
         double bench_value[BENCH_MOST][BENCH_ROUNDS];                      \

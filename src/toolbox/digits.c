@@ -24,9 +24,9 @@ static uint64_t scaled(uint64_t a, uint64_t b, int shift)
 enum { DIGITS = 17, HALF = 8 };
 
 /* Writes n 10^(point - 16) as a decimal number and returns the end of the
-   text. n has 17 digits. Omits zeros at the end of a fraction, like %.17g.
-   The loop converts eight upper and eight lower digits independently, so a
-   processor can work on both at once. */
+   text. n has 17 digits. Omits zeros at the end of a fraction, as %.17g
+   does. The loop converts eight upper and eight lower digits independently,
+   so a processor can work on both at once. */
 static char *write_digits(char *c, uint64_t n, int point)
 {
     char digit[DIGITS];
@@ -64,8 +64,8 @@ static uint64_t five_to(int k)
     return power;
 }
 
-/* Splits size, a normal number, into b 2^(*e - 53) with an integer b.
-   Returns b. */
+/* Splits size, a normal number, into an integer b and an exponent: size = b
+   2^(*e - 53). Returns b. */
 static uint64_t take_apart(double size, int *e)
 {
     uint64_t bits;

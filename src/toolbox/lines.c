@@ -35,8 +35,8 @@ void lines_release_head(struct table *t)
 
 enum { MOST_HEAD = 65536 }; /* bytes of a head kept in memory */
 
-/* Returns whether text with this format belongs to the head: a line that
-   begins with #, an empty line, or the rest of an unfinished line. */
+/* Returns whether text with this format belongs to the head, that is, to a
+   line that begins with #, to an empty line, or to an unfinished line. */
 static bool continues_head(struct table *t, const char *format)
 {
     fflush(t->stream);
@@ -57,10 +57,10 @@ bool table_print(struct table *t, const char *format, ...)
     return t->error == 0;
 }
 
-/* Writes 17 digits, which determine every double: around x, decimals with
-   17 digits are at most 1e-16 |x| apart, and doubles at least 1.1e-16 |x|.
-   A run can therefore be continued from its table. The sign of a NaN is
-   left out, because it means nothing and differs between compilers. */
+/* Writes 17 digits, which determine every double uniquely: near x, decimals
+   with 17 digits are at most 1e-16 |x| apart, and doubles at least 1.1e-16
+   |x|. So a run can be continued from its table. The sign of a NaN is
+   omitted, because it means nothing and differs between compilers. */
 static void print_real(struct table *t, double value)
 {
     char text[DIGITS_ROOM] = "nan";
@@ -68,8 +68,8 @@ static void print_real(struct table *t, double value)
     lines_note_error(t, fwrite(text, 1, n, t->stream) == n);
 }
 
-/* Writes no date, machine or folder, because equal commands must give equal
-   bytes. */
+/* Writes no date, machine or folder, because the same command must give the
+   same bytes. */
 void table_begin(struct table *t, const char *command, uint64_t seed)
 {
     table_print(t, "# %s (Bonkers) %s\n", t->program, TOOLBOX_VERSION);
@@ -96,9 +96,9 @@ static void put(struct table *t, char c)
     lines_note_error(t, putc(c, t->stream) != EOF);
 }
 
-/* Asserts the number of values: a row with too few values would shift every
-   later plot. This would be a bug of the program, not a mistake of its
-   user. */
+/* Asserts the number of values, because a row with too few values would
+   misalign the columns in every plot of the table. That would be a bug in
+   the program, not a mistake by its user. */
 bool table_row(struct table *t, size_t n, const double values[])
 {
     assert(t->columns == 0 || n == t->columns);
@@ -125,8 +125,8 @@ static bool is_named(const char *key, const char *name)
 }
 
 /* Writes a key and a space. --help prints the list of keys, so a program
-   must not write a key that is not listed, or write a key twice.
-   table_close asserts that no key is missing. */
+   must write only keys from this list, and each at most once. table_close
+   asserts that no key is missing. */
 static void print_key(struct table *t, const char *key)
 {
     uint64_t fit = 0;

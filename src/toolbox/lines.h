@@ -13,7 +13,8 @@ struct table {
     const char *program;
     FILE *stream;
     char *name;       /* the path as given; NULL: standard output */
-    size_t size;      /* bytes in `name`, for a table in memory */
+    size_t size;      /* for a table in memory: length of `name`, which then
+                         holds the text */
     char *path;       /* final name, links resolved, or NULL */
     char *temporary;  /* temporary name, or NULL if none */
     bool exists;      /* whether the file existed when opened */
@@ -23,7 +24,8 @@ struct table {
     uint64_t written;             /* bit k is set if keys[k] was written */
     int error;                    /* errno of the first failure, or 0 */
     /* While the head is kept in memory, `stream` writes to `head`, and
-       `held` is the stream of the file. Afterwards `held` is NULL. */
+       `held` is the stream of the file. Afterwards `held` is NULL, and
+       `stream` writes to the file. */
     FILE *held;
     char *head;
     size_t head_size;

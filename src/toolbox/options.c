@@ -35,9 +35,9 @@ void options_fail(struct options *o, const char *format, ...)
     exit(OPTIONS_FAILURE);
 }
 
-/* Prints each line of text from column 28 on. The first line already
-   contains `width` characters. If these reach column 28, the text begins on
-   the next line. */
+/* Prints each line of text from column 28 on. `width` characters of the
+   first line have already been printed. If they reach column 28, the text
+   begins on the next line. */
 static void print_from(int width, const char *text)
 {
     const int column = 28;
@@ -192,8 +192,8 @@ static const struct options_entry *named(const struct options *o,
     return e;
 }
 
-/* Copies the value of option e or, if e was not given, its default, which
-   is in parentheses at the end of e->help. Returns false if e has
+/* Copies the value of option e. If e was not given, copies its default,
+   which is in parentheses at the end of e->help. Returns false if e has
    neither. */
 static bool get_value(const struct options *o,
                       const struct options_entry *e, char value[],
@@ -282,8 +282,7 @@ void options_refuse(struct options *o, const char *name, const char *why)
     options_fail(o, "means nothing %s", why);
 }
 
-/* Refuses an output that would replace an input file, even through
-   links. */
+/* Refuses an output file that is also an input file, even through links. */
 static void protect_inputs(struct options *o)
 {
     for (int i = 0; o->entries[i].name; ++i)
@@ -313,10 +312,10 @@ void options_begin(struct options *o, const char *program,
 enum { HELP = OPTIONS_LONG + OPTIONS_MAXIMUM, VERSION };
 
 /* Calls getopt_long for the next option. The result is OPTIONS_LONG + index
-   for a long option. In `letters`, "-" makes getopt_long return other
-   arguments in their order, and the first ":" makes it return ':' for a
-   missing value. A ":" after a letter means that the option has a value.
-   opterr = 0 suppresses the messages of getopt_long. */
+   for a long option. In `letters`, "-" makes getopt_long return arguments
+   that are not options in their order, and the first ":" makes it return
+   ':' for a missing value. A ":" after a letter means that the option has a
+   value. opterr = 0 suppresses the messages of getopt_long. */
 static int ask_getopt(struct options *o)
 {
     struct option list[OPTIONS_MAXIMUM + 3] = {0}, *l = list;
@@ -379,8 +378,8 @@ static void fail_if_ambiguous(struct options *o, const char *given)
 
 /* Prints an error for an option that getopt_long has refused. code is ':'
    for a missing value and otherwise '?'. getopt_long has set optopt to the
-   code of a known option, to the letter of an unknown short option, or else
-   to 0. */
+   code of a known option or to the letter of an unknown short option, and
+   otherwise to 0. */
 static _Noreturn void refuse_option(struct options *o, int code)
 {
     const char *given = o->arguments[optind - 1];
@@ -398,9 +397,9 @@ static _Noreturn void refuse_option(struct options *o, int code)
                  o->program);
 }
 
-/* getopt_long returns -1 at the end or at "--", after which everything is
-   an argument. `ended` prevents another call of getopt_long, which would
-   read these arguments as options. */
+/* getopt_long returns -1 at the end of the command or at "--", after which
+   everything is an argument. `ended` prevents another call of getopt_long,
+   which would read these arguments as options. */
 int options_next(struct options *o)
 {
     o->current = NULL;
@@ -437,8 +436,8 @@ static bool is_digit(char c)
 }
 
 /* Reads an exponent such as e6 and adds it to *scale. Returns false unless
-   the exponent is from -999 to 999. A larger exponent is a mistake or
-   belongs to a zero, and would make the loops of read_count long. */
+   the exponent is from -999 to 999. A larger exponent is a mistake, or the
+   number is 0, and it would make the loops of read_count long. */
 static bool read_exponent(const char *text, int *scale)
 {
     char *end;
@@ -456,8 +455,8 @@ static bool read_exponent(const char *text, int *scale)
 
 /* Reads a whole number exactly, as digits and a power of ten: 300e-2 is 3,
    and 1.5 is refused. atoi would read "ten" as 0 and "1e6" as 1. A double
-   would round seeds above 2^53. 10 n + d exceeds 2^64 - 1 exactly if n is
-   larger than the whole part of (2^64 - 1 - d) / 10. */
+   would round seeds above 2^53. To detect overflow: 10 n + d exceeds 2^64 -
+   1 exactly if n is larger than the whole part of (2^64 - 1 - d) / 10. */
 static bool read_count(const char *text, uint64_t *value)
 {
     int scale = 0;

@@ -89,11 +89,11 @@ const char *options_program(void);
 
 /* Returns the letter of the next option, OPTIONS_LONG + index if the option
    has no letter, OPTIONS_ARGUMENT for an argument that is not an option, or
-   -1 at the end. A long name may be shortened if only one option begins
-   that way. --help and --version print to standard output and exit with
-   status 0. A wrong option prints one line and exits with status 2.
-   Headings are checked after the last option, and an option whose heading
-   does not hold is a wrong option. */
+   -1 at the end. A long name may be abbreviated if no other option begins
+   in the same way. --help and --version print to standard output and exit
+   with status 0. A wrong option prints one line and exits with status 2.
+   Headings are checked after the last option. An option whose heading does
+   not hold is a wrong option. */
 int options_next(struct options *o);
 
 /* Calls options_fail if the option --name was given. The message says that
@@ -139,14 +139,14 @@ size_t options_choice(struct options *o, const char *const names[]);
 const char *options_text(const struct options *o);
 
 /* Returns the value as the name of a file to be read ("-": standard input).
-   At the end options_next refuses an output that would replace this file.
-   Without this check `histogram t.dat -o t.dat` would silently destroy the
-   table t.dat. */
+   After the last option, options_next refuses an output that would replace
+   this file. Without this check `histogram t.dat -o t.dat` would silently
+   destroy the table t.dat. */
 const char *options_input(struct options *o);
 
-/* Returns the value like options_input, but calls options_fail if `before`,
-   the name of an earlier file, is not NULL. The message calls the files
-   `kind`, such as "scene". */
+/* Like options_input, but calls options_fail if `before`, the name of an
+   earlier file, is not NULL. The message calls the files `kind`, such as
+   "scene". */
 const char *options_only(struct options *o, const char *before,
                          const char *kind);
 

@@ -18,8 +18,8 @@ void program_apart(struct options *o, const char *output,
 struct table *program_table(const char *path);
 
 /* Opens the table at output (NULL: standard output) and the summary with
-   these keys, and sets *out and *results. Then catches signals, which only
-   ask the program to end (toolbox/progress.h). If table or summary cannot
+   these keys, and sets *out and *results. From then on signals only ask the
+   program to end (toolbox/progress.h). If the table or the summary cannot
    be opened, ends the process like program_table and leaves no empty
    file. */
 void program_open(const char *output, const char *summary,
@@ -52,8 +52,7 @@ _Noreturn void program_give_up(const char *format, ...);
 void program_check(const char *wrong);
 
 /* If `got' is false, ends the process with the message "no memory". `what'
-   completes the message, for example with "for the disks", and may be
-   NULL. */
+   completes the message, for example "for the disks", and may be NULL. */
 void program_memory(bool got, const char *what);
 
 #endif

@@ -25,8 +25,8 @@ static double fraction_done(const struct progress *p)
 }
 
 /* Overwrites the previous line, with spaces after the new line if it is
-   shorter. If the fraction f took the time `elapsed' and the work is spread
-   evenly, the rest takes elapsed (1-f)/f. */
+   shorter. The time left is estimated as elapsed (1-f)/f, where f is the
+   fraction done, as if the work were spread evenly. */
 static void print_progress(struct progress *p, double elapsed,
                            uint64_t events)
 {
@@ -62,7 +62,8 @@ enum { SECONDS_TO_END = 10 };
 static volatile sig_atomic_t signal_seen;
 
 /* Stores the number of the first signal, and ends the process at the
-   second. signal_seen has a type that a handler can write in one step. */
+   second. The type of signal_seen is one that a handler can write in a
+   single step. */
 static void note_signal(int number)
 {
     if (signal_seen) {

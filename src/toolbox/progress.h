@@ -21,17 +21,17 @@ void progress_begin(struct progress *p, const char *program, uint64_t total,
                     const char *what);
 
 /* Shows the fraction done, the events per second and the time left on
-   standard error, if that is a terminal. Begins after one second and shows
+   standard error, if that is a terminal. Begins after one second and writes
    at most 5 lines per second. Each call reads the clock, so one call per
    thousand events is enough. */
 void progress_update(struct progress *p, uint64_t done, uint64_t events);
 
-/* Makes the first SIGINT, SIGTERM, SIGHUP or SIGXCPU only set the value of
-   progress_signal. The main loop should check this value now and then, end,
-   and close its tables as usual. A second signal ends the process at once.
-   The process also ends if progress_end is not called within ten seconds of
-   the first signal. A signal that was ignored when the process started
-   stays ignored. */
+/* Makes the first SIGINT, SIGTERM, SIGHUP or SIGXCPU only set the value
+   that progress_signal returns. The main loop should check this value now
+   and then, and if it is set, end and close its tables as usual. A second
+   signal ends the process at once. The process also ends if progress_end is
+   not called within ten seconds of the first signal. A signal that was
+   ignored when the process started stays ignored. */
 void progress_catch_signals(void);
 
 /* Returns the signal that has asked the run to stop, or 0. */

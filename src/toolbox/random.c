@@ -11,9 +11,10 @@
    successive words at most one is therefore zero, and the one forbidden
    state of xoshiro256**, four zeros, cannot occur.
 
-   A state of the seed and three zeros would be poor. random_bits returns a
-   function of the second word only, so every sequence would begin with 0. A
-   state of mostly zeros also stays mostly zeros for dozens of steps. */
+   A state made of the seed and three zeros would be poor. random_bits
+   returns a function of the second word only, so every sequence would begin
+   with 0. Also, a state of mostly zeros stays mostly zeros for dozens of
+   steps. */
 static uint64_t splitmix64(uint64_t *counter)
 {
     uint64_t z = *counter += 0x9e3779b97f4a7c15;
@@ -82,11 +83,12 @@ uint64_t random_below(struct random *r, uint64_t n)
 
 /* Draws one of the octaves [2^k low, 2^(k+1) low). All octaves are equally
    likely, because the integral of dx/x over [a, 2a) is log 2 for every a.
-   In the octave, draws m uniformly from 1 to 2 and accepts it with
+   Within the octave, draws m uniformly from 1 to 2 and accepts it with
    probability 1/m. If the result is `high' or more, rejects it and draws
-   the octave again, too. If there is only one octave, m ends at high / low:
-   with m up to 2, a range of 1 to 1.001 would reject nearly everything. At
-   least log 2 / 2 of the draws, one in three, are accepted.
+   the octave again, too. If there is only one octave, m is drawn from 1 to
+   high / low instead: with m up to 2, a range such as 1 to 1.001 would
+   reject nearly everything. At least log 2 / 2 of the draws, one in three,
+   are accepted.
 
    The number of octaves is the smallest K with 2^K low >= high. frexp gives
    this number without rounding. The C library's log and exp cannot be used,
@@ -148,9 +150,9 @@ double random_log(double x)
     return exponent * high + (2 * s + (2 * s * sum + exponent * low));
 }
 
-/* Draws a point (u, v) uniformly from the unit disk. The angle of the point
-   is uniform and has the cosine u / sqrt(t), where t = u^2 + v^2. t is
-   uniform in (0,1) and independent of the angle, so t can also determine
+/* Draws a point (u, v) uniformly from the unit disk. Let t = u^2 + v^2. The
+   angle of the point is uniform and has the cosine u / sqrt(t). t is
+   uniform in (0,1) and independent of the angle. So t can also determine
    the radius: the sum of the squares of two normal variates is distributed
    like -2 log t. A second variate could be computed from v, but the
    generator would have to store it in addition to its 256 bits. Two

@@ -1,9 +1,9 @@
 /* Random numbers that are the same on every machine. */
 /* The C library's rand differs between machines, so this file has its own
-   generator, logarithm and distributions. Do not use them for secrets: a
-   few outputs determine the rest. Two threads must not draw from one
-   generator, because the order of their draws would be left to chance. Draw
-   a seed for each run before the threads start. */
+   generator, logarithm and distributions. Do not use them for secrets,
+   because a few outputs determine the rest. Two threads must not draw from
+   one generator, because the order of their draws would be left to chance.
+   Draw a seed for each run before the threads start. */
 #ifndef TOOLBOX_RANDOM_H
 #define TOOLBOX_RANDOM_H
 

@@ -17,8 +17,8 @@
 /* The temporary files to be removed if the process ends early; NULL marks a
    free entry. The entries are plain pointers, because a signal handler may
    read them at any moment, even during malloc. A child process inherits the
-   list but must not remove the files of its parent. `owner' is therefore
-   the process that filled the list. */
+   list but must not remove the files of its parent. So `owner' is the
+   process that filled the list. */
 enum { MOST_FILES = 8 };
 static char *volatile temporaries[MOST_FILES];
 static pid_t owner;
@@ -55,12 +55,12 @@ static void die_tidily(int number)
     raise(number);
 }
 
-/* A child process forgets the files of its parent and inherits the function
-   for atexit. By default SIGPIPE (the reader of a pipe has ended) and
-   SIGXFSZ (a file exceeds the size limit) kill a process without a message.
-   If they are ignored, write returns an error, which can be reported. Other
-   signals stay as they are if they are handled or ignored already, as under
-   nohup. */
+/* A child process forgets the files of its parent but inherits the function
+   registered with atexit. By default SIGPIPE (the reader of a pipe has
+   ended) and SIGXFSZ (a file exceeds the size limit) kill a process without
+   a message. If they are ignored, write returns an error instead, which can
+   be reported. Other signals stay as they are if they are already handled
+   or ignored, as under nohup. */
 bool replace_prepare(void)
 {
     static const int fatal[] = {SIGHUP,  SIGINT,  SIGQUIT,

@@ -12,16 +12,16 @@
 /* Creates a temporary file with the permissions `mode' in the folder of
    path, with a unique name, bonkers.XXXXXX. Returns its descriptor, which
    is above 2, and sets *temporary to its name. On failure returns -1, sets
-   errno and leaves no file. At most 8 temporary files exist at once. The
-   caller must then call replace_finish or replace_cancel; both free the
-   name. */
+   errno and leaves no file. At most 8 temporary files exist at once. After
+   success the caller must call replace_finish or replace_cancel; both free
+   the name. */
 int replace_begin(const char *path, mode_t mode, char **temporary);
 
-/* Gives the temporary file the name `path'. This is a single step: path
-   always names the old file or the complete new file. If only_new is true
-   and path exists, fails with EEXIST. On failure removes the temporary
-   file, sets errno and returns false. The file is not forced to disk
-   (fsync), so a power cut may damage it. */
+/* Renames the temporary file to `path' in a single step, so path always
+   names the old file or the complete new file. If only_new is true and path
+   exists, fails with EEXIST. On failure removes the temporary file, sets
+   errno and returns false. The file is not forced to disk (fsync), so a
+   power cut may damage it. */
 bool replace_finish(char *temporary, const char *path, bool only_new);
 
 /* Removes the temporary file and frees its name. Keeps errno. Ignores
@@ -41,9 +41,10 @@ int replace_above(int file);
 bool replace_file(const char *path, const void *bytes, size_t length,
                   mode_t mode, bool only_new);
 
-/* Prepares this process for ending early: exit and fatal signals will first
-   remove the temporary files, and writing to a closed pipe will be an error
-   instead of a signal. Returns false if the process is already prepared. */
+/* Prepares this process for ending early: from then on exit and fatal
+   signals first remove the temporary files, and writing to a closed pipe is
+   an error instead of a signal. Returns false if the process is already
+   prepared. */
 bool replace_prepare(void);
 
 /* Removes all temporary files of this process. May be called in a signal

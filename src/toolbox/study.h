@@ -13,8 +13,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* The data that a study works with. A study that knows its amount of work
-   may call progress_begin again with that total. */
+/* The data that a study works with. A study that knows its total amount of
+   work may call progress_begin again with this total. */
 struct study {
     struct table *out, *summary; /* open; out has its first lines */
     uint64_t seed;

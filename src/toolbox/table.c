@@ -90,8 +90,8 @@ static bool is_taken(const struct table *t)
 
 /* Returns a descriptor from 0 to 9, the range that a shell can pass, that
    is open for writing to this file, or -1. With `-o /dev/stdout >>log`, a
-   new file in place of log would lose the content of log. Descriptors that
-   can only read do not count: with `-o gas.dat <gas.dat` the old table can
+   new file in place of log would lose the content of log. Descriptors for
+   reading only do not count: with `-o gas.dat <gas.dat` the old table can
    be read to its end while the new table is written to a temporary file. */
 static int find_descriptor(const struct stat *file)
 {
@@ -113,9 +113,9 @@ static bool is_special(const char *path)
            strncmp(path, "/proc/", 6) == 0;
 }
 
-/* Returns the final name of a file that does not exist yet, to be freed, or
-   NULL. Resolves only the folder, because realpath needs an existing
-   file. */
+/* Returns the final name of a file that does not exist yet, or NULL. The
+   caller frees the name. Resolves only the folder, because realpath needs
+   an existing file. */
 static char *resolve_new(const char *path)
 {
     const char *slash = strrchr(path, '/');

@@ -12,7 +12,7 @@
 
 /* The same command and seed must give the same bytes with every compiler
    and on every machine. -Ofast may reorder sums, and the x87 unit keeps
-   more digits than a double has. Both are refused. */
+   more digits than a double has. Both are therefore refused. */
 #if !defined BONKERS_ANY_ROUNDING &&                                       \
     (defined __FAST_MATH__ || defined __ASSOCIATIVE_MATH__ ||              \
      defined __RECIPROCAL_MATH__ || FLT_EVAL_METHOD != 0)
@@ -23,12 +23,11 @@
 struct table;
 
 /* One key of a summary. A list of keys ends with {0} and has at most 64
-   entries. The lines of a summary, "key value", contain no units. Each
-   program therefore lists its keys, and --help prints their units and
-   meanings. A part of a name in angle brackets, as in "mean_<column>",
-   stands for any letters. If the name is "", the meaning is a heading, such
-   as "if --ensemble:". Every run writes all keys before the first
-   heading. */
+   entries. A summary, with lines "key value", contains no units, so --help
+   prints the units and meanings of these keys. A part of a name in angle
+   brackets, as in "mean_<column>", stands for any letters. If the name is
+   "", the meaning is a heading, such as "if --ensemble:". Every run writes
+   all keys before the first heading. */
 struct table_key {
     const char *name, *unit; /* unit "1": pure number; "word": text */
     const char *meaning;     /* a phrase; \n breaks the line */

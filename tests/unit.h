@@ -113,6 +113,11 @@ static inline void unit_must(bool holds, const char *condition,
     memcpy((double *){list}, (const double[]){__VA_ARGS__},                \
            sizeof((const double[]){__VA_ARGS__}))
 
+/* Bounds axis k of a scene, or makes it periodic, between two places. */
+#define WALLS(scene, k, kind, from, to)                                    \
+    ((scene).wall[k] = (kind), (scene).low[k] = (from),                    \
+     (scene).high[k] = (to))
+
 /* A parameter that a function must have and does not use. */
 #define UNUSED __attribute__((unused))
 
@@ -120,6 +125,13 @@ static inline void unit_must(bool holds, const char *condition,
 #define SEEDED(name, seed)                                                 \
     struct random name;                                                    \
     random_seed(&name, seed)
+
+/* For qsort: the lower number comes first. */
+static inline int unit_rising(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
 
 static inline void unit_near(const char *file, unsigned line,
                              const char *what, double got, double expected,

@@ -14,9 +14,7 @@ static void make_rods(struct scene *s, size_t n, double first, double last)
     SEEDED(r, 5);
     UNIT_MUST(scene_create(s, n));
     s->contact = true;
-    s->wall[0] = SCENE_HARD;
-    s->low[0] = 1;
-    s->high[0] = 11;
+    WALLS(*s, 0, SCENE_HARD, 1, 11);
     for (size_t i = 0; i < n; ++i) {
         s->mass[i] = 1 + (double)(i * i) / 4;
         s->radius[i] = 0.05 * (double)(1 + i % 3);

@@ -25,9 +25,7 @@ static struct scene rods(void)
         s.velocity[i] = (const double[]){4, -2, 2}[i];
         s.freedom[3 + i] = s.freedom[6 + i] = 0;
     }
-    s.wall[0] = SCENE_HARD;
-    s.low[0] = 1;
-    s.high[0] = 11;
+    WALLS(s, 0, SCENE_HARD, 1, 11);
     return s;
 }
 

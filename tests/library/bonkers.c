@@ -224,11 +224,11 @@ TEST(test_every_collision, "and after every single collision")
 TEST(test_collision_number,
      "collision number C is the same on any way there")
 {
-    for (size_t e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e)
+    for (enum bonkers_engine e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e)
         for (uint64_t c = 1; c < 400; c += 7) {
             FREED(bonkers) a, b;
             fill_lattice(101, (double[]){1, 3});
-            begin(&a, 101, 1, (enum bonkers_engine)e, false);
+            begin(&a, 101, 1, e, false);
             begin(&b, 101, 1, BONKERS_SCAN, false);
             UNIT_TRUE(bonkers_run(&a, INFINITY, c) == BONKERS_COLLISIONS);
             while (b.collisions < c)
@@ -423,7 +423,7 @@ TEST(test_open_ends, "and with open ends")
 
 TEST(test_cuts_change_no_bit, "no cut and no look changes a bit")
 {
-    for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e)
+    for (enum bonkers_engine e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e)
         for (uint64_t seed = 1; seed <= 12; ++seed) {
             const size_t movers = 3 * seed * seed;
             FREED(bonkers) whole, cut;
@@ -433,10 +433,8 @@ TEST(test_cuts_change_no_bit, "no cut and no look changes a bit")
             const double length = 3000.0 / (double)movers;
             random_seed(&r, seed);
             fill_random(movers, seed, seed % 2);
-            begin(&whole, movers, restitution, (enum bonkers_engine)e,
-                  seed % 2);
-            begin(&cut, movers, restitution, (enum bonkers_engine)e,
-                  seed % 2);
+            begin(&whole, movers, restitution, e, seed % 2);
+            begin(&cut, movers, restitution, e, seed % 2);
             while (cut.now < length) {
                 const double step =
                     random_log_uniform(&r, 1e-6, length / 3);
@@ -492,24 +490,24 @@ TEST(test_naive_agrees, "the naive engine differs by rounding")
 TEST(test_symmetries, "mirrored and in other units, every bit is the same")
 {
     static const size_t movers[] = {2, 7, 33, 150};
-    for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e)
+    for (enum bonkers_engine e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e)
         for (size_t n = 0; n < 4; ++n) {
             const size_t last = movers[n] + 1;
             FREED(bonkers) a, mirror, scaled;
             size_t same = 0;
             fill_random(movers[n], 21, false);
-            begin(&a, movers[n], 1, (enum bonkers_engine)e, false);
+            begin(&a, movers[n], 1, e, false);
             for (size_t i = 0; i <= last; ++i) {
                 body[i].x = a.body[i].x * 1024;
                 body[i].v *= 0.25;
                 body[i].im *= 8;
             }
-            begin(&scaled, movers[n], 1, (enum bonkers_engine)e, false);
+            begin(&scaled, movers[n], 1, e, false);
             for (size_t i = 0; i <= last; ++i)
                 body[i] = (struct bonkers_body){-a.body[last - i].x,
                                                 -a.body[last - i].v, 0,
                                                 a.body[last - i].im};
-            begin(&mirror, movers[n], 1, (enum bonkers_engine)e, false);
+            begin(&mirror, movers[n], 1, e, false);
             bonkers_run(&a, 40, UINT64_MAX);
             bonkers_run(&mirror, 40, UINT64_MAX);
             bonkers_run(&scaled, 40 * 4096.0, UINT64_MAX);
@@ -566,7 +564,7 @@ TEST(test_order_and_walls, "bodies stay in order and walls stand")
    to the last bit. */
 TEST(test_rods_are_points, "rods are points in a smaller box")
 {
-    for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e)
+    for (enum bonkers_engine e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e)
         for (size_t movers = 1; movers < 200; movers = 3 * movers + 1) {
             FREED(bonkers) points, rods;
             SEEDED(r, movers);
@@ -575,7 +573,7 @@ TEST(test_rods_are_points, "rods are points in a smaller box")
             fill_random(movers, movers, false);
             for (size_t i = 0; i <= movers + 1; ++i)
                 body[i].x = round(body[i].x * 0x1p20) * 0x1p-20;
-            begin(&points, movers, 1, (enum bonkers_engine)e, false);
+            begin(&points, movers, 1, e, false);
             for (size_t i = 0; i <= movers + 1; ++i) {
                 const bool wall = i == 0 || i == movers + 1;
                 radius[i] =
@@ -584,7 +582,7 @@ TEST(test_rods_are_points, "rods are points in a smaller box")
                 body[i].x += shift[i];
                 sum += 2 * radius[i];
             }
-            begin(&rods, movers, 1, (enum bonkers_engine)e, true);
+            begin(&rods, movers, 1, e, true);
             bonkers_run(&points, 30, UINT64_MAX);
             bonkers_run(&rods, 30, UINT64_MAX);
             UNIT_EQUAL(rods.collisions, points.collisions);
@@ -668,12 +666,6 @@ TEST(test_threes, "three that meet at once stay in order")
     }
 }
 
-static int ascending(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* Equal masses pass velocities on: the bodies are ghosts that fly through
    each other, folded at the walls. A collision places two
    ghosts by the slower one, and shifts the other by its speed of approach
@@ -686,7 +678,7 @@ static int ascending(const void *a, const void *b)
    found. */
 TEST(test_equal_masses, "equal masses are ghosts")
 {
-    for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e)
+    for (enum bonkers_engine e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e)
         for (size_t movers = 2; movers <= 10; movers += 4) {
             FREED(bonkers) b;
             double ghost[10], speed[2][10], fastest = 0, worst = 0;
@@ -697,8 +689,8 @@ TEST(test_equal_masses, "equal masses are ghosts")
                 speed[0][i - 1] = fabs(body[i].v);
                 fastest = fmax(fastest, fabs(body[i].v));
             }
-            qsort(speed[0], movers, sizeof(double), ascending);
-            begin(&b, movers, 1, (enum bonkers_engine)e, false);
+            qsort(speed[0], movers, sizeof(double), unit_rising);
+            begin(&b, movers, 1, e, false);
             for (double t = 0.1; t < 2e4; t *= 10) {
                 bonkers_run(&b, t, UINT64_MAX);
                 bonkers_state(&b, state[0][0], state[0][1]);
@@ -708,8 +700,8 @@ TEST(test_equal_masses, "equal masses are ghosts")
                     ghost[i - 1] = y > length ? 2 * length - y : y;
                     speed[1][i - 1] = fabs(state[0][1][i]);
                 }
-                qsort(ghost, movers, sizeof(double), ascending);
-                qsort(speed[1], movers, sizeof(double), ascending);
+                qsort(ghost, movers, sizeof(double), unit_rising);
+                qsort(speed[1], movers, sizeof(double), unit_rising);
                 const double n = (double)b.collisions + 1;
                 const double tolerance =
                     2 * n * DBL_EPSILON * (3 * fastest * t + length);
@@ -750,7 +742,7 @@ static const struct {
 
 TEST(test_cradle, "Newton's cradle")
 {
-    for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e)
+    for (enum bonkers_engine e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e)
         for (size_t k = 0; k < sizeof cradle / sizeof cradle[0]; ++k)
             for (int touching = 0; touching < 2; ++touching) {
                 FREED(bonkers) b;
@@ -764,7 +756,7 @@ TEST(test_cradle, "Newton's cradle")
                 }
                 body[0].x = -INFINITY;
                 body[6].x = INFINITY;
-                begin(&b, 5, 1, (enum bonkers_engine)e, touching);
+                begin(&b, 5, 1, e, touching);
                 UNIT_TRUE(bonkers_run(&b, INFINITY, UINT64_MAX) ==
                           BONKERS_STILL);
                 UNIT_EQUAL(b.collisions, cradle[k].collisions);
@@ -785,15 +777,14 @@ TEST(test_galperin, "Galperin's counts")
     } runs[] = {{1, 3},    {100, 31},   {1e4, 314},  {1e6, 3141},
                 {2, 5},    {3, 5},      {10, 10},    {16, 12},
                 {256, 50}, {4096, 201}, {65536, 804}};
-    for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e)
+    for (enum bonkers_engine e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e)
         for (size_t k = 0; k < sizeof runs / sizeof runs[0]; ++k) {
             FREED(start) s;
             FREED(bonkers) b;
             size_t wrong = 0;
             start_fill(&s, &(struct start_request){.kind = START_GALPERIN,
                                                    .ratio = runs[k].ratio});
-            UNIT_TRUE(
-                bonkers_begin(&b, &s, 1, (enum bonkers_engine)e, &wrong));
+            UNIT_TRUE(bonkers_begin(&b, &s, 1, e, &wrong));
             UNIT_EQUAL(wrong, 3);
             UNIT_TRUE(bonkers_run(&b, INFINITY, UINT64_MAX) ==
                       BONKERS_STILL);
@@ -837,20 +828,17 @@ TEST(test_collapse, "two balls and a wall collapse below 0.1716")
 {
     static const double without_end[] = {0,     0.001, 0.05, 0.1,
                                          0.168, 0.17,  0.171};
-    for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e) {
+    for (enum bonkers_engine e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e) {
         FREED(bonkers) b;
         for (int k = 0; k < 7; ++k) {
-            UNIT_TRUE(collapse(&b, without_end[k],
-                               (enum bonkers_engine)e) == BONKERS_COLLAPSE);
+            UNIT_TRUE(collapse(&b, without_end[k], e) == BONKERS_COLLAPSE);
             UNIT_TRUE(isfinite(b.now) && b.collisions < 1000);
             bonkers_free(&b);
         }
-        UNIT_TRUE(collapse(&b, 0.174, (enum bonkers_engine)e) ==
-                  BONKERS_STILL);
+        UNIT_TRUE(collapse(&b, 0.174, e) == BONKERS_STILL);
         UNIT_EQUAL(b.collisions, 31);
         bonkers_free(&b);
-        UNIT_TRUE(collapse(&b, 0.2, (enum bonkers_engine)e) ==
-                  BONKERS_STILL);
+        UNIT_TRUE(collapse(&b, 0.2, e) == BONKERS_STILL);
         UNIT_EQUAL(b.collisions, 9);
     }
 }
@@ -858,9 +846,9 @@ TEST(test_collapse, "two balls and a wall collapse below 0.1716")
 /* After a collapse the clock stands, however often one asks. */
 TEST(test_after_a_collapse, "a collapse lasts")
 {
-    for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e) {
+    for (enum bonkers_engine e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e) {
         FREED(bonkers) b;
-        collapse(&b, 0.1, (enum bonkers_engine)e);
+        collapse(&b, 0.1, e);
         const double now = b.now;
         for (int k = 1; k < 4; ++k)
             UNIT_TRUE(bonkers_run(&b, now + 10 * k, UINT64_MAX) ==
@@ -871,7 +859,7 @@ TEST(test_after_a_collapse, "a collapse lasts")
 
 TEST(test_collapse_in_company, "a collapse is seen among a thousand")
 {
-    for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e) {
+    for (enum bonkers_engine e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e) {
         enum { OTHERS = 998 };
         FREED(bonkers) b;
         memset(body, 0, (OTHERS + 4) * sizeof body[0]);
@@ -880,7 +868,7 @@ TEST(test_collapse_in_company, "a collapse is seen among a thousand")
         for (size_t i = 3; i <= OTHERS + 2; ++i)
             body[i] = (struct bonkers_body){(double)i + 10, 0, 0, 1};
         body[OTHERS + 3].x = OTHERS + 20;
-        begin(&b, OTHERS + 2, 0.168, (enum bonkers_engine)e, false);
+        begin(&b, OTHERS + 2, 0.168, e, false);
         UNIT_TRUE(bonkers_run(&b, 1000, UINT64_MAX) == BONKERS_COLLAPSE);
     }
 }
@@ -889,14 +877,14 @@ TEST(test_collapse_in_company, "a collapse is seen among a thousand")
    time, some between the same two, and no collapse. */
 TEST(test_row_is_no_collapse, "a struck row is no collapse")
 {
-    for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e) {
+    for (enum bonkers_engine e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e) {
         FREED(bonkers) b;
         fill_row(40, false);
         body[0].x = -INFINITY;
         body[41].x = INFINITY;
         body[1].v = 1;
 
-        begin(&b, 40, 0.99, (enum bonkers_engine)e, true);
+        begin(&b, 40, 0.99, e, true);
         UNIT_TRUE(bonkers_run(&b, INFINITY, UINT64_MAX) == BONKERS_STILL);
         UNIT_TRUE(b.collisions > 38);
     }
@@ -904,14 +892,14 @@ TEST(test_row_is_no_collapse, "a struck row is no collapse")
 
 TEST(test_sticking, "sticking bodies move as one")
 {
-    for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e) {
+    for (enum bonkers_engine e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e) {
         FREED(bonkers) b;
         for (size_t i = 0; i <= 3; ++i)
             body[i] = (struct bonkers_body){(double)i, 0, 0, 1 / 3.0};
         body[0] = (struct bonkers_body){-INFINITY, 0, 0, 0};
         body[3] = (struct bonkers_body){INFINITY, 0, 0, 0};
         body[1].v = 1;
-        begin(&b, 2, 0, (enum bonkers_engine)e, false);
+        begin(&b, 2, 0, e, false);
         UNIT_TRUE(bonkers_run(&b, INFINITY, UINT64_MAX) == BONKERS_STILL);
         UNIT_NEAR(b.body[1].v, 0.5, 2 * DBL_EPSILON);
         UNIT_NEAR(b.body[2].v, 0.5, 2 * DBL_EPSILON);
@@ -981,18 +969,18 @@ TEST(test_auto, "the engine chosen")
 
 TEST(test_exact_end, "a collision exactly at the end takes place")
 {
-    for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e) {
+    for (enum bonkers_engine e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e) {
         FREED(bonkers) b;
         double x[4], v[4];
         memset(body, 0, 4 * sizeof body[0]);
         body[1] = (struct bonkers_body){1, 1, 0, 1};
         body[2] = (struct bonkers_body){3, -1, 0, 1};
         body[3].x = 4;
-        begin(&b, 2, 1, (enum bonkers_engine)e, false);
+        begin(&b, 2, 1, e, false);
         bonkers_run(&b, 1, UINT64_MAX);
         UNIT_EQUAL(b.collisions, 1);
         bonkers_free(&b);
-        begin(&b, 2, 1, (enum bonkers_engine)e, false);
+        begin(&b, 2, 1, e, false);
         bonkers_run(&b, nextafter(1, 0), UINT64_MAX);
         UNIT_EQUAL(b.collisions, 0);
         UNIT_TRUE(bonkers_run(&b, 1, UINT64_MAX) == BONKERS_TIME);
@@ -1006,12 +994,12 @@ TEST(test_exact_end, "a collision exactly at the end takes place")
 
 TEST(test_settle, "a settled run goes on")
 {
-    for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e)
+    for (enum bonkers_engine e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e)
         for (int rods = 0; rods < 2; ++rods) {
             FREED(bonkers) a, b;
             fill_random(20, 77, rods);
-            begin(&a, 20, 1, (enum bonkers_engine)e, rods);
-            begin(&b, 20, 1, (enum bonkers_engine)e, rods);
+            begin(&a, 20, 1, e, rods);
+            begin(&b, 20, 1, e, rods);
             bonkers_run(&a, 5, UINT64_MAX);
             bonkers_run(&b, 5, UINT64_MAX);
             bonkers_settle(&b);
@@ -1120,12 +1108,6 @@ TEST(test_roof, "a roof, and one out of reach")
     }
 }
 
-static int by_height(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* Ten equal beads are bouncing balls that pass through each other. */
 TEST(test_sorted_balls, "equal beads that fall are sorted balls")
 {
@@ -1143,7 +1125,7 @@ TEST(test_sorted_balls, "equal beads that fall are sorted balls")
         bonkers_state(&b, got, u);
         for (int i = 0; i < 10; ++i)
             expected[i] = thrown(x[i], v[i], 2.0 * k);
-        qsort(expected, 10, sizeof expected[0], by_height);
+        qsort(expected, 10, sizeof expected[0], unit_rising);
         for (int i = 0; i < 10; ++i)
             worst = fmax(worst, fabs(got[i + 1] - expected[i]));
     }

@@ -28,9 +28,7 @@ TEST(test_overlap, "overlaps at the start")
     for (size_t k = 0; k < 4; ++k) {
         CREATED(scene, s, 2);
         s.contact = true;
-        s.wall[0] = SCENE_HARD;
-        s.low[0] = -2;
-        s.high[0] = 3;
+        WALLS(s, 0, SCENE_HARD, -2, 3);
         s.radius[0] = s.radius[1] = 0.5;
         s.position[1] = 0.9985;
         s.velocity[1] = 0.3;

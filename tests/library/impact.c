@@ -18,13 +18,6 @@ static void make(struct scene *s, size_t bodies, double dt)
         s->radius[i] = 0.125;
 }
 
-static void put_walls(struct scene *s, size_t k, double low, double high)
-{
-    s->wall[k] = SCENE_HARD;
-    s->low[k] = low;
-    s->high[k] = high;
-}
-
 static void begin(struct motion *m, struct scene *s, const char *method,
                   bool located)
 {
@@ -40,7 +33,7 @@ static void drop(struct motion *m, struct scene *s, const char *method,
                  double e, double dt)
 {
     make(s, 1, dt);
-    put_walls(s, 2, -0.125, 100);
+    WALLS(*s, 2, SCENE_HARD, -0.125, 100);
     s->position[2] = 1;
     s->gravity[2] = -2;
     s->restitution = e;
@@ -108,7 +101,7 @@ static void make_three(struct scene *s, double k2, double dt)
     }
     PUT(s->mass + 1, 2, 0.5);
     for (size_t k = 0; k < 3; ++k)
-        put_walls(s, k, k < 2 ? -1 : 0, k < 2 ? 1 : 2);
+        WALLS(*s, k, SCENE_HARD, k < 2 ? -1 : 0, k < 2 ? 1 : 2);
     s->gravity[2] = -2;
     s->k2 = k2;
     s->softening = 0.2;
@@ -176,7 +169,7 @@ TEST(test_hidden, "an earlier root, hidden")
     FREED(scene) s;
     ENDED(motion) m;
     make(&s, 3, 1);
-    put_walls(&s, 0, -5, 2.125);
+    WALLS(s, 0, SCENE_HARD, -5, 2.125);
     PUT(s.position, 1.5, 1.46875, -0.53125);
     s.position[3 + 1] = s.position[3 + 2] = 3;
     s.velocity[0] = s.velocity[1] = 1;
@@ -284,7 +277,7 @@ TEST(test_missed, "a wall that only the path meets")
     FREED(scene) s;
     ENDED(motion) m;
     make(&s, 2, 1.45);
-    put_walls(&s, 0, -9, 1.4503);
+    WALLS(s, 0, SCENE_HARD, -9, 1.4503);
     s.velocity[0] = 1;
     s.radius[0] = s.radius[1] = 0;
     s.freedom[1] = s.freedom[2 + 1] = s.freedom[4 + 1] = 0;
@@ -307,9 +300,7 @@ TEST(test_across, "two meet across a periodic box")
             FREED(scene) s;
             ENDED(motion) m;
             make(&s, 2, 0.5);
-            s.wall[k] = SCENE_PERIODIC;
-            s.low[k] = -1;
-            s.high[k] = 1;
+            WALLS(s, k, SCENE_PERIODIC, -1, 1);
             s.position[2 * k + first] = 0.7;
             s.velocity[2 * k + first] = 1;
             s.position[2 * k + 1 - first] = -0.7;
@@ -348,7 +339,7 @@ TEST(test_heap, "nobody gets into the floor")
     ENDED(motion) m;
     make(&s, 3, 0.01);
     for (size_t k = 0; k < 3; ++k)
-        put_walls(&s, k, k < 2 ? -1 : 0, k < 2 ? 1 : 3);
+        WALLS(s, k, SCENE_HARD, k < 2 ? -1 : 0, k < 2 ? 1 : 3);
     for (size_t i = 0; i < 3; ++i) {
         s.position[i] = x[i];
         s.position[6 + i] = 0.5 + 0.5 * (double)i;
@@ -410,7 +401,7 @@ static double swing(const char *method, double before, double steps)
     FREED(scene) s;
     ENDED(motion) m;
     make(&s, 2, 20 / steps);
-    put_walls(&s, 0, -9, 1 - before);
+    WALLS(s, 0, SCENE_HARD, -9, 1 - before);
     s.position[0] = -1;
     s.radius[0] = s.radius[1] = 0;
     s.freedom[1] = s.freedom[2 + 1] = s.freedom[4 + 1] = 0;
@@ -443,7 +434,7 @@ static struct motion drop_far(double radius, uint64_t steps)
     FREED(scene) s;
     ENDED(motion) m;
     make(&s, 1, 0.5);
-    put_walls(&s, 2, -radius, 100);
+    WALLS(s, 2, SCENE_HARD, -radius, 100);
     s.radius[0] = radius;
     s.position[2] = 1;
     s.gravity[2] = -2;
@@ -485,7 +476,7 @@ static size_t lift(const char *method, double speed, uint64_t steps,
     FREED(scene) s;
     ENDED(motion) m;
     make(&s, 2, 2 / (double)steps);
-    put_walls(&s, 2, 0, 100);
+    WALLS(s, 2, SCENE_HARD, 0, 100);
     for (size_t c = 0; c < 4; ++c)
         s.freedom[c] = 0;
     PUT(s.position + 4, 0.125, 1.025);
@@ -541,7 +532,7 @@ TEST(test_kicked, "what rests is hit")
         FREED(scene) s;
         ENDED(motion) m;
         make(&s, 2, 0.5);
-        put_walls(&s, 2, 0, 100);
+        WALLS(s, 2, SCENE_HARD, 0, 100);
         PUT(s.radius, 4, 1);
         PUT(s.position + 4, 4, 1);
         s.position[1] = -6; /* at -4 the centres are 5 apart, after 1 s */
@@ -584,7 +575,7 @@ static void make_any(struct scene *s, uint64_t seed)
     const size_t axes = n < 3 ? 1 + seed % 3 : 2 + seed % 2;
     make(s, n, 0.25);
     for (size_t k = 0; k < 3; ++k)
-        put_walls(s, k, -0.6, 0.6 + 0.3 * (double)k);
+        WALLS(*s, k, SCENE_HARD, -0.6, 0.6 + 0.3 * (double)k);
     if (seed % 5 < 2 && axes > 1)
         s->wall[0] = seed % 5 == 0 ? SCENE_OPEN : SCENE_PERIODIC;
     for (size_t i = 0; i < n; ++i) {
@@ -662,7 +653,7 @@ static void notice(const char *method, double by, bool ceiling)
     s.position[0] = ceiling ? 0 : -1;
     s.velocity[0] = ceiling ? 2 : 1;
     if (ceiling) {
-        put_walls(&s, 0, -9, 1.125 + by);
+        WALLS(s, 0, SCENE_HARD, -9, 1.125 + by);
         s.gravity[0] = -2;
     } else {
         s.position[2] = 0.25 + by;

@@ -20,13 +20,6 @@ static void make(size_t n)
     impact = (struct impact){.scene = &scene, .stepping = &stepping};
 }
 
-static void bound(size_t k, enum scene_wall wall, double low, double high)
-{
-    scene.wall[k] = wall;
-    scene.low[k] = low;
-    scene.high[k] = high;
-}
-
 /* No further than the space is wide, or the bodies spread; than 2^14 of the
    smallest radius, points not counted; and in a periodic box than a quarter
    of a side less the largest radius, or a 64th of it if that is more. */
@@ -45,11 +38,11 @@ TEST(test_way, "how far a step may go")
     scene.radius[3] = 1;
     scene.radius[1] = 0;
     UNIT_EQUAL(longest_way(&impact), 4);
-    bound(1, SCENE_HARD, -2, 5);
+    WALLS(scene, 1, SCENE_HARD, -2, 5);
     UNIT_EQUAL(longest_way(&impact), 7);
-    bound(2, SCENE_PERIODIC, -10, 6);
+    WALLS(scene, 2, SCENE_PERIODIC, -10, 6);
     UNIT_EQUAL(longest_way(&impact), 3);
-    bound(2, SCENE_PERIODIC, 0, 4);
+    WALLS(scene, 2, SCENE_PERIODIC, 0, 4);
     UNIT_EQUAL(longest_way(&impact), 0.0625);
     scene_free(&scene);
     make(1);
@@ -90,11 +83,11 @@ TEST(test_axis, "bodies are sorted where they spread")
     scene.position[3] = -1;
     scene.position[5] = 1.5;
     UNIT_EQUAL(widest_axis(&scene), 1);
-    bound(1, SCENE_PERIODIC, -2, 2);
+    WALLS(scene, 1, SCENE_PERIODIC, -2, 2);
     UNIT_EQUAL(widest_axis(&scene), 0);
-    bound(0, SCENE_PERIODIC, -2, 2);
+    WALLS(scene, 0, SCENE_PERIODIC, -2, 2);
     UNIT_EQUAL(widest_axis(&scene), 3);
-    bound(0, SCENE_HARD, -2, 2);
+    WALLS(scene, 0, SCENE_HARD, -2, 2);
     UNIT_EQUAL(widest_axis(&scene), 0);
     scene_free(&scene);
 }

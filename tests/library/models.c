@@ -316,9 +316,7 @@ TEST(test_line, "line: along any axis, in any order")
         scene.position[i] = 5;
         scene.velocity[i] = 0;
     }
-    scene.wall[1] = scene.wall[0];
-    scene.low[1] = scene.low[0];
-    scene.high[1] = scene.high[0];
+    WALLS(scene, 1, scene.wall[0], scene.low[0], scene.high[0]);
     scene.wall[0] = SCENE_OPEN;
     UNIT_NEAR(compare("line", "leapfrog:20000", 1, 4).x, 0, 1e-9);
     scene.mass[3] += 1e-9;
@@ -369,9 +367,7 @@ TEST(test_line_refuses, "line and relabel refuse what is no line")
     scene.wall[0] = SCENE_PERIODIC;
     refuses("line", "the line is periodic");
     scene.wall[0] = SCENE_HARD;
-    scene.wall[1] = SCENE_HARD;
-    scene.low[1] = 0;
-    scene.high[1] = 1;
+    WALLS(scene, 1, SCENE_HARD, 0, 1);
     refuses("line", "a wall beside the line is in the way");
     scene.wall[1] = SCENE_OPEN;
     scene.damping = 1;
@@ -399,9 +395,7 @@ TEST(test_relabel, "relabel: rods of all lengths, as line does them")
             scene.radius[i] = random_between(&random, 0, 0.1);
         }
         if (round % 2) {
-            scene.wall[0] = SCENE_HARD;
-            scene.low[0] = -1;
-            scene.high[0] = (double)n;
+            WALLS(scene, 0, SCENE_HARD, -1, (double)n);
         }
         if (round % 3 == 0)
             scene.freedom[0] = 0; /* the rightmost */

@@ -12,12 +12,6 @@ static void find(struct modes *m, const struct scene *s)
     UNIT_MUST(springs_create(&p, s) && modes_find(m, &p, s->position));
 }
 
-static int rising(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 TEST(test_taut, "all modes of a taut membrane are those of the formula")
 {
     const struct elastic_membrane e = {8, 6, 2, 50,   0, 0.8,
@@ -37,7 +31,7 @@ TEST(test_taut, "all modes of a taut membrane are those of the formula")
                 const double ky = axis == 1 ? 50 : 10;
                 law[n++] = 4 * (kx * a * a + ky * b * b) / 2;
             }
-    qsort(law, n, sizeof *law, rising);
+    qsort(law, n, sizeof *law, unit_rising);
     UNIT_EQUAL(m.size, n);
     for (size_t i = 0; i < n; ++i) /* of up to 200: 1e-12 is 20 roundings */
         UNIT_NEAR(m.square[i], law[i], 1e-12);

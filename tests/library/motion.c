@@ -31,9 +31,7 @@ static void build(struct scene *s, bool contact)
     s->contact = contact;
     for (size_t k = 0; k < 3; ++k) {
         s->radius[k] = 0.2;
-        s->low[k] = -2;
-        s->high[k] = 2;
-        s->wall[k] = contact ? SCENE_HARD : SCENE_OPEN;
+        WALLS(*s, k, contact ? SCENE_HARD : SCENE_OPEN, -2, 2);
     }
 }
 
@@ -538,9 +536,7 @@ TEST(test_box, "what is in a box")
         for (int wall = SCENE_OPEN; wall <= SCENE_PERIODIC; ++wall) {
             FREED(scene) s;
             row(&s, 2);
-            s.wall[k] = (enum scene_wall)wall;
-            s.low[k] = -1;
-            s.high[k] = 2;
+            WALLS(s, k, (enum scene_wall)wall, -1, 2);
             s.freedom[2 * k] = 0;
             s.freedom[2 * k + 1] = 1;
             has(&s, wall ? MOTION_WALLS : MOTION_WELL, 0);

@@ -115,9 +115,7 @@ static struct scene all_at_once(void)
     s.contact = true;
     s.wall[1] = SCENE_HARD;
     s.high[1] = 2;
-    s.wall[0] = SCENE_PERIODIC;
-    s.low[0] = -1;
-    s.high[0] = 5;
+    WALLS(s, 0, SCENE_PERIODIC, -1, 5);
     return s;
 }
 

@@ -124,9 +124,8 @@ TEST(test_energy, "what is pressed has energy")
         struct motion m;
         make(&s, 20, touch, 0.05);
         for (size_t k = 0; k < 3; ++k) {
-            s.wall[k] = k < 2 ? SCENE_HARD : SCENE_PERIODIC;
-            s.low[k] = k < 1 ? -1 : -0.5;
-            s.high[k] = k < 1 ? 7 : 0.5;
+            WALLS(s, k, k < 2 ? SCENE_HARD : SCENE_PERIODIC,
+                  k < 1 ? -1 : -0.5, k < 1 ? 7 : 0.5);
         }
         s.gravity[1] = -1;
         begin(&m, &s, "rk4", 1e-3);
@@ -152,9 +151,7 @@ TEST(test_rest, "to rest is to be pressed")
     s.dashpot = 50;
     s.velocity[0] = 0;
     s.gravity[2] = -2;
-    s.wall[2] = SCENE_HARD;
-    s.low[2] = -0.25;
-    s.high[2] = 9;
+    WALLS(s, 2, SCENE_HARD, -0.25, 9);
     begin(&m, &s, "leapfrog", 1e-3);
     motion_run(&m, 20000);
     UNIT_NEAR(s.position[2], -0.125 - 2 / s.stiffness, 1e-15);

@@ -177,9 +177,7 @@ TEST(test_nearest, "images are the nearest")
                         way[] = {0.95, -0.95, -0.95, 0.95, 0.9, 0.9};
     FREED(scene) s;
     make(&s, 2);
-    s.wall[1] = SCENE_PERIODIC;
-    s.low[1] = 5;
-    s.high[1] = 7;
+    WALLS(s, 1, SCENE_PERIODIC, 5, 7);
     for (size_t i = 0; i < sizeof at / sizeof at[0]; ++i) {
         s.position[1] = s.position[3] = at[i];
         UNIT_NEAR(spheres_way(&s, s.position, 0, 1, 1), way[i], 1e-15);
@@ -280,9 +278,7 @@ TEST(test_walls, "walls mirror, and lose what they should")
     FREED(spheres) p;
     make(&s, 1);
     s.mass[0] = 2;
-    s.wall[0] = SCENE_HARD;
-    s.low[0] = -1;
-    s.high[0] = 3;
+    WALLS(s, 0, SCENE_HARD, -1, 3);
     s.restitution = 0.5;
     s.position[0] = 2.75; /* 0.25 beyond */
     s.velocity[0] = 4;
@@ -517,9 +513,7 @@ TEST(test_overlaps, "what overlaps, and how deep")
         make(&s, N);
         for (size_t k = 0; k < SCENE_AXES; ++k) {
             const double side = (int)k == round / 3 % 3 ? 7 : 3;
-            s.wall[k] = (enum scene_wall)(round % 3);
-            s.low[k] = -9;
-            s.high[k] = side - 9;
+            WALLS(s, k, (enum scene_wall)(round % 3), -9, side - 9);
             for (size_t i = 0; i < N; ++i)
                 s.position[k * N + i] =
                     s.low[k] + side * random_between(&r, 0, 1) +
@@ -622,9 +616,7 @@ TEST(test_passed, "who passes through another is counted")
         double before[3 * N], flown[3 * N], v[3 * N];
         make(&s, N);
         for (size_t k = 0; k < SCENE_AXES; ++k) {
-            s.wall[k] = (enum scene_wall)(round % 3);
-            s.low[k] = 0;
-            s.high[k] = 8;
+            WALLS(s, k, (enum scene_wall)(round % 3), 0, 8);
         }
         for (size_t c = 0; c < 3 * N; ++c) {
             s.position[c] = random_between(&r, 0.5, c < 2 * N ? 7.5 : 0.8);
@@ -673,9 +665,8 @@ TEST(test_turned, "but not who has turned at a wall")
         FREED(spheres) p;
         make(&s, 2);
         s.radius[0] = s.radius[1] = 0.1;
-        s.wall[k] = known[row].wall ? SCENE_HARD : SCENE_OPEN;
-        s.low[k] = high ? 0 : known[row].low;
-        s.high[k] = high ? 10 - known[row].low : 10;
+        WALLS(s, k, known[row].wall ? SCENE_HARD : SCENE_OPEN,
+              high ? 0 : known[row].low, high ? 10 - known[row].low : 10);
         s.position[2 * k + who] = high ? 8.3 : 1.7;
         s.velocity[2 * k + who] = high ? -2 : 2;
         s.position[2 * k + 1 - who] = high ? 9.1 : 0.9;

@@ -230,12 +230,6 @@ TEST(test_log, "the logarithm is right within 4 ulp")
     UNIT_TRUE(log_error(0x1p-1074) <= 4 && log_error(DBL_MAX) <= 4);
 }
 
-static int compare(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* Moments of a normal variate: 0, 1, 0, 3; the variances of its first four
    powers are 1, 2, 15, 96. Kolmogorov and Smirnov's distance times
    sqrt(n) passes 2.28 with probability 2 exp(-2 2.28^2) = 6e-5, which is
@@ -254,7 +248,7 @@ TEST(test_normal, "normal variates are normal")
     UNIT_NEAR(sums[1] / DRAWS, 1, 4 * sqrt(2.0 / DRAWS));
     UNIT_NEAR(sums[2] / DRAWS, 0, 4 * sqrt(15.0 / DRAWS));
     UNIT_NEAR(sums[3] / DRAWS, 3, 4 * sqrt(96.0 / DRAWS));
-    qsort(x, DRAWS, sizeof x[0], compare);
+    qsort(x, DRAWS, sizeof x[0], unit_rising);
     for (int i = 0; i < DRAWS; ++i) {
         const double below = 0.5 * erfc(-x[i] / sqrt(2));
         distance = fmax(distance, fabs(below - (double)i / DRAWS));

@@ -138,9 +138,7 @@ static double break_by_events(double seed)
     value[gallery_key(g, "seed")] = seed;
     UNIT_TRUE(!g->build(&s, value));
     for (size_t k = 0; k < 2; ++k) {
-        s.wall[k] = SCENE_HARD;
-        s.low[k] = -50;
-        s.high[k] = 50;
+        WALLS(s, k, SCENE_HARD, -50, 50);
     }
     UNIT_TRUE(hard_disks(&d, &s) && disks_plan(&d));
     disks_run(&d, 0.5, UINT64_MAX);
@@ -211,9 +209,7 @@ TEST(test_turn, "a turn behind a wall is missed")
         UNIT_MUST(scene_create(&s, 2) && scene_add_kind(&s, 1, 0) &&
                   scene_add_spring(&s, 0, 1, 0, 9));
         s.contact = true;
-        s.wall[0] = SCENE_HARD;
-        s.low[0] = -20;
-        s.high[0] = 0.99;
+        WALLS(s, 0, SCENE_HARD, -20, 0.99);
         s.position[0] = cos(0.8);
         s.velocity[0] = sin(0.8);
         s.position[1] = -9;

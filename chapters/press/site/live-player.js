@@ -441,9 +441,8 @@
     }
     g.lineWidth = 1.2;
     for (const [hue, path] of bonds) { g.strokeStyle = hue || col.quiet; g.stroke(path); }
-    const order = at.map((_, i) => i);
+    const order = at.map((_, i) => i), least = n > 300 ? 1.4 : n > 30 ? 2.4 : 4;
     if (s.view === 'tilted') order.sort((i, j) => at[i][2] - at[j][2]);
-    const least = n > 300 ? 1.4 : n > 30 ? 2.4 : 4;
     if (n > 300 && s.view !== 'tilted') { // as few paths as there are colours
       const paths = new Map();
       for (const i of order) {
@@ -489,18 +488,16 @@
     if (!now) return;
     clock.textContent = `t = ${live.number(now.t, 5)}${s.unit && s.unit !== '-' ? ' ' + s.unit : ''}`;
     method.set(s.method || 'leapfrog');
-    if (document.activeElement !== dt.input) dt.set(now.dt);
-    gravity.forEach((g, k) => { if (document.activeElement !== g.input) g.set(now.gravity[k]); });
-    if (document.activeElement !== damping.input) damping.set(now.damping);
-    if (document.activeElement !== restitution.input) restitution.set(now.restitution);
+    for (const [field, value] of [[dt, now.dt], [damping, now.damping], [restitution, now.restitution],
+      [k2, now.k2], ...gravity.map((g, k) => [g, now.gravity[k]])])
+      if (document.activeElement !== field.input) field.set(value);
     restitution.label.hidden = !now.sudden;
     k2.label.hidden = now.n < 2;
-    if (document.activeElement !== k2.input) k2.set(now.k2);
     const why = now.stopped === 1 ? ' A coordinate is no longer finite: try a smaller dt.'
       : now.stopped === 2 ? ' The method found no solution: try a smaller dt.'
-      : now.passed > 0 ? ' Two bodies passed through each other within a step, ' + // as step says it
-        `${now.passed < 1000 ? '' : 'at least '}${now.passed} time${now.passed === 1 ? '' : 's'} (${now.through} for one): ` +
-        'the step took them further than the sum of their radii; try a smaller dt.' : '';
+      : !now.passed ? '' : ' Two bodies passed through each other within a step, ' + // as step says it
+        `${now.passed < 1000 ? '' : 'at least '}${now.passed} time${now.passed === 1 ? '' : 's'} (${now.through} for ` +
+        'one): the step took them further than the sum of their radii; try a smaller dt.';
     told.textContent = now.stopped < 0 ? '' : `${now.n} bodies, ${now.springs} springs, ${now.steps} steps` +
       (now.contact ? `, ${now.hits} collisions` : '') + `, ${s.method}.${why}`;
     command.textContent = now.stopped < 0 ? '' : '$ ' + told_command();

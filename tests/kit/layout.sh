@@ -118,7 +118,7 @@ all_in='the layout of every C file is .clang-format'
 case $version in
 1[4-9])
     holds "$all_in" clang-format --dry-run -Werror src/*/*.[ch] tests/*.h \
-        tests/library/*.[ch] tests/stability/*.c tests/tools/*.c tests/fuzz/*.c \
+        tests/library/*.[ch] tests/stability/*.c tests/tools/*.[ch] tests/fuzz/*.c \
         tests/mutants/*.c tests/exercises/*/*.[ch] tests/grader/*.c \
         tests/examiner/*.c solutions/*.c ;;
 *) echo "skipped layout: $all_in - clang-format $version may have another opinion;" \

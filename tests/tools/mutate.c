@@ -1,7 +1,6 @@
 /* Breaks a C file in small ways, one at a time, to see whether a test
    notices.
 
-       mutate --count FILE    prints how many mutants the file has
        mutate --list FILE     prints one line for each:
                               NUMBER :: LINE :: OPERATOR :: BEFORE :: AFTER
        mutate NUMBER FILE     prints the file with that one change, from 1
@@ -31,13 +30,10 @@
    brackets and statements, and no types are known. Exit status 2 when the
    file cannot be read or its brackets do not match. */
 
-#include <ctype.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stdio.h>
+#define PROGRAM "mutate"
+#include "source.h"
+
 #include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
 
 enum kind { WORD, NUMBER, QUOTED, PUNCTUATION };
 
@@ -72,25 +68,6 @@ static struct mutant *mutants;
 static size_t mutant_count;
 static bool more; /* what --more adds is wanted */
 
-_Noreturn static void fail(const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    fputs("mutate: ", stderr);
-    vfprintf(stderr, format, arguments);
-    fputc('\n', stderr);
-    va_end(arguments);
-    exit(2);
-}
-
-static void *grow(void *memory, size_t bytes)
-{
-    memory = realloc(memory, bytes ? bytes : 1);
-    if (!memory)
-        fail("out of memory");
-    return memory;
-}
-
 static char *copy_of(const char *text, size_t length)
 {
     char *copy = grow(NULL, length + 1);
@@ -110,30 +87,6 @@ static int line_of(size_t place)
 /* ---- tokens -------------------------------------------------------------
  */
 
-static const char *after_comment(const char *at)
-{
-    const char *end =
-        at[1] == '*' ? strstr(at + 2, "*/") : strchr(at, '\n');
-    if (!end)
-        return at + strlen(at);
-    return at[1] == '*' ? end + 2 : end;
-}
-
-static bool is_comment(const char *at)
-{
-    return at[0] == '/' && (at[1] == '*' || at[1] == '/');
-}
-
-static const char *after_directive(const char *at)
-{
-    while (*at && *at != '\n')
-        if (is_comment(at))
-            at = after_comment(at);
-        else
-            at += *at == '\\' && at[1] ? 2 : 1;
-    return at;
-}
-
 /* The next place after `at` where a token begins, or the end. */
 static const char *after_space(const char *text, const char *at)
 {
@@ -152,14 +105,6 @@ static const char *after_space(const char *text, const char *at)
     }
 }
 
-static const char *after_quoted(const char *at)
-{
-    const char quote = *at++;
-    while (*at && *at != quote)
-        at += *at == '\\' && at[1] ? 2 : 1;
-    return *at ? at + 1 : at;
-}
-
 static const char *after_number(const char *at)
 {
     while (isalnum((unsigned char)*at) || *at == '.' || *at == '_')
@@ -167,61 +112,42 @@ static const char *after_number(const char *at)
     return at;
 }
 
-static const char *after_punctuation(const char *at)
-{
-    static const char *const longer[] = {
-        "<<=", ">>=", "...", "->", "++", "--", "<<", ">>",
-        "<=",  ">=",  "==",  "!=", "&&", "||", "+=", "-=",
-        "*=",  "/=",  "%=",  "&=", "|=", "^="};
-    for (size_t i = 0; i < sizeof longer / sizeof *longer; ++i)
-        if (*at == *longer[i] &&
-            strncmp(at, longer[i], strlen(longer[i])) == 0)
-            return at + strlen(longer[i]);
-    return at + 1;
-}
-
 /* Reads the token at `at` and returns the place after it. */
 static const char *read_token(const char *at, enum kind *kind)
 {
-    if (isalpha((unsigned char)*at) || *at == '_') {
-        *kind = WORD;
-        while (isalnum((unsigned char)*at) || *at == '_')
-            ++at;
-        return at;
-    }
-    if (isdigit((unsigned char)*at) ||
-        (*at == '.' && isdigit((unsigned char)at[1]))) {
-        *kind = NUMBER;
-        return after_number(at);
-    }
-    *kind = *at == '"' || *at == '\'' ? QUOTED : PUNCTUATION;
-    return *kind == QUOTED ? after_quoted(at) : after_punctuation(at);
+    *kind = starts_word(at)             ? WORD
+            : starts_number(at)         ? NUMBER
+            : *at == '"' || *at == '\'' ? QUOTED
+                                        : PUNCTUATION;
+    return *kind == WORD     ? after_word(at)
+           : *kind == NUMBER ? after_number(at)
+           : *kind == QUOTED ? after_quoted(at)
+                             : after_punctuation(at);
 }
 
-static bool is(size_t i, const char *text)
+/* Whether token i is one of these words, between which stand spaces. */
+static bool is(size_t i, const char *words)
 {
     if (i >= file.count)
         return false;
-    const struct token *t = &file.tokens[i];
-    return strlen(text) == t->end - t->start &&
-           strncmp(file.text + t->start, text, t->end - t->start) == 0;
-}
-
-static bool is_any(size_t i, const char *const list[])
-{
-    while (*list && !is(i, *list))
-        ++list;
-    return *list != NULL;
+    const char *text = file.text + file.tokens[i].start;
+    const size_t length = file.tokens[i].end - file.tokens[i].start;
+    for (size_t n; *words; words += n + (words[n] == ' ')) {
+        n = strcspn(words, " ");
+        if (n == length && memcmp(words, text, n) == 0)
+            return true;
+    }
+    return false;
 }
 
 static bool is_open(size_t i)
 {
-    return is(i, "(") || is(i, "[") || is(i, "{");
+    return is(i, "( [ {");
 }
 
 static bool is_close(size_t i)
 {
-    return is(i, ")") || is(i, "]") || is(i, "}");
+    return is(i, ") ] }");
 }
 
 /* Finds the mate of each bracket. */
@@ -243,7 +169,6 @@ static void match_brackets(void)
     if (depth > 0)
         fail("%s:%d: this bracket is never closed", file.path,
              line_of(file.tokens[open[depth - 1]].start));
-    free(open);
 }
 
 static void read_tokens(void)
@@ -263,52 +188,30 @@ static void read_tokens(void)
     match_brackets();
 }
 
-static void read_file(const char *path)
-{
-    size_t size = 0, got;
-    FILE *input = fopen(path, "r");
-    if (!input)
-        fail("cannot read '%s'", path);
-    file.path = path;
-    do {
-        file.text = grow(file.text, size + 65537);
-        got = fread(file.text + size, 1, 65536, input);
-        size += got;
-    } while (got > 0);
-    fclose(input);
-    file.text[size] = '\0';
-    read_tokens();
-}
-
 /* ---- what a token is in its place ---------------------------------------
  */
 
 static bool is_keyword(size_t i)
 {
-    static const char *const keywords[] = {
-        "break", "case", "continue", "default", "do",     "else",  "for",
-        "goto",  "if",   "return",   "sizeof",  "switch", "while", NULL};
-    return is_any(i, keywords);
+    return is(i, "break case continue default do else for goto if return "
+                 "sizeof switch while");
 }
 
 static bool is_tag(size_t i)
 {
-    static const char *const kinds[] = {"struct", "union", "enum", NULL};
-    return is_any(i, kinds);
+    return is(i, "struct union enum");
 }
 
 /* Whether a word can only begin or continue the name of a type. */
 static bool is_type(size_t i)
 {
-    static const char *const types[] = {
-        "auto",     "bool",   "char",    "const",    "double",   "extern",
-        "float",    "int",    "long",    "register", "restrict", "short",
-        "signed",   "static", "typedef", "unsigned", "void",     "_Bool",
-        "volatile", "FILE",   "inline",  "_Complex", NULL};
     if (i >= file.count || file.tokens[i].kind != WORD)
         return false;
     const struct token *t = &file.tokens[i];
-    return is_any(i, types) || is_tag(i) || (i > 0 && is_tag(i - 1)) ||
+    return is(i, "auto bool char const double extern float int long "
+                 "register restrict short signed static typedef unsigned "
+                 "void _Bool volatile FILE inline _Complex") ||
+           is_tag(i) || (i > 0 && is_tag(i - 1)) ||
            (t->end - t->start > 2 &&
             strncmp(file.text + t->end - 2, "_t", 2) == 0);
 }
@@ -335,16 +238,14 @@ static bool ends_cast(size_t i)
 /* Whether the ')' number i ends the head of an if or of a loop. */
 static bool ends_head(size_t i)
 {
-    static const char *const heads[] = {"if", "while", "for", "switch",
-                                        NULL};
     const size_t open = file.tokens[i].mate;
-    return open > 0 && is_any(open - 1, heads);
+    return open > 0 && is(open - 1, "if while for switch");
 }
 
 /* Whether a value ends with token i, so that an operator may follow. */
 static bool ends_operand(size_t i)
 {
-    while (i > 0 && (is(i, "++") || is(i, "--")))
+    while (i > 0 && is(i, "++ --"))
         --i;
     if (is(i, ")"))
         return !ends_cast(i) && !ends_head(i);
@@ -355,28 +256,22 @@ static bool ends_operand(size_t i)
 /* How tightly an operator between two values binds; 0 for other tokens. */
 static int binding(size_t i)
 {
-    static const struct {
-        const char *text;
-        int binding;
-    } known[] = {{"||", 1}, {"&&", 2}, {"|", 3},  {"^", 4}, {"&", 5},
-                 {"==", 6}, {"!=", 6}, {"<", 7},  {">", 7}, {"<=", 7},
-                 {">=", 7}, {"<<", 8}, {">>", 8}, {"+", 9}, {"-", 9},
-                 {"*", 10}, {"/", 10}, {"%", 10}};
+    static const char *const levels[] = {
+        "||",    "&&",        "|",     "^",   "&",
+        "== !=", "< > <= >=", "<< >>", "+ -", "* / %"};
     if (i == 0 || !ends_operand(i - 1))
         return 0;
-    for (size_t k = 0; k < sizeof known / sizeof *known; ++k)
-        if (is(i, known[k].text))
-            return known[k].binding;
+    for (int k = 0; k < 10; ++k)
+        if (is(i, levels[k]))
+            return k + 1;
     return 0;
 }
 
 /* Whether no operand reaches over token i. */
 static bool separates(size_t i)
 {
-    static const char *const separators[] = {
-        ",",  ";",  "?",  ":",  "=", "+=",  "-=",  "*=", "/=",
-        "%=", "&=", "|=", "^=", "{", "<<=", ">>=", "}",  NULL};
-    return is_any(i, separators) || (is_keyword(i) && !is(i, "sizeof"));
+    return is(i, ", ; ? : = += -= *= /= %= &= |= ^= { <<= >>= }") ||
+           (is_keyword(i) && !is(i, "sizeof"));
 }
 
 /* The first token of the value before the operator number i, which goes as
@@ -437,14 +332,6 @@ static char *joined(const char *a, const char *b, const char *c)
     return strcat(text, c);
 }
 
-static char *mutated(const struct mutant *m)
-{
-    char *head = copy_of(file.text, m->start);
-    char *text = joined(head, m->with, file.text + m->end);
-    free(head);
-    return text;
-}
-
 /* Fowler, Noll and Vo's sum of a text. */
 static uint64_t sum_of(const char *text, size_t length)
 {
@@ -454,65 +341,43 @@ static uint64_t sum_of(const char *text, size_t length)
     return sum;
 }
 
-/* Goes on with a sum of tokens: a polynomial in `base`, so that the sum of
-   a mutant follows from those of what stands before, in and behind the
-   change, whatever the length of the file. */
-static const uint64_t base = 6364136223846793005u;
-static uint64_t add_token(uint64_t sum, const char *start, const char *end)
+/* Goes on with a sum of tokens. */
+static uint64_t add_token(uint64_t sum, uint64_t token)
 {
-    return sum * base + sum_of(start, (size_t)(end - start));
+    return sum * 6364136223846793005u + token;
 }
 
-static uint64_t power(size_t exponent)
-{
-    uint64_t product = 1, square = base;
-    for (; exponent > 0; exponent /= 2, square *= square)
-        if (exponent % 2)
-            product *= square;
-    return product;
-}
-
-/* The sums of the first 0, 1, 2, ... tokens of the file. */
-static uint64_t *sums;
+/* The sums of the texts of all tokens, and of the tokens of the file. */
+static uint64_t *sums, file_sum;
 static void sum_tokens(void)
 {
-    sums = grow(NULL, (file.count + 1) * sizeof *sums);
-    sums[0] = 0;
-    for (size_t i = 0; i < file.count; ++i)
-        sums[i + 1] = add_token(sums[i], file.text + start_of(i),
-                                file.text + end_of(i));
-}
-
-/* How many tokens begin before this place. */
-static size_t tokens_before(size_t place)
-{
-    size_t low = 0, high = file.count;
-    while (low < high) {
-        const size_t middle = low + (high - low) / 2;
-        if (start_of(middle) < place)
-            low = middle + 1;
-        else
-            high = middle;
+    sums = grow(NULL, file.count * sizeof *sums);
+    for (size_t i = 0; i < file.count; ++i) {
+        const struct token *t = &file.tokens[i];
+        sums[i] = sum_of(file.text + t->start, t->end - t->start);
+        file_sum = add_token(file_sum, sums[i]);
     }
-    return low;
 }
 
 /* Sets the sum and the number of the mutant's tokens. */
 static void sum_mutant(struct mutant *m)
 {
-    const size_t first = tokens_before(m->start);
-    const size_t behind = tokens_before(m->end);
-    const size_t rest = file.count - behind;
     enum kind kind;
-    m->sum = sums[first];
-    m->tokens = first + rest;
+    size_t i = 0;
+    for (; i < file.count && start_of(i) < m->start; ++i)
+        m->sum = add_token(m->sum, sums[i]);
+    m->tokens = i;
     for (const char *at = after_space(m->with, m->with); *at;) {
         const char *next = read_token(at, &kind);
-        m->sum = add_token(m->sum, at, next);
+        m->sum = add_token(m->sum, sum_of(at, (size_t)(next - at)));
         ++m->tokens;
         at = after_space(m->with, next);
     }
-    m->sum = (m->sum - sums[behind]) * power(rest) + sums[file.count];
+    while (i < file.count && start_of(i) < m->end)
+        ++i;
+    m->tokens += file.count - i;
+    for (; i < file.count; ++i)
+        m->sum = add_token(m->sum, sums[i]);
 }
 
 /* Adds the mutant that has `with` from start to end, unless it is there. */
@@ -522,22 +387,19 @@ static void add(const char *operator, size_t start, size_t end,
     struct mutant m = {operator, start, end, copy_of(with, strlen(with)), 0,
                        0};
     sum_mutant(&m);
-    bool known = m.sum == sums[file.count] && m.tokens == file.count;
+    bool known = m.sum == file_sum && m.tokens == file.count;
     for (size_t i = 0; i < mutant_count && !known; ++i)
         known = m.sum == mutants[i].sum && m.tokens == mutants[i].tokens;
-    if (known) {
-        free(m.with);
+    if (known)
         return;
-    }
     mutants = grow(mutants, (mutant_count + 1) * sizeof *mutants);
     mutants[mutant_count++] = m;
 }
 
 static void replace_token(const char *operator, size_t i, const char *with)
 {
-    char *spaced = joined(" ", with, " "); /* a+-b must not become a--b */
-    add(operator, start_of(i), end_of(i), spaced);
-    free(spaced);
+    /* a+-b must not become a--b */
+    add(operator, start_of(i), end_of(i), joined(" ", with, " "));
 }
 
 /* One operator for another: those between two values, then the others. */
@@ -582,10 +444,8 @@ static void drop_sign(size_t i)
    first one of several goes with the operator behind it. */
 static void drop_term(size_t i)
 {
-    static const char *const chains[] = {"+", "-",  "*",  "/",
-                                         "%", "&&", "||", NULL};
     const int own = binding(i);
-    if (own == 0 || !is_any(i, chains))
+    if (own == 0 || !is(i, "+ - * / % && ||"))
         return;
     add("drop-term", end_of(i - 1), end_of(operand_end(i, own) - 1), "");
     const size_t first = operand_start(i, own);
@@ -625,22 +485,21 @@ static void change_floating(size_t i, const char *text, int change)
 }
 
 /* Whether token i stands in the arguments of one of these functions. */
-static bool is_argument_of(size_t i, const char *const names[])
+static bool is_argument_of(size_t i, const char *names)
 {
     size_t k = i;
-    while (k-- > 0 && !is(k, ";") && !is(k, "{") && !is(k, "}"))
+    while (k-- > 0 && !is(k, "; { }"))
         if (is_close(k))
             k = file.tokens[k].mate;
-        else if (is(k, "(") && k > 0 && is_any(k - 1, names))
+        else if (is(k, "(") && k > 0 && is(k - 1, names))
             return true;
     return false;
 }
 
 static bool asks_for_room(size_t i)
 {
-    static const char *const names[] = {
-        "malloc", "calloc", "realloc", "aligned_doubles", "room_of", NULL};
-    return more && is_argument_of(i, names);
+    return more && is_argument_of(i, "malloc calloc realloc "
+                                     "aligned_doubles room_of");
 }
 
 /* Whether two tokens have the same text. */
@@ -664,8 +523,7 @@ static bool is_length(size_t i)
             (are_alike(k + 1, i - 2) || are_alike(k + 2, i - 2)))
             return false;
     size_t first = i - 2;
-    while (first > 0 && !is(first - 1, ";") && !is(first - 1, "{") &&
-           !is(first - 1, "}") && !is(first - 1, "("))
+    while (first > 0 && !is(first - 1, "; { } ("))
         first =
             is_close(first - 1) ? file.tokens[first - 1].mate : first - 1;
     return is_type(first);
@@ -702,7 +560,6 @@ static void change_constant(size_t i)
         scale_constant(i, text, 1.2);
         scale_constant(i, text, 0.8);
     }
-    free(text);
 }
 
 /* The ',' behind the argument that starts with token i, or the ')'. */
@@ -716,21 +573,14 @@ static size_t argument_end(size_t i)
 /* Swaps each two neighbours among the arguments of a call. */
 static void swap_arguments(size_t i)
 {
-    static const char *const symmetric[] = {"fmin", "fmax", "hypot",
-                                            "calloc", NULL};
     if (!is(i, "(") || !is_name(i - 1) ||
-        (more && is_any(i - 1, symmetric)))
+        (more && is(i - 1, "fmin fmax hypot calloc")))
         return;
     size_t first = i + 1, middle = argument_end(first);
     while (is(middle, ",")) {
         const size_t end = argument_end(middle + 1);
-        char *one = text_of(first, middle);
-        char *other = text_of(middle + 1, end);
-        char *with = joined(other, ", ", one);
-        add("swap-arguments", start_of(first), end_of(end - 1), with);
-        free(one);
-        free(other);
-        free(with);
+        add("swap-arguments", start_of(first), end_of(end - 1),
+            joined(text_of(middle + 1, end), ", ", text_of(first, middle)));
         first = middle + 1;
         middle = end;
     }
@@ -746,11 +596,8 @@ static void negate(size_t first, size_t last)
         add("negate", start_of(first), end_of(first), "");
         return;
     }
-    char *condition = text_of(first, last);
-    char *with = joined("!(", condition, ")");
-    add("negate", start_of(first), end_of(last - 1), with);
-    free(condition);
-    free(with);
+    add("negate", start_of(first), end_of(last - 1),
+        joined("!(", text_of(first, last), ")"));
 }
 
 /* All that concerns one token and its neighbours. */
@@ -778,7 +625,7 @@ static bool is_declaration(size_t i)
 {
     return is_type(i) || (is_name(i) && is_name(i + 1)) ||
            (is_name(i) && is(i + 1, "*") && is_name(i + 2) &&
-            (is(i + 3, "=") || is(i + 3, ";")));
+            is(i + 3, "= ;"));
 }
 
 /* The token after the next ';' that stands in no bracket. */
@@ -800,10 +647,8 @@ static bool returns(size_t first, size_t last, bool truth)
         return false;
     char *text = text_of(first + 1, first + 2), *end;
     const bool zero = strtod(text, &end) == 0.0 && end > text;
-    const bool same = is(first + 1, truth ? "true" : "false") ||
-                      (!truth && (zero || is(first + 1, "NULL")));
-    free(text);
-    return same;
+    return is(first + 1, truth ? "true" : "false") ||
+           (!truth && (zero || is(first + 1, "NULL")));
 }
 
 static void return_with(const char *text, size_t first, size_t last,
@@ -896,14 +741,14 @@ static size_t parts(size_t i, enum value value)
         return if_statement(i, value);
     if (is(i, "do"))
         return do_loop(i, value);
-    if (is(i, "for") || is(i, "while") || is(i, "switch"))
+    if (is(i, "for while switch"))
         return loop(i, value);
     return after_semicolon(i);
 }
 
 static size_t after_label(size_t i)
 {
-    if (is(i, "case") || is(i, "default") || (is_name(i) && is(i + 1, ":")))
+    if (is(i, "case default") || (is_name(i) && is(i + 1, ":")))
         while (i < file.count && !is(i++, ":"))
             ;
     return i;
@@ -916,7 +761,7 @@ static size_t statement(size_t i, enum value value, bool in_block,
     if (is_close(first))
         return first;
     const size_t end = parts(first, value);
-    if (!is(first, "{") && !is(first, ";") && !is_declaration(first))
+    if (!is(first, "{ ;") && !is_declaration(first))
         drop(first, end, ";");
     if (!after_declaration)
         return_early(first, end, value, in_block);
@@ -930,9 +775,9 @@ static size_t statement(size_t i, enum value value, bool in_block,
 static enum value value_of(size_t open)
 {
     bool nothing = false, truth = false, pointer = false;
-    for (size_t i = open - 1; i-- > 0 && !is(i, ";") && !is(i, "}");) {
+    for (size_t i = open - 1; i-- > 0 && !is(i, "; }");) {
         nothing = nothing || is(i, "void");
-        truth = truth || is(i, "bool") || is(i, "_Bool");
+        truth = truth || is(i, "bool _Bool");
         pointer = pointer || is(i, "*");
     }
     return pointer   ? SOMETHING
@@ -1004,8 +849,6 @@ static char *one_line(size_t start, size_t from, const char *with,
         *out++ = *in++;
     }
     *out = '\0';
-    free(head);
-    free(tail);
     return text;
 }
 
@@ -1050,13 +893,7 @@ static double rank_of(const char *seed, const char *function,
 {
     const char *name = strrchr(file.path, '/');
     char *place = joined(name ? name + 1 : file.path, " ", function);
-    char *start = joined(seed, " ", place);
-    char *whole = joined(start, " ", key);
-    const double u = drawn(whole);
-    free(place);
-    free(start);
-    free(whole);
-    return u;
+    return drawn(joined(joined(seed, " ", place), " ", key));
 }
 
 /* Lists all mutants; with their ranks where there is a seed. */
@@ -1066,8 +903,9 @@ static void list(const char *seed)
     uint64_t *key_sums = grow(NULL, mutant_count * sizeof *key_sums);
     for (size_t i = 0; i < mutant_count; ++i) {
         const struct mutant *m = &mutants[i];
-        char *before = lines_of(m, false), *after = lines_of(m, true);
-        char *change = joined(before, " :: ", after), number[32] = "";
+        char *change =
+                 joined(lines_of(m, false), " :: ", lines_of(m, true)),
+             number[32] = "";
         keys[i] = joined(m->operator, " :: ", change);
         key_sums[i] = sum_of(keys[i], strlen(keys[i]));
         int same = 1;
@@ -1078,24 +916,14 @@ static void list(const char *seed)
             snprintf(number, sizeof number, "#%d", same);
         if (seed) {
             char *function = function_at(m->start);
-            char *key = joined(keys[i], number, "");
             printf("%.17g :: %zu :: %d :: %s :: ",
-                   rank_of(seed, function, key), i + 1, line_of(m->start),
-                   function);
-            free(key);
-            free(function);
+                   rank_of(seed, function, joined(keys[i], number, "")),
+                   i + 1, line_of(m->start), function);
         } else {
             printf("%zu :: %d :: ", i + 1, line_of(m->start));
         }
         printf("%s%s :: %s\n", m->operator, number, change);
-        free(before);
-        free(after);
-        free(change);
     }
-    for (size_t i = 0; i < mutant_count; ++i)
-        free(keys[i]);
-    free(keys);
-    free(key_sums);
 }
 
 static void print_mutant(const char *number)
@@ -1105,19 +933,9 @@ static void print_mutant(const char *number)
     if (*end || end == number || n < 1 || n > mutant_count)
         fail("'%s' is not a whole number from 1 to %zu", number,
              mutant_count);
-    char *text = mutated(&mutants[n - 1]);
-    fputs(text, stdout);
-    free(text);
-}
-
-static void clean_up(void)
-{
-    for (size_t i = 0; i < mutant_count; ++i)
-        free(mutants[i].with);
-    free(mutants);
-    free(sums);
-    free(file.text);
-    free(file.tokens);
+    const struct mutant *m = &mutants[n - 1];
+    printf("%.*s%s%s", (int)m->start, file.text, m->with,
+           file.text + m->end);
 }
 
 int main(int argc, char **argv)
@@ -1127,18 +945,18 @@ int main(int argc, char **argv)
     argc -= more;
     const bool ranks = argc == 4 && strcmp(argv[1], "--rank") == 0;
     if (argc != 3 && !ranks)
-        fail("usage: mutate [--more] --count FILE, --list FILE,\n"
-             "    --rank SEED FILE or NUMBER FILE");
-    read_file(argv[argc - 1]);
+        fail("usage: mutate [--more] --list FILE, --rank SEED FILE "
+             "or NUMBER FILE");
+    size_t length;
+    file.path = argv[argc - 1];
+    file.text = read_file(file.path, &length);
+    read_tokens();
     make_mutants();
     if (ranks)
         list(argv[2]);
-    else if (strcmp(argv[1], "--count") == 0)
-        printf("%zu\n", mutant_count);
     else if (strcmp(argv[1], "--list") == 0)
         list(NULL);
     else
         print_mutant(argv[1]);
-    clean_up();
     return fflush(stdout) ? EXIT_FAILURE : EXIT_SUCCESS;
 }

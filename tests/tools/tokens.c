@@ -29,12 +29,10 @@
    a - b and a - a are two things. Exit status 2 when a file cannot be read.
  */
 
-#include <ctype.h>
-#include <stdbool.h>
+#define PROGRAM "tokens"
+#include "source.h"
+
 #include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 enum { NAME_LENGTH = 64 };
 
@@ -80,16 +78,6 @@ static int name_count;
 static int *places;
 static size_t place_count;
 
-static void *grow(void *memory, size_t bytes)
-{
-    memory = realloc(memory, bytes ? bytes : 1);
-    if (!memory) {
-        fprintf(stderr, "tokens: out of memory\n");
-        exit(2);
-    }
-    return memory;
-}
-
 /* Where the name stands in `places`, or should. */
 static size_t place_of(const char *text)
 {
@@ -127,38 +115,14 @@ static int name_number(const char *text)
 
 static bool is_keyword(const char *text)
 {
-    static const char *const keywords[] = {
-        "auto",     "break",    "case",   "char",    "continue", "default",
-        "do",       "double",   "else",   "enum",    "extern",   "float",
-        "for",      "goto",     "if",     "inline",  "int",      "long",
-        "register", "restrict", "return", "short",   "signed",   "sizeof",
-        "static",   "struct",   "switch", "typedef", "union",    "unsigned",
-        "void",     "volatile", "while",  NULL};
-    for (const char *const *k = keywords; *k; ++k)
-        if (strcmp(*k, text) == 0)
-            return true;
-    return false;
-}
-
-/* The text of the file, a NUL behind it, and its length. */
-static char *read_file(const char *path, size_t *length)
-{
-    size_t size = 0, got;
-    char *text = NULL;
-    FILE *file = fopen(path, "r");
-    if (!file) {
-        fprintf(stderr, "tokens: cannot read '%s'\n", path);
-        exit(2);
-    }
-    do {
-        text = grow(text, size + 65537);
-        got = fread(text + size, 1, 65536, file);
-        size += got;
-    } while (got > 0);
-    fclose(file);
-    text[size] = '\0';
-    *length = size;
-    return text;
+    static const char keywords[] =
+        " auto break case char continue default do double else enum extern "
+        "float for goto if inline int long register restrict return short "
+        "signed sizeof static struct switch typedef union unsigned void "
+        "volatile while ";
+    char spaced[NAME_LENGTH + 2];
+    snprintf(spaced, sizeof spaced, " %s ", text);
+    return strstr(keywords, spaced) != NULL;
 }
 
 /* A place in a text. */
@@ -169,45 +133,13 @@ struct reader {
     bool line_start; /* nothing but space since the last newline */
 };
 
-static void step(struct reader *r)
+static void go(struct reader *r, const char *to)
 {
-    if (*r->at == '\n') {
-        ++r->line;
-        r->line_start = true;
-    }
-    ++r->at;
-}
-
-static void skip_comment(struct reader *r)
-{
-    const bool block = r->at[1] == '*';
-    step(r);
-    step(r);
-    while (*r->at &&
-           (block ? strncmp(r->at, "*/", 2) != 0 : *r->at != '\n'))
-        step(r);
-    if (block && *r->at) {
-        step(r);
-        step(r);
-    }
-}
-
-static bool starts_comment(const struct reader *r)
-{
-    return *r->at == '/' && (r->at[1] == '*' || r->at[1] == '/');
-}
-
-static void skip_directive(struct reader *r)
-{
-    while (*r->at && *r->at != '\n') {
-        if (starts_comment(r)) {
-            skip_comment(r);
-        } else {
-            if (*r->at == '\\' && r->at[1])
-                step(r);
-            step(r);
+    for (; r->at < to; ++r->at)
+        if (*r->at == '\n') {
+            ++r->line;
+            r->line_start = true;
         }
-    }
 }
 
 /* How many characters here are no code but a mark around it. */
@@ -222,7 +154,7 @@ static int mark_length(const struct reader *r)
         return 1;
     if (r->reading == OPEN_STRINGS)
         return 0;
-    if (starts_comment(r) || (*at == '*' && at[1] == '/'))
+    if (is_comment(at) || (*at == '*' && at[1] == '/'))
         return 2;
     if (r->line_start && (*at == '#' || *at == '%'))
         return 1;
@@ -233,44 +165,22 @@ static void skip_space(struct reader *r)
 {
     while (r->at < r->end) {
         const int marks = mark_length(r);
-        for (int i = 0; i < marks; ++i)
-            step(r);
-        if (marks)
-            continue;
-        if (isspace((unsigned char)*r->at))
-            step(r);
-        else if (starts_comment(r))
-            skip_comment(r);
+        if (marks || isspace((unsigned char)*r->at))
+            go(r, r->at + (marks ? marks : 1));
+        else if (is_comment(r->at))
+            go(r, after_comment(r->at));
         else if (*r->at == '#' && r->line_start)
-            skip_directive(r);
+            go(r, after_directive(r->at));
         else
             return;
     }
 }
 
-static void read_quoted(struct reader *r, struct token *t)
-{
-    const char quote = *r->at;
-    sprintf(t->text, "%c%c", quote, quote);
-    step(r);
-    while (*r->at && *r->at != quote) {
-        if (*r->at == '\\' && r->at[1])
-            step(r);
-        step(r);
-    }
-    if (*r->at)
-        step(r);
-}
-
 static void read_word(struct reader *r, struct token *t)
 {
-    size_t length = 0;
-    while (isalnum((unsigned char)*r->at) || *r->at == '_') {
-        if (length + 1 < sizeof t->text)
-            t->text[length++] = *r->at;
-        step(r);
-    }
-    t->text[length] = '\0';
+    const char *end = after_word(r->at);
+    snprintf(t->text, sizeof t->text, "%.*s", (int)(end - r->at), r->at);
+    go(r, end);
     if (!is_keyword(t->text))
         t->name = name_number(t->text);
 }
@@ -279,27 +189,9 @@ static void read_number(struct reader *r, struct token *t)
 {
     char *end;
     snprintf(t->text, sizeof t->text, "%.17g", strtod(r->at, &end));
-    while (r->at < end)
-        step(r);
-    while (isalnum((unsigned char)*r->at)) /* its suffix: 1u, 2.0L */
-        step(r);
-}
-
-static void read_operator(struct reader *r, struct token *t)
-{
-    static const char *const operators[] = {
-        "<<=", ">>=", "...", "->", "++", "--", "<<", ">>",
-        "<=",  ">=",  "==",  "!=", "&&", "||", "+=", "-=",
-        "*=",  "/=",  "%=",  "&=", "|=", "^=", NULL};
-    size_t length = 1;
-    for (const char *const *o = operators; *o; ++o)
-        if (strncmp(r->at, *o, strlen(*o)) == 0) {
-            length = strlen(*o);
-            break;
-        }
-    snprintf(t->text, sizeof t->text, "%.*s", (int)length, r->at);
-    while (length--)
-        step(r);
+    while (isalnum((unsigned char)*end)) /* its suffix: 1u, 2.0L */
+        ++end;
+    go(r, end);
 }
 
 /* Reads the next token; false at the end of the text. */
@@ -310,15 +202,18 @@ static bool read_token(struct reader *r, struct token *t)
         return false;
     r->line_start = false;
     *t = (struct token){.name = -1, .line = r->line, .at = r->at};
-    if (*r->at == '"' || *r->at == '\'')
-        read_quoted(r, t);
-    else if (isalpha((unsigned char)*r->at) || *r->at == '_')
+    if (starts_word(r->at)) {
         read_word(r, t);
-    else if (isdigit((unsigned char)*r->at) ||
-             (*r->at == '.' && isdigit((unsigned char)r->at[1])))
+    } else if (starts_number(r->at)) {
         read_number(r, t);
-    else
-        read_operator(r, t);
+    } else if (*r->at == '"' || *r->at == '\'') {
+        sprintf(t->text, "%c%c", *r->at, *r->at);
+        go(r, after_quoted(r->at));
+    } else {
+        go(r, after_punctuation(r->at));
+        snprintf(t->text, sizeof t->text, "%.*s", (int)(r->at - t->at),
+                 t->at);
+    }
     return true;
 }
 
@@ -432,12 +327,20 @@ static void print_bodies(const struct bodies *all)
     }
 }
 
-/* The length of the run that starts at a[i] and b[j], at most `room`. `to`
-   and `from` have a place for each name, all of them -1 before and after.
- */
+/* The name that each name is taken for within a run, and the other way
+   round: -1 before and after. */
+static int *to, *from;
+static void forget_names(void)
+{
+    to = grow(to, (size_t)name_count * sizeof *to);
+    from = grow(from, (size_t)name_count * sizeof *from);
+    for (int i = 0; i < name_count; ++i)
+        to[i] = from[i] = -1;
+}
+
+/* The length of the run that starts at a[i] and b[j], at most `room`. */
 static size_t run_length(const struct tokens *a, size_t i,
-                         const struct tokens *b, size_t j, size_t room,
-                         int *to, int *from)
+                         const struct tokens *b, size_t j, size_t room)
 {
     size_t n = 0;
     for (; n < room && a->kinds[i + n] == b->kinds[j + n]; ++n) {
@@ -482,7 +385,7 @@ static void fill_sieve(bool sieve[SIEVE], const struct tokens *t)
    that one ended: that is asked first. `places` are those of a. */
 static size_t longest_run(const struct tokens *a, const size_t *places,
                           const struct tokens *b, const bool sieve[SIEVE],
-                          size_t floor, size_t *at, int *to, int *from)
+                          size_t floor, size_t *at)
 {
     size_t longest = floor;
     for (size_t i = 0; i + longest < a->count; ++i)
@@ -492,8 +395,8 @@ static size_t longest_run(const struct tokens *a, const size_t *places,
                 a->kinds[i] != b->kinds[j])
                 continue;
             const size_t room_a = a->count - i, room_b = b->count - j;
-            const size_t n = run_length(
-                a, i, b, j, room_a < room_b ? room_a : room_b, to, from);
+            const size_t n =
+                run_length(a, i, b, j, room_a < room_b ? room_a : room_b);
             if (n > longest) {
                 longest = n;
                 *at = i;
@@ -520,12 +423,8 @@ static size_t **all_places(const struct bodies *all)
 static bool compare(const struct bodies *own, const struct bodies *book,
                     size_t limit)
 {
-    int *to = grow(NULL, (size_t)name_count * sizeof *to);
-    int *from = grow(NULL, (size_t)name_count * sizeof *from);
-    size_t longest = 0;
-    for (int i = 0; i < name_count; ++i)
-        to[i] = from[i] = -1;
-    size_t **places = all_places(own);
+    size_t longest = 0, **places = all_places(own);
+    forget_names();
     for (size_t j = 0; j < book->count; ++j) {
         bool sieve[SIEVE];
         fill_sieve(sieve, &book->list[j].code);
@@ -534,7 +433,7 @@ static bool compare(const struct bodies *own, const struct bodies *book,
             size_t at = 0;
             const size_t floor = longest < limit ? longest : limit - 1;
             const size_t n = longest_run(&a->code, places[i], &b->code,
-                                         sieve, floor, &at, to, from);
+                                         sieve, floor, &at);
             if (n > longest)
                 longest = n;
             if (n < limit)
@@ -547,12 +446,7 @@ static bool compare(const struct bodies *own, const struct bodies *book,
             printf("\n");
         }
     }
-    for (size_t i = 0; i < own->count; ++i)
-        free(places[i]);
-    free(places);
     printf("longest %zu\n", longest);
-    free(to);
-    free(from);
     return longest >= limit;
 }
 
@@ -600,8 +494,7 @@ static size_t times(const struct text *text, int kind)
 
 /* Looks for the tokens, whole, in the text; the line where they begin, or
    0. Only where the rarest of them stands need the others be tried. */
-static int find_tokens(const struct tokens *sought, const struct text *text,
-                       int *to, int *from)
+static int find_tokens(const struct tokens *sought, const struct text *text)
 {
     const size_t none = sought->count;
     size_t rare = none;
@@ -618,7 +511,7 @@ static int find_tokens(const struct tokens *sought, const struct text *text,
         if (place >= rare &&
             place - rare + sought->count <= text->tokens.count &&
             run_length(sought, 0, &text->tokens, place - rare,
-                       sought->count, to, from) == sought->count)
+                       sought->count) == sought->count)
             return text->tokens.list[place - rare].line;
     }
     return 0;
@@ -631,26 +524,20 @@ static bool search(const struct bodies *own, size_t limit, const char *path)
     char *text = read_file(path, &length);
     struct text code = read_text(text, text + length, AS_CODE);
     struct text all = read_text(text, text + length, OPEN_ALL);
-    int *to = grow(NULL, (size_t)name_count * sizeof *to);
-    int *from = grow(NULL, (size_t)name_count * sizeof *from);
     bool found = false;
-    for (int i = 0; i < name_count; ++i)
-        to[i] = from[i] = -1;
+    forget_names();
     for (size_t i = 0; i < own->count; ++i) {
         const struct body *b = &own->list[i];
-        int line = 0;
         if (b->code.count < limit)
             continue;
-        line = find_tokens(&b->code, &code, to, from);
+        int line = find_tokens(&b->code, &code);
         if (!line)
-            line = find_tokens(&b->opened, &all, to, from);
+            line = find_tokens(&b->opened, &all);
         if (line)
             printf("%s:%d: %s\t%s:%d\n", b->file, b->line, b->function,
                    path, line);
         found |= line != 0;
     }
-    free(to);
-    free(from);
     free_text(&code);
     free_text(&all);
     free(text);

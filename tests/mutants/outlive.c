@@ -65,10 +65,7 @@ int main(int argc, char **argv)
                                 .seconds = whole(argv[3], 3600),
                                 .runner = "../runner"};
     char *story;
-    size_t length;
-    FILE *unread = open_memstream(&story, &length);
-    if (!unread)
-        text_fail("out of memory");
+    FILE *unread = text_stream(&story, NULL);
     enum state state = PASSED;
     double slowest = 0.0;
     int test = 0;

@@ -94,12 +94,18 @@ _Noreturn static void fail(const char *what, const char *which)
     exit(2);
 }
 
-static const char *one_of(struct random *r, const char *const words[],
-                          size_t n)
+/* One of the words, between which stand bars, until the next call. */
+static const char *one_of(struct random *r, const char *words)
 {
-    return words[random_below(r, n)];
+    static char word[LINE];
+    size_t n = 1;
+    for (const char *p = words; *p; ++p)
+        n += *p == '|';
+    for (n = random_below(r, n); n > 0; --n)
+        words = strchr(words, '|') + 1;
+    snprintf(word, sizeof word, "%.*s", (int)strcspn(words, "|"), words);
+    return word;
 }
-#define ONE_OF(r, words) one_of(r, words, sizeof words / sizeof *words)
 
 static bool chance(struct random *r, uint64_t percent)
 {
@@ -280,51 +286,20 @@ static const struct program *program_of(const struct command *usual)
 
 static const char *small_number(struct random *r, bool whole)
 {
-    static const char *const wholes[] = {"1", "2",  "3",  "4", "5",
-                                         "7", "10", "16", "0", "20"};
-    static const char *const reals[] = {
-        ".1", ".2", ".25", ".3",  ".5",  ".15", ".05", ".01",   "1",
-        "2",  "3",  "0",   "-.5", "1.5", ".4",  ".75", "0.999", ".7"};
-    return whole ? ONE_OF(r, wholes) : ONE_OF(r, reals);
+    static const char wholes[] = "1|2|3|4|5|7|10|16|0|20";
+    static const char reals[] =
+        ".1|.2|.25|.3|.5|.15|.05|.01|1|2|3|0|-.5|1.5|.4|.75|0.999|.7";
+    return whole ? one_of(r, wholes) : one_of(r, reals);
 }
 
 static const char *edge_number(struct random *r, struct command *c)
 {
-    static const char *const edges[] = {"0",
-                                        "-0",
-                                        "-1",
-                                        "1e-320",
-                                        "5e-324",
-                                        "2.3e-308",
-                                        "1e308",
-                                        "1e309",
-                                        "nan",
-                                        "inf",
-                                        "-inf",
-                                        "0x1p3",
-                                        "1e",
-                                        "1e-9999",
-                                        ".",
-                                        "1 2",
-                                        "+1",
-                                        "-1e308",
-                                        "1e-17",
-                                        "1e-9",
-                                        "1e6",
-                                        "1e9",
-                                        "1e16",
-                                        "1e19",
-                                        "1e100",
-                                        "1e-100",
-                                        "1e30",
-                                        "1000000",
-                                        "1e154",
-                                        "1e-160",
-                                        "4294967296",
-                                        "9007199254740993",
-                                        "18446744073709551615",
-                                        "18446744073709551616"};
-    const char *edge = ONE_OF(r, edges);
+    static const char edges[] =
+        "0|-0|-1|1e-320|5e-324|2.3e-308|1e308|1e309|nan|inf|-inf|0x1p3|"
+        "1e|1e-9999|.|1 2|+1|-1e308|1e-17|1e-9|1e6|1e9|1e16|1e19|1e100|"
+        "1e-100|1e30|1000000|1e154|1e-160|4294967296|9007199254740993|"
+        "18446744073709551615|18446744073709551616";
+    const char *edge = one_of(r, edges);
     const double value = fabs(strtod(edge, NULL));
     if (value >= 1e5 || (value > 1e-300 && value < 1e-5))
         c->patient = true;
@@ -373,55 +348,31 @@ static void draw_name(struct random *r, const char *help, char value[])
 
 static void draw_nonsense(struct random *r, char value[])
 {
-    static const char *const texts[] = {"",
-                                        " ",
-                                        ",",
-                                        "1,,2",
-                                        "%s%n%d",
-                                        "'",
-                                        "a\nb",
-                                        "\xff\xfe",
-                                        "-",
-                                        "--",
-                                        "-o",
-                                        "$(x)",
-                                        "all",
-                                        "NULL",
-                                        ":",
-                                        "1:2",
-                                        "mean:",
-                                        "x:0",
-                                        "x:99",
-                                        "speed:1,energy",
-                                        "distance:0:0",
-                                        "mean:energy",
-                                        "pefrl:0",
-                                        "pefrl:99999999999999999999",
-                                        "normal:0,0",
-                                        "beta:1,2,3,4,5",
-                                        "microcanonical:0",
-                                        "maxwell:-1",
-                                        "kepler"};
+    static const char texts[] =
+        "| |,|1,,2|%s%n%d|'|a\nb|\xff\xfe|-|--|-o|$(x)|all|NULL|:|1:2|"
+        "mean:|x:0|x:99|speed:1,energy|distance:0:0|mean:energy|pefrl:0|"
+        "pefrl:99999999999999999999|normal:0,0|beta:1,2,3,4,5|"
+        "microcanonical:0|maxwell:-1|kepler";
     if (chance(r, 5)) {
         const size_t n = LINE - 2;
         memset(value, "9a,."[random_below(r, 4)], n);
         value[n] = '\0';
         return;
     }
-    snprintf(value, LINE, "%s", ONE_OF(r, texts));
+    snprintf(value, LINE, "%s", one_of(r, texts));
 }
 
 static void draw_file(struct random *r, bool output, bool wild,
                       const struct folder *f, char value[])
 {
-    static const char *const good[] = {"new.dat", "new.dat", "old.dat"};
-    static const char *const bad[] = {
-        "no/such/file", "/dev/full", "/dev/null",    "-",      "", "inside",
-        "old.dat/file", "loop",      "new.dat.rows", "new.dat"};
+    static const char good[] = "new.dat|new.dat|old.dat";
+    static const char bad[] =
+        "no/such/file|/dev/full|/dev/null|-||inside|old.dat/file|loop|"
+        "new.dat.rows|new.dat";
     const char *file = f->file[random_below(r, f->files)].name;
     snprintf(value, LINE, "%s",
-             wild     ? ONE_OF(r, bad)
-             : output ? ONE_OF(r, good)
+             wild     ? one_of(r, bad)
+             : output ? one_of(r, good)
                       : file);
 }
 

@@ -167,12 +167,13 @@ array() {
     LIMIT=${3:-600} sbatch --wait -Q --array=1-"${2:-8}" tests/cluster/array "$1"
 }
 # shellcheck disable=SC2086
-{
+listed() {
     $make -s jobs OF=hunt $hunted
     $make -s jobs OF=grade $graded
     $make -s jobs OF=figures
     $make -s jobs OF=atlas
-} >"$work/listed" 2>&1
+}
+listed >"$work/listed" 2>&1
 cat build/jobs/hunt build/jobs/grade build/jobs/figures build/jobs/atlas >build/jobs/all
 jobs=$(wc -l <build/jobs/all)
 holds 'there are jobs of all four' test \
@@ -180,9 +181,7 @@ holds 'there are jobs of all four' test \
 array build/jobs/all &
 sleep 12
 busy=$(squeue -h -t R -o %N | tr '\n' ' ')
-# The node's first process, with which all others go.
-lost_one() { kill -KILL "$n2"; }
-lost_one
+kill -KILL "$n2" # the node's first process, with which all others go
 wait $!
 ended=$?
 holds 'both nodes were at work' test "$busy" = 'n1 n2 '
@@ -191,13 +190,6 @@ holds 'what the lost node had begun was begun again' \
     sh -c "scontrol show job -o | grep -q 'Restarts=[1-9]'"
 holds 'the other one is alone' test "$(sinfo -h -N -n n2 -o %T)" = 'down*'
 node n2
-# shellcheck disable=SC2086
-listed() {
-    $make -s jobs OF=hunt $hunted
-    $make -s jobs OF=grade $graded
-    $make -s jobs OF=figures
-    $make -s jobs OF=atlas
-}
 listed >"$work/listed" 2>&1
 holds 'of all that is left what was late' test "$(cat build/jobs/hunt \
     build/jobs/figures build/jobs/atlas | wc -l) $(wc -l <build/jobs/grade)" = '0 2'

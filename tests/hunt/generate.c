@@ -403,13 +403,8 @@ static void beads(void)
         s.v[i][0] = number(from(-1, 1));
         s.m[i] = equal ? 1 : power(-1, 1);
     }
-    if (chance(0.5)) {
-        s.wall[0] = 1;
-        s.low[0] = -1, s.high[0] = x + 1;
-    } else if (chance(0.3)) {
-        s.wall[0] = 2;
-        s.low[0] = -1, s.high[0] = x + 1;
-    }
+    s.wall[0] = chance(0.5) ? 1 : chance(0.3) ? 2 : 0;
+    s.low[0] = -1, s.high[0] = x + 1;
     if (chance(0.3))
         s.grav[0] = -power(-1, 1);
     if (chance(0.1))
@@ -439,11 +434,8 @@ static void mixtures(void)
         hold(below(s.n));
     if (chance(0.3))
         for (size_t i = 0; i < s.n; ++i)
-            if (chance(0.3)) {
-                const size_t k = below(3);
-                s.fixed[i][k] = true;
-                s.v[i][k] = 0;
-            }
+            if (chance(0.3))
+                s.fixed[i][below(3)] = true;
     s.until = power(-1, 1);
 }
 
@@ -651,7 +643,6 @@ static const struct {
              {"hits", fast_contacts},   {"passes", fast_passages},
              {"swinging", swinging},    {"two", two},
              {"heaps", heaps},          {"floor", near_floor}};
-enum { KINDS = sizeof kinds / sizeof *kinds };
 
 /* Other units of length and mass, and another origin. */
 static void convert(void)
@@ -735,7 +726,7 @@ int main(int argc, char **argv)
     uniform();
     coarse = chance(0.3);
     s.restitution = 1;
-    for (size_t k = 0; k < KINDS; ++k)
+    for (size_t k = 0; k < sizeof kinds / sizeof *kinds; ++k)
         if (strcmp(kinds[k].name, argv[1]) == 0)
             kinds[k].make();
     if (s.n == 0)

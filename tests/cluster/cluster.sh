@@ -6,6 +6,7 @@
 #
 # Not one of make test: `sh .ci/install cluster && make test-cluster`, as root.
 # With RECORD=1 it keeps what an engine costs, and what two nodes do for a course.
+# shellcheck disable=SC2086 # lists are words on purpose
 . tests/programs/common
 root=$(pwd) host=$(hostname)
 [ "$(id -u)" -eq 0 ] || {
@@ -143,7 +144,6 @@ $make -s programs grade-parts build/tests/hunt/generate build/tests/hunt/truth \
     build/tests/hunt/truth-fast >/dev/null 2>&1
 
 # One machine.
-# shellcheck disable=SC2086
 {
     $make -s hunt $hunted >"$work/one/hunt"
     $make -s grade $graded RESULTS=build/one >"$work/one/said" 2>&1
@@ -166,7 +166,6 @@ array() {
     rm -f build/jobs/task-*.log
     LIMIT=${3:-600} sbatch --wait -Q --array=1-"${2:-8}" tests/cluster/array "$1"
 }
-# shellcheck disable=SC2086
 listed() {
     $make -s jobs OF=hunt $hunted
     $make -s jobs OF=grade $graded
@@ -200,7 +199,6 @@ holds 'and then nothing is' test "$(grep -c '^Jobs: 0 ' "$work/listed")" -eq 4
 
 # What is collected: nothing is done again.
 find build/grade/results/marks -name '*.json' -exec ls -i {} + >"$work/marks"
-# shellcheck disable=SC2086
 {
     $make -s hunt $hunted >"$work/hunt"
     $make -s grade $graded >"$work/said" 2>&1
@@ -246,7 +244,6 @@ holds 'it alone is in the next list' test "$(grep -oE "scene ($quick) " \
 
 # A folder of results that has room for some of them.
 small="SUBMISSIONS=$class EX=01a HIDDEN=11 SECONDS=1 RESULTS=build/small"
-# shellcheck disable=SC2086
 $make -s jobs OF=grade $small >/dev/null 2>&1
 cp build/jobs/grade build/jobs/small
 array build/jobs/small 2
@@ -257,14 +254,12 @@ holds 'and is named, a command each' test "$(wc -l <"$work/full")" -gt 0 -a \
     "$(wc -l <"$work/full")" -lt "$(wc -l <build/jobs/small)"
 mount -o remount,size=8m build/small
 find build/small -name '*.json' -size +0 -exec ls -i {} + | sort >"$work/whole"
-# shellcheck disable=SC2086
 $make -s jobs OF=grade $small >/dev/null 2>&1
 grep -v 'job late' build/jobs/grade | sort >"$work/next"
 holds 'these alone are in the next list' diff "$work/full" "$work/next"
 array build/jobs/grade 2
 find build/small -name '*.json' -size +0 -exec ls -i {} + | sort >"$work/more"
 holds 'and alone are run' test -z "$(comm -23 "$work/whole" "$work/more")"
-# shellcheck disable=SC2086
 $make -s jobs OF=grade $small >/dev/null 2>&1
 holds 'until none is left' test ! -s build/jobs/grade
 
@@ -299,17 +294,14 @@ END
 line=$(sed -n 's/^\(parallel -S .*\) <build\/jobs\/grade$/\1/p' "$root/README.md")
 holds 'README has a line for parallel' test -n "$line"
 rm -r build/hunt
-# shellcheck disable=SC2086
 $make -s jobs OF=hunt $hunted >/dev/null 2>&1
 PARALLEL="--will-cite --joblog $work/where" PARALLEL_SSH="ssh -F $ssh/client"
 export PARALLEL PARALLEL_SSH
 holds 'which runs a list' sh -c "$line"' <build/jobs/hunt'
 holds 'on either machine' test "$(sed 1d "$work/where" | cut -f 2 | sort -u |
     tr '\n' ' ')" = 'anna berta '
-# shellcheck disable=SC2086
 $make -s jobs OF=hunt $hunted >/dev/null 2>&1
 holds 'until none of its jobs is left' test ! -s build/jobs/hunt
-# shellcheck disable=SC2086
 $make -s hunt $hunted >"$work/hunt"
 holds 'with the same report' cmp "$work/one/hunt" "$work/hunt"
 unset PARALLEL PARALLEL_SSH
@@ -364,7 +356,6 @@ for round in 1 2 3; do
         out=build/$way$round
         given="SUBMISSIONS=$class RESULTS=$out $options"
         from=$(clock)
-        # shellcheck disable=SC2086
         case $way in
         batch) $make -s grade $given JOBS=1 >/dev/null 2>&1 ;;
         *) $make -s jobs OF=grade $given >/dev/null 2>&1 ;;

@@ -40,7 +40,7 @@ struct blocks_average {
     double mean, error, drift;
 };
 
-enum { BLOCKS_STEADY = 6 }; /* largest |drift| explained by chance */
+enum { BLOCKS_STEADY = 6 }; /* largest |drift| that chance can explain */
 
 /* Return the average of a column of the samples, and the average of n
    values in the order of measurement. */

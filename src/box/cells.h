@@ -35,7 +35,8 @@ struct cells {
     size_t seats;
     struct cells_anchor *anchor;
     size_t grid[DISKS_AXES], cells, room;
-    double widest, slack; /* largest radius; allowance for floats, m */
+    double widest, slack; /* largest radius; allowance for rounding to
+                             floats, m */
     float *place;     /* all x, all y, all z of each cell, `room` of each,
                          m */
     uint32_t *who;    /* disks of the `room` anchors of each cell */

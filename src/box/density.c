@@ -168,8 +168,8 @@ double sampling_pair_density(const struct sampling *s, size_t i, size_t j)
     return part > 0 && low ? at / part : 0;
 }
 
-/* The root is taken of a product, since a difference of squares would lose
-   digits for a thin segment. */
+/* Takes the square root of a product, since a difference of squares would
+   lose digits for a thin segment. */
 double sampling_segment(size_t dimensions, double radius, double distance)
 {
     const double rest = radius - distance;

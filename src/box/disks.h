@@ -43,9 +43,9 @@ enum disks_stop {
 };
 
 /* The next event of a disk, usually a collision with another disk or a
-   wall. The partner number count + axis stands for the walls across this
-   axis. If a disk is its own partner, it needs a new plan, since in a
-   periodic box plans have a limited range. */
+   wall. A partner number count + axis means a wall across this axis. If a
+   disk is its own partner, it needs a new plan, since in a periodic box
+   plans have a limited range. */
 struct disks_event {
     double time; /* s; INFINITY: no event */
     uint32_t disk, partner;

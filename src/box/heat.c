@@ -27,7 +27,8 @@ void disks_drift(const struct disks *d, double drift[])
     for (size_t i = 0; i < d->count; ++i)
         mass += d->mass[i];
     for (size_t k = 0; k < DISKS_AXES; ++k) {
-        /* Relative to the first disk, to be exact if all move alike. */
+        /* Velocities are taken relative to that of the first disk, so the
+           result is exact if all disks move alike. */
         const double seen = d->disk[0].velocity[k];
         double sum = 0;
         for (size_t i = 0; i < d->count && disks_wraps(d, k); ++i)

@@ -5,8 +5,9 @@
 #include "box/disks.h"
 
 /* A loop over ticks, as in the article that chapter 5 reviews, or
-   corrected. All disks are at the time t. At an event, the loop moves the
-   disks by the time to the event plus `offset` ticks. The correct offset is
+   corrected. All disks are at the time t. At an event, t has already
+   advanced by a tick. The loop then moves the disks by the time from t to
+   the event, which is negative, plus `offset` ticks. The correct offset is
    +1; the article has -1. */
 struct loop {
     struct disks d;

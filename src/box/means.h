@@ -15,8 +15,8 @@ enum { MEANS_BLOCKS = 128 }; /* even; a long run fills at least half */
    changes only a few of hundreds of bins.) */
 struct means {
     size_t quantities, blocks; /* blocks: number of full blocks */
-    uint64_t length, filled;   /* samples in a full block; in the next
-                                  block */
+    uint64_t length, filled;   /* samples in a full block; samples in the
+                                  next block */
     double *sum; /* sum[b * quantities + q]: block b, quantity q */
 };
 

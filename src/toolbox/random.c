@@ -54,7 +54,8 @@ uint64_t random_bits(struct random *r)
 }
 
 /* Uses the upper 53 bits, which a double represents exactly. Rounding all
-   64 bits would give 1 once in 2^54 calls, which [0,1) excludes. */
+   64 bits would give 1 once in 2^54 calls, but the interval [0,1) excludes
+   1. */
 double random_uniform(struct random *r)
 {
     return (double)(random_bits(r) >> 11) * 0x1p-53;

@@ -7,8 +7,8 @@
 /* Put VECTOR_LOOP before a function of plain loops. gcc then compiles the
    function for each kind of processor, and the program chooses a version
    when it runs (by ifunc, which only glibc has). The macro has no effect
-   with sanitizers, which would be loaded after the choice, or with
-   -DVECTOR_PLAIN, for tests that compare the bytes.
+   with sanitizers, since they would be loaded after the choice. It also has
+   no effect with -DVECTOR_PLAIN, which tests use to compare the bytes.
 
    The versions differ only in the number of values that an instruction
    processes. With -ffp-contract=off, the compiler may neither reorder a sum

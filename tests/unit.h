@@ -99,6 +99,15 @@ static inline void unit_must(bool holds, const char *condition,
 /* One that ends instead: `ENDED(motion) m;` calls motion_end. */
 #define ENDED(type) __attribute__((cleanup(type##_end), unused)) struct type
 
+/* `MADE(disks, d, begin(&d, 2, 20));` is `FREED(disks) d;` and the call
+   that makes it; STARTED is the same with ENDED. */
+#define MADE(type, name, call)                                             \
+    FREED(type) name;                                                      \
+    call
+#define STARTED(type, name, call)                                          \
+    ENDED(type) name;                                                      \
+    call
+
 /* `CREATED(scene, s, 3);` is `FREED(scene) s;` that scene_create(&s, 3) has
    made, and BEGUN the same with motion_begin and the like. */
 #define CREATED(type, name, ...)                                           \

@@ -255,9 +255,8 @@ FORCES(power)
 static double miss(int degree)
 {
     const struct stepping_forces f = {2, false, power, &degree};
-    FREED(stepping) s;
     double x[] = {0, 0}, v[] = {0, 1};
-    begin(&s, "radau15", f, 1, 0, x, v);
+    MADE(stepping, s, begin(&s, "radau15", f, 1, 0, x, v));
     UNIT_TRUE(stepping_run(&s, 1) == STEPPING_DONE);
     return v[0] - 1.0 / (degree + 1);
 }
@@ -489,10 +488,9 @@ TEST(test_collision, "a fall into the centre ends")
 TEST(test_disturbed, "a disturbed run begins anew")
 {
     for (int k = 0; k < 2; ++k) {
-        FREED(stepping) s;
         double x = 1, v = 0;
         const struct stepping_forces f = {1, false, oscillator, NULL};
-        begin(&s, names[k], f, 0.5, 1e-12, &x, &v);
+        MADE(stepping, s, begin(&s, names[k], f, 0.5, 1e-12, &x, &v));
         stepping_run(&s, 3);
         x = 0, v = 1;
         stepping_disturb(&s);

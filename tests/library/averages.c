@@ -76,8 +76,7 @@ static double fly(struct scene *s, double until)
 
 TEST(test_conserved, "what is conserved is its mean")
 {
-    FREED(scene) s;
-    make_rods(&s, 4, 2, 10);
+    MADE(scene, s, make_rods(&s, 4, 2, 10));
     double K = 0;
     for (size_t i = 0; i < 4; ++i)
         K += s.mass[i] * s.velocity[i] * s.velocity[i] / 2;
@@ -121,10 +120,9 @@ TEST(test_drift, "in a periodic box a drift is no heat")
 TEST(test_tonks, "every run shows Tonks's law to within its bound")
 {
     for (size_t n = 1; n <= 6; ++n) {
-        FREED(scene) s;
         double K = 0, M = 0, radii = 0;
         const double T = 200;
-        make_rods(&s, n, 2, 10);
+        MADE(scene, s, make_rods(&s, n, 2, 10));
         for (size_t i = 0; i < n; ++i) {
             K += s.mass[i] * s.velocity[i] * s.velocity[i] / 2;
             M += s.mass[i];
@@ -240,8 +238,7 @@ TEST(test_same_bits, "the same question has the same bits")
    how near a mean over a time is to that, the run has to say. */
 TEST(test_order, "places on a line come to their law, with an error")
 {
-    FREED(scene) s;
-    make_rods(&s, 6, 2, 10);
+    MADE(scene, s, make_rods(&s, 6, 2, 10));
     const double free = 10 - 2 * (0.05 + 0.1 + 0.15) * 2;
     const double law = 1 + 2 * (0.05 + 0.1) + 0.15 + free * 3 / 7;
     struct averages_found f = ask(&s, "x:2", 1e6, 0.01, NULL);
@@ -257,8 +254,7 @@ TEST(test_order, "places on a line come to their law, with an error")
    count. */
 TEST(test_squeezed, "a squeezed start does not count")
 {
-    FREED(scene) s;
-    make_rods(&s, 6, 1, 3.4);
+    MADE(scene, s, make_rods(&s, 6, 1, 3.4));
     const double law = 1 + 2 * (0.05 + 0.1) + 0.15 + 8.8 * 3 / 7;
     const struct averages_found f = ask(&s, "x:2", 1e6, 0.01, "events");
     UNIT_TRUE(taken(&f, "events"));
@@ -267,8 +263,7 @@ TEST(test_squeezed, "a squeezed start does not count")
 
 TEST(test_radii, "radii move the places only")
 {
-    FREED(scene) s;
-    make_rods(&s, 6, 2, 10);
+    MADE(scene, s, make_rods(&s, 6, 2, 10));
     for (size_t i = 0; i < 6; ++i)
         s.radius[i] = 0;
     const struct averages_found points = ask(&s, "x:2", 1e6, 0.02, NULL);

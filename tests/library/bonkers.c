@@ -30,12 +30,12 @@ static void begin(struct bonkers *b, size_t movers, double restitution,
    in a box of movers + 1 metres, and of the lengths of the rods. */
 static void fill_random(size_t movers, uint64_t seed, bool rods)
 {
-    FREED(start) s;
     SEEDED(r, seed);
     double shift = 0;
-    start_fill(&s, &(struct start_request){.kind = START_RANDOM,
-                                           .movers = movers,
-                                           .seed = seed});
+    MADE(start, s,
+         start_fill(&s, &(struct start_request){.kind = START_RANDOM,
+                                                .movers = movers,
+                                                .seed = seed}));
     memset(radius, 0, (movers + 2) * sizeof radius[0]);
     memset(body, 0, (movers + 2) * sizeof body[0]);
     for (size_t i = 1; i <= movers; ++i) {
@@ -532,14 +532,13 @@ TEST(test_order_and_walls, "bodies stay in order and walls stand")
 {
     for (uint64_t seed = 1; seed <= 12; ++seed) {
         const size_t movers = 2 + 5 * seed, rods = seed % 2;
-        FREED(bonkers) b;
         double *x = state[0][0], *v = state[0][1];
         size_t crossed = 0;
         fill_random(movers, seed, rods);
         if (seed % 3 == 0)
             for (size_t i = 1; i <= movers; i += 3)
                 body[i].im = 1e-5;
-        begin(&b, movers, 1, BONKERS_AUTO, rods);
+        MADE(bonkers, b, begin(&b, movers, 1, BONKERS_AUTO, rods));
         const double length = body[movers + 1].x;
         for (int k = 1; k <= 4000; ++k) {
             if (k % 2)
@@ -680,7 +679,6 @@ TEST(test_equal_masses, "equal masses are ghosts")
 {
     for (enum bonkers_engine e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e)
         for (size_t movers = 2; movers <= 10; movers += 4) {
-            FREED(bonkers) b;
             double ghost[10], speed[2][10], fastest = 0, worst = 0;
             const double length = (double)movers + 1;
             fill_random(movers, 31 + movers, false);
@@ -690,7 +688,7 @@ TEST(test_equal_masses, "equal masses are ghosts")
                 fastest = fmax(fastest, fabs(body[i].v));
             }
             qsort(speed[0], movers, sizeof(double), unit_rising);
-            begin(&b, movers, 1, e, false);
+            MADE(bonkers, b, begin(&b, movers, 1, e, false));
             for (double t = 0.1; t < 2e4; t *= 10) {
                 bonkers_run(&b, t, UINT64_MAX);
                 bonkers_state(&b, state[0][0], state[0][1]);
@@ -745,7 +743,6 @@ TEST(test_cradle, "Newton's cradle")
     for (enum bonkers_engine e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e)
         for (size_t k = 0; k < sizeof cradle / sizeof cradle[0]; ++k)
             for (int touching = 0; touching < 2; ++touching) {
-                FREED(bonkers) b;
                 for (size_t i = 0; i <= 6; ++i) {
                     body[i] = (struct bonkers_body){(double)i, 0, 0, 0};
                     radius[i] = i > 0 && i < 6 ? 0.5 : 0;
@@ -756,7 +753,7 @@ TEST(test_cradle, "Newton's cradle")
                 }
                 body[0].x = -INFINITY;
                 body[6].x = INFINITY;
-                begin(&b, 5, 1, e, touching);
+                MADE(bonkers, b, begin(&b, 5, 1, e, touching));
                 UNIT_TRUE(bonkers_run(&b, INFINITY, UINT64_MAX) ==
                           BONKERS_STILL);
                 UNIT_EQUAL(b.collisions, cradle[k].collisions);
@@ -779,11 +776,12 @@ TEST(test_galperin, "Galperin's counts")
                 {256, 50}, {4096, 201}, {65536, 804}};
     for (enum bonkers_engine e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e)
         for (size_t k = 0; k < sizeof runs / sizeof runs[0]; ++k) {
-            FREED(start) s;
             FREED(bonkers) b;
             size_t wrong = 0;
-            start_fill(&s, &(struct start_request){.kind = START_GALPERIN,
-                                                   .ratio = runs[k].ratio});
+            MADE(start, s,
+                 start_fill(
+                     &s, &(struct start_request){.kind = START_GALPERIN,
+                                                 .ratio = runs[k].ratio}));
             UNIT_TRUE(bonkers_begin(&b, &s, 1, e, &wrong));
             UNIT_EQUAL(wrong, 3);
             UNIT_TRUE(bonkers_run(&b, INFINITY, UINT64_MAX) ==
@@ -799,10 +797,9 @@ TEST(test_galperin, "Galperin's counts")
 TEST(test_energy, "a million collisions keep the energy")
 {
     FREED(start) s;
-    FREED(bonkers) b;
     size_t wrong;
     start_fill(&s, &(struct start_request){.kind = START_MIXED});
-    bonkers_begin(&b, &s, 1, BONKERS_AUTO, &wrong);
+    MADE(bonkers, b, bonkers_begin(&b, &s, 1, BONKERS_AUTO, &wrong));
     const double before = bonkers_energy(&b);
     UNIT_NEAR(before, 90.84, 0.01);
     UNIT_TRUE(bonkers_run(&b, INFINITY, 1000000) == BONKERS_COLLISIONS);
@@ -847,8 +844,7 @@ TEST(test_collapse, "two balls and a wall collapse below 0.1716")
 TEST(test_after_a_collapse, "a collapse lasts")
 {
     for (enum bonkers_engine e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e) {
-        FREED(bonkers) b;
-        collapse(&b, 0.1, e);
+        MADE(bonkers, b, collapse(&b, 0.1, e));
         const double now = b.now;
         for (int k = 1; k < 4; ++k)
             UNIT_TRUE(bonkers_run(&b, now + 10 * k, UINT64_MAX) ==
@@ -861,14 +857,13 @@ TEST(test_collapse_in_company, "a collapse is seen among a thousand")
 {
     for (enum bonkers_engine e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e) {
         enum { OTHERS = 998 };
-        FREED(bonkers) b;
         memset(body, 0, (OTHERS + 4) * sizeof body[0]);
         body[1] = (struct bonkers_body){1, 0, 0, 1};
         body[2] = (struct bonkers_body){2, -1, 0, 1};
         for (size_t i = 3; i <= OTHERS + 2; ++i)
             body[i] = (struct bonkers_body){(double)i + 10, 0, 0, 1};
         body[OTHERS + 3].x = OTHERS + 20;
-        begin(&b, OTHERS + 2, 0.168, e, false);
+        MADE(bonkers, b, begin(&b, OTHERS + 2, 0.168, e, false));
         UNIT_TRUE(bonkers_run(&b, 1000, UINT64_MAX) == BONKERS_COLLAPSE);
     }
 }
@@ -878,13 +873,12 @@ TEST(test_collapse_in_company, "a collapse is seen among a thousand")
 TEST(test_row_is_no_collapse, "a struck row is no collapse")
 {
     for (enum bonkers_engine e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e) {
-        FREED(bonkers) b;
         fill_row(40, false);
         body[0].x = -INFINITY;
         body[41].x = INFINITY;
         body[1].v = 1;
 
-        begin(&b, 40, 0.99, e, true);
+        MADE(bonkers, b, begin(&b, 40, 0.99, e, true));
         UNIT_TRUE(bonkers_run(&b, INFINITY, UINT64_MAX) == BONKERS_STILL);
         UNIT_TRUE(b.collisions > 38);
     }
@@ -893,13 +887,12 @@ TEST(test_row_is_no_collapse, "a struck row is no collapse")
 TEST(test_sticking, "sticking bodies move as one")
 {
     for (enum bonkers_engine e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e) {
-        FREED(bonkers) b;
         for (size_t i = 0; i <= 3; ++i)
             body[i] = (struct bonkers_body){(double)i, 0, 0, 1 / 3.0};
         body[0] = (struct bonkers_body){-INFINITY, 0, 0, 0};
         body[3] = (struct bonkers_body){INFINITY, 0, 0, 0};
         body[1].v = 1;
-        begin(&b, 2, 0, e, false);
+        MADE(bonkers, b, begin(&b, 2, 0, e, false));
         UNIT_TRUE(bonkers_run(&b, INFINITY, UINT64_MAX) == BONKERS_STILL);
         UNIT_NEAR(b.body[1].v, 0.5, 2 * DBL_EPSILON);
         UNIT_NEAR(b.body[2].v, 0.5, 2 * DBL_EPSILON);
@@ -908,8 +901,7 @@ TEST(test_sticking, "sticking bodies move as one")
 
 TEST(test_start, "starts are checked")
 {
-    FREED(bonkers) b;
-    bonkers_create(&b, 3, 1, BONKERS_AUTO);
+    MADE(bonkers, b, bonkers_create(&b, 3, 1, BONKERS_AUTO));
     static const struct {
         double x[5], radius;
         size_t wrong;
@@ -970,13 +962,12 @@ TEST(test_auto, "the engine chosen")
 TEST(test_exact_end, "a collision exactly at the end takes place")
 {
     for (enum bonkers_engine e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e) {
-        FREED(bonkers) b;
         double x[4], v[4];
         memset(body, 0, 4 * sizeof body[0]);
         body[1] = (struct bonkers_body){1, 1, 0, 1};
         body[2] = (struct bonkers_body){3, -1, 0, 1};
         body[3].x = 4;
-        begin(&b, 2, 1, e, false);
+        MADE(bonkers, b, begin(&b, 2, 1, e, false));
         bonkers_run(&b, 1, UINT64_MAX);
         UNIT_EQUAL(b.collisions, 1);
         bonkers_free(&b);
@@ -1072,9 +1063,8 @@ static double thrown(double x, double v, double t)
 
 TEST(test_bouncing_ball, "a bouncing ball")
 {
-    FREED(bonkers) b;
     const double x = 1, v = 0.3, s = sqrt(v * v + 2 * g * x);
-    fall(&b, 1, &x, &v, 1, BONKERS_AUTO);
+    MADE(bonkers, b, fall(&b, 1, &x, &v, 1, BONKERS_AUTO));
     const double energy = bonkers_energy(&b);
     UNIT_NEAR(energy, 0.3 * 0.3 / 2 + g, 4e-15);
     for (int n = 1; n <= 10000; ++n) {
@@ -1111,14 +1101,13 @@ TEST(test_roof, "a roof, and one out of reach")
 /* Ten equal beads are bouncing balls that pass through each other. */
 TEST(test_sorted_balls, "equal beads that fall are sorted balls")
 {
-    FREED(bonkers) b;
     SEEDED(r, 1);
     double x[10], v[10], got[12], u[12], worst = 0;
     for (int i = 0; i < 10; ++i) {
         x[i] = 0.1 + 0.2 * i;
         v[i] = random_between(&r, -2, 2);
     }
-    fall(&b, 10, x, v, 1, BONKERS_HEAP);
+    MADE(bonkers, b, fall(&b, 10, x, v, 1, BONKERS_HEAP));
     for (int k = 1; k <= 60; ++k) {
         double expected[10];
         bonkers_run(&b, 2.0 * k, UINT64_MAX);
@@ -1240,9 +1229,8 @@ TEST(test_upright_shares, "upright, all bodies have equal shares")
 {
     enum { BLOCKS = 40, ROWS = 1000 };
     static double mean[18][BLOCKS];
-    FREED(bonkers) b;
     double x[11], v[11];
-    begin_fall(&b, BONKERS_AUTO, 1);
+    MADE(bonkers, b, begin_fall(&b, BONKERS_AUTO, 1));
     b.body[10].x = INFINITY;
     bonkers_start(&b, NULL);
     const double energy = bonkers_energy(&b);
@@ -1273,10 +1261,9 @@ TEST(test_upright_shares, "upright, all bodies have equal shares")
 
 TEST(test_pile, "what lies on the floor is part of it")
 {
-    FREED(bonkers) b;
     const double x[] = {0, 0, 1}, v[] = {0, 0, 0};
     double got[5], u[5];
-    fall(&b, 2, x, v, 1, BONKERS_SCAN);
+    MADE(bonkers, b, fall(&b, 2, x, v, 1, BONKERS_SCAN));
     UNIT_TRUE(bonkers_is_still(&b));
     UNIT_TRUE(bonkers_run(&b, INFINITY, 10) == BONKERS_STILL);
     bonkers_free(&b);
@@ -1293,10 +1280,9 @@ TEST(test_pile, "what lies on the floor is part of it")
    fall, are not on the floor yet. */
 TEST(test_no_rest_in_the_air, "and what stands still in the air is not")
 {
-    FREED(bonkers) b;
     const double x[] = {1, 2}, v[] = {5, 3};
     double got[4], u[4];
-    fall(&b, 2, x, v, 0, BONKERS_SCAN);
+    MADE(bonkers, b, fall(&b, 2, x, v, 0, BONKERS_SCAN));
     b.gravity = 8;
     bonkers_start(&b, NULL);
     UNIT_TRUE(bonkers_run(&b, 1, UINT64_MAX) == BONKERS_TIME);
@@ -1315,9 +1301,8 @@ static int count_fliers(double restitution, enum bonkers_engine engine)
 {
     int fly = 0;
     for (int k = 1; k <= 20; ++k) {
-        FREED(bonkers) b;
         const double x[] = {0, 0.1 * k}, v[] = {0, 0};
-        fall(&b, 2, x, v, restitution, engine);
+        MADE(bonkers, b, fall(&b, 2, x, v, restitution, engine));
         b.body[1].im = 1.0 / 3;
         bonkers_run(&b, 2.005 * sqrt(2 * x[1] / g), UINT64_MAX);
         UNIT_NEAR(b.body[1].v, 0, 1e-7);

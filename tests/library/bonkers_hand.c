@@ -30,8 +30,7 @@ TEST(test_last_collision, "the clock stands at the last collision")
     static const double x[] = {-INFINITY, 0, 1, 3, INFINITY};
     static const double v[] = {0, 2, 0, 0, 0};
     for (enum bonkers_engine e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e) {
-        FREED(bonkers) b;
-        begin(&b, 3, x, v, 1, e);
+        MADE(bonkers, b, begin(&b, 3, x, v, 1, e));
         UNIT_TRUE(!bonkers_is_still(&b));
         UNIT_TRUE(bonkers_run(&b, INFINITY, 2) == BONKERS_COLLISIONS);
         UNIT_TRUE(bonkers_is_still(&b));
@@ -58,12 +57,11 @@ TEST(test_patience, "how many collisions at one time are a collapse")
     static double x[1002], v[1002];
     for (enum bonkers_engine e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e)
         for (size_t k = 0; k < sizeof movers / sizeof movers[0]; ++k) {
-            FREED(bonkers) b;
             const size_t n = movers[k];
             for (size_t i = 0; i <= n + 1; ++i)
                 x[i] = i < 3 ? (double)i : 10 + (double)i;
             v[2] = -1;
-            begin(&b, n, x, v, 0, e);
+            MADE(bonkers, b, begin(&b, n, x, v, 0, e));
             const double patience = 100 + (n < 200 ? (double)n + 1 : 200);
             UNIT_TRUE(bonkers_run(&b, INFINITY, UINT64_MAX) ==
                       BONKERS_COLLAPSE);
@@ -80,8 +78,7 @@ TEST(test_cold, "a body too slow for numbers ends a run")
 {
     static const double x[] = {0, 1, 2}, v[] = {0, 1, 0};
     for (enum bonkers_engine e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e) {
-        FREED(bonkers) b;
-        begin(&b, 1, x, v, 0.5, e);
+        MADE(bonkers, b, begin(&b, 1, x, v, 0.5, e));
         UNIT_TRUE(bonkers_run(&b, INFINITY, 451) == BONKERS_COLLISIONS);
         UNIT_EQUAL(fabs(b.body[1].v), 0x1p-451);
         UNIT_TRUE(bonkers_run(&b, INFINITY, 1000) == BONKERS_COLLAPSE);
@@ -148,9 +145,8 @@ TEST(test_falling_order, "order in a fall, but for rounding")
     static const double x[] = {-INFINITY, 1, 2, 3, INFINITY};
     static const double v[] = {0, 0, 0, 0, 0};
     for (int more = 0; more < 2; ++more) {
-        FREED(bonkers) b;
         double at[5], u[5];
-        begin(&b, 3, x, v, 1, BONKERS_SCAN);
+        MADE(bonkers, b, begin(&b, 3, x, v, 1, BONKERS_SCAN));
         b.gravity = 1;
         bonkers_start(&b, NULL);
         UNIT_TRUE(bonkers_run(&b, 100, UINT64_MAX) == BONKERS_TIME);
@@ -197,8 +193,7 @@ TEST(test_last_bit, "equal masses, in the last bit")
     UNIT_EQUAL(left, 0);
     UNIT_EQUAL(right, 0);
     for (enum bonkers_engine e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e) {
-        FREED(bonkers) b;
-        begin(&b, 2, x, v, 0, e);
+        MADE(bonkers, b, begin(&b, 2, x, v, 0, e));
         bonkers_run(&b, INFINITY, 1);
         UNIT_EQUAL(b.collisions, 1);
         UNIT_EQUAL(b.body[1].v, 0);

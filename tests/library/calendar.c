@@ -133,9 +133,8 @@ static int mix(size_t size, double width, double start,
                const struct spread *s, uint64_t seed, int turns)
 {
     static struct plain p;
-    FREED(calendar) c;
     SEEDED(r, seed);
-    begin(&c, &p, size, start, width);
+    MADE(calendar, c, begin(&c, &p, size, start, width));
     for (size_t i = 0; i < size; ++i)
         put(&c, &p, i, choose(&r, start, s), random_below(&r, size));
     const int bad = play(&c, &p, turns, start, s, &r) + drain(&c, &p);
@@ -175,9 +174,8 @@ TEST(test_ties, "equal times come in the order of pairs")
 {
     for (uint64_t seed = 1; seed <= 5; ++seed) {
         static struct plain p;
-        FREED(calendar) c;
         SEEDED(r, seed);
-        begin(&c, &p, 300, 0, seed == 5 ? 100 : 0.01);
+        MADE(calendar, c, begin(&c, &p, 300, 0, seed == 5 ? 100 : 0.01));
         for (int k = 0; k < 900; ++k)
             put(&c, &p, random_below(&r, 300), k % 2 ? 2.0 : 1.0,
                 random_below(&r, 300));
@@ -188,8 +186,7 @@ TEST(test_ties, "equal times come in the order of pairs")
 TEST(test_partners, "walls and the event itself are partners")
 {
     static struct plain p;
-    FREED(calendar) c;
-    begin(&c, &p, 4, 0, 1);
+    MADE(calendar, c, begin(&c, &p, 4, 0, 1));
     put(&c, &p, 3, 1, 3);
     put(&c, &p, 1, 1, 5); /* a wall */
     put(&c, &p, 2, 1, 1);
@@ -206,10 +203,9 @@ TEST(test_partners, "walls and the event itself are partners")
 TEST(test_bursts, "bursts at one time come out in order")
 {
     static struct plain p;
-    FREED(calendar) c;
     SEEDED(r, 9);
     int bad = 0;
-    begin(&c, &p, 500, 0, 0.01);
+    MADE(calendar, c, begin(&c, &p, 500, 0, 0.01));
     for (int burst = 1; burst <= 8; ++burst) {
         const double time = burst * burst * 1e3;
         for (size_t i = 0; i < 500; ++i)
@@ -227,8 +223,7 @@ TEST(test_bursts, "bursts at one time come out in order")
 TEST(test_overdue, "what is overdue comes first")
 {
     static struct plain p;
-    FREED(calendar) c;
-    begin(&c, &p, 5, 10, 0.5);
+    MADE(calendar, c, begin(&c, &p, 5, 10, 0.5));
     put(&c, &p, 0, 1000, 1);
     UNIT_EQUAL(calendar_first(&c), 0);
     put(&c, &p, 1, 20, 0);
@@ -306,8 +301,7 @@ TEST(test_years, "a year begins with its first event")
                  {259, 0.5}, {519, 0.25}, {520, 0.25},      {2000, 0.25}};
     for (size_t k = 0; k < sizeof years / sizeof years[0]; ++k) {
         static struct plain p;
-        FREED(calendar) c;
-        begin(&c, &p, 1, 100, 2);
+        MADE(calendar, c, begin(&c, &p, 1, 100, 2));
         UNIT_EQUAL(c.days, 65);
         put(&c, &p, 0, 100.5, 0);
         for (int i = 0; i < years[k].asked; ++i)
@@ -335,9 +329,8 @@ TEST(test_shorter_days, "a crowded day becomes shorter")
     enum { CROWD = 101 };
     for (int last = 0; last < 2; ++last) {
         static struct plain p;
-        FREED(calendar) c;
         const double width = last ? 0x1p-52 : 8, start = last ? 1 : 16;
-        begin(&c, &p, CROWD, start, width);
+        MADE(calendar, c, begin(&c, &p, CROWD, start, width));
         const uint64_t days = c.days;
         UNIT_EQUAL(days, CROWD + 64);
         for (size_t i = 0; i < CROWD; ++i)

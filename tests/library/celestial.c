@@ -46,8 +46,7 @@ TEST(test_planets, "the planets have their elements")
     static const double eccentricity[] = {
         0.20563593, 0.00677672, 0.01671123, 0.09339410,
         0.04838624, 0.05386179, 0.04725744, 0.00859048};
-    FREED(scene) s;
-    make(&s, "solar-system", (struct wish[]){{0}});
+    MADE(scene, s, make(&s, "solar-system", (struct wish[]){{0}}));
     UNIT_EQUAL(s.bodies, 9);
     for (size_t i = 1; i < 9; ++i) {
         double x[3], v[3], a, e;
@@ -76,8 +75,7 @@ TEST(test_planets, "the planets have their elements")
    before its perihelion. */
 TEST(test_date, "and stand where they stood")
 {
-    FREED(scene) s;
-    make(&s, "solar-system", (struct wish[]){{0}});
+    MADE(scene, s, make(&s, "solar-system", (struct wish[]){{0}}));
     const double x = s.position[3] - s.position[0];
     const double y = s.position[12] - s.position[9];
     UNIT_NEAR(hypot(x, y), 0.9833, 1e-4);
@@ -86,8 +84,7 @@ TEST(test_date, "and stand where they stood")
 
 TEST(test_circumbinary, "two suns and a planet")
 {
-    FREED(scene) s;
-    make(&s, "circumbinary", (struct wish[]){{0}});
+    MADE(scene, s, make(&s, "circumbinary", (struct wish[]){{0}}));
     UNIT_NEAR(s.velocity[3], -0.00778928877069, 1e-14);
     UNIT_LIST(s.velocity + 4, 1e-13, 0.0265166459286, 0.0193531180487);
     UNIT_LIST(s.position, 1e-16, -5.0928140759834136501e-02,
@@ -120,12 +117,11 @@ TEST(test_choreography, "table 1 of the paper, and its slip")
     UNIT_TRUE(fabs(celestial_choreography(8) - 7.933369) > 1e-5);
     for (size_t n = 2; n <= 40;
          ++n) { /* the pull is what the speed needs */
-        FREED(scene) s;
-        FREED(gravity) g;
         double a[3 * 40] = {0};
-        make(&s, "choreography",
-             (struct wish[]){{"particles", (double)n}, {0}});
-        gravity_create(&g, n, s.mass, s.k2, 0);
+        MADE(scene, s,
+             make(&s, "choreography",
+                  (struct wish[]){{"particles", (double)n}, {0}}));
+        MADE(gravity, g, gravity_create(&g, n, s.mass, s.k2, 0));
         gravity_add(&g, s.position, a);
         const double v2 = s.velocity[n] * s.velocity[n];
         UNIT_NEAR(a[0], -v2, 1e-12 * v2);
@@ -146,8 +142,7 @@ TEST(test_growth, "choreographies grow as the theory says")
 
 TEST(test_eight, "the figure of eight has its energy")
 {
-    FREED(scene) s;
-    make(&s, "figure-eight", (struct wish[]){{0}});
+    MADE(scene, s, make(&s, "figure-eight", (struct wish[]){{0}}));
     struct gravity g;
     double kinetic = 0;
     gravity_create(&g, 3, s.mass, s.k2, 0);

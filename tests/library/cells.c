@@ -659,10 +659,9 @@ TEST(test_fit, "cells find an overlap where pairs find it")
                 0.2,        SPREAD, NORMAL,
                 1,          0,      0,
                 true};
-            FREED(disks) d;
             SEEDED(r, seed);
             size_t a = 0, b = 0, p = 0, q = 0;
-            make(&d, &s, seed);
+            MADE(disks, d, make(&d, &s, seed));
             if (seed > 4) {
                 const size_t i = seed % 4 ? random_below(&r, 150) : 0;
                 const size_t j = seed % 4 ? random_below(&r, 150) : 1;

@@ -76,15 +76,14 @@ TEST(test_skin, "skin and cells have the sizes of the rules")
         /* 3 + 2 x 2 cells are enough for two */
         {2, 2, DISKS_WALLS, {1000, 1}, {.1, .1, .1}, 20.8207, {7, 1, 1}}};
     for (size_t b = 0; b < sizeof boxes / sizeof boxes[0]; ++b) {
-        FREED(disks) d;
-        FREED(cells) c;
         double longest = 0;
-        make(&d, boxes[b].dimensions, boxes[b].count, boxes[b].boundary,
-             boxes[b].box, 0);
+        MADE(disks, d,
+             make(&d, boxes[b].dimensions, boxes[b].count,
+                  boxes[b].boundary, boxes[b].box, 0));
         for (size_t i = 0; i < d.count; ++i)
             d.disk[i].radius = boxes[b].radius[i % 3];
         scatter(&d, 1);
-        begin(&c, &d);
+        MADE(cells, c, begin(&c, &d));
         for (size_t k = 0; k < 3; ++k) {
             UNIT_EQUAL(c.grid[k], boxes[b].grid[k]);
             longest = fmax(longest, boxes[b].box[k]);
@@ -100,8 +99,7 @@ static bool suits(size_t dimensions, size_t count,
                   enum disks_boundary boundary, const double box[],
                   double radius)
 {
-    FREED(disks) d;
-    make(&d, dimensions, count, boundary, box, radius);
+    MADE(disks, d, make(&d, dimensions, count, boundary, box, radius));
     const bool suit = cells_suit(&d);
     return suit;
 }
@@ -191,11 +189,9 @@ TEST(test_neighbours, "all neighbours are listed, and no others")
     for (int n = 0; n < 48; ++n) {
         const size_t dimensions = n % 2 ? 2 : 3;
         const bool crowd = n % 3 == 2;
-        FREED(disks) d;
-        FREED(cells) c;
         SEEDED(r, (uint64_t)n);
         size_t wrong = 0, away = 0;
-        make(&d, dimensions, 60, n / 2 % 3, sides, 0.1);
+        MADE(disks, d, make(&d, dimensions, 60, n / 2 % 3, sides, 0.1));
         d.gravity = d.boundary != DISKS_PERIODIC && n / 6 % 2 ? 0.7 : 0;
         for (size_t i = 0; n % 4 < 2 && i < d.count; ++i)
             d.disk[i].radius = i == 9 ? 0.7 : 0.02 * (double)(i % 7);
@@ -204,7 +200,7 @@ TEST(test_neighbours, "all neighbours are listed, and no others")
         for (size_t i = 0; crowd && i < d.count; ++i)
             for (size_t k = 0; k < dimensions; ++k)
                 d.disk[i].velocity[k] = (2 - d.disk[i].position[k]) / 9;
-        begin(&c, &d);
+        MADE(cells, c, begin(&c, &d));
         if (c.lanes > (n % 4 ? 1 : 8))
             c.lanes = n % 4 == 1 ? 1 : 4;
         wrong += wrong_neighbours(&c);
@@ -257,8 +253,7 @@ TEST(test_straight_end, "a straight flight ends a skin from the anchor")
                 {0.625, {-1, 0.25}, 0.5}};
     for (size_t w = 0; w < sizeof ways / sizeof ways[0]; ++w) {
         FREED(disks) d;
-        FREED(cells) c;
-        begin_lonely(&c, &d, 0, ways[w].x, ways[w].v);
+        MADE(cells, c, begin_lonely(&c, &d, 0, ways[w].x, ways[w].v));
         const struct calendar_event *e = &c.calendar.event[0];
         const double speed = length(d.disk[0].velocity);
         double end = c.skin / speed;
@@ -292,8 +287,7 @@ TEST(test_straight_end, "a straight flight ends a skin from the anchor")
 TEST(test_beyond, "beyond the skin an anchor is renewed at once")
 {
     FREED(disks) d;
-    FREED(cells) c;
-    begin_lonely(&c, &d, 0, 0.625, (const double[]){-1, 0});
+    MADE(cells, c, begin_lonely(&c, &d, 0, 0.625, (const double[]){-1, 0}));
     const struct cells_anchor *a = &c.anchor[0];
     c.place[(3 * a->cell + 1) * c.room + a->spot] +=
         (float)(1.001 * c.skin);
@@ -314,9 +308,8 @@ TEST(test_falling_end, "a fall stays within the skin")
     const double g = 2;
     for (int k = 0; k <= 20; ++k) {
         FREED(disks) d;
-        FREED(cells) c;
         double v[2] = {0, 0};
-        begin_lonely(&c, &d, g, 100, v);
+        MADE(cells, c, begin_lonely(&c, &d, g, 100, v));
         const double most = sqrt(c.skin / (2 * g));
         const double speed = 0.2 * k * 0.75 * c.skin / most;
         const double end = k > 0 ? fmin(0.75 * c.skin / speed, most) : most;
@@ -342,11 +335,10 @@ TEST(test_many, "many disks, for which memory is fetched early")
     uint64_t hits[2] = {0};
     double last[2] = {0};
     for (int all = 0; all < 2; ++all) {
-        FREED(disks) d;
         struct cells c;
         SEEDED(r, 4);
         const double box[] = {80, 80};
-        make(&d, 2, 5000, DISKS_PERIODIC, box, 0.4);
+        MADE(disks, d, make(&d, 2, 5000, DISKS_PERIODIC, box, 0.4));
         UNIT_TRUE(disks_place_lattice(&d));
         disks_set_speed(&d, 1, &r);
         begin(&c, &d);

@@ -966,14 +966,13 @@ TEST(test_price_of_twin, "what a twin would cost")
    than a run does whose rows are 2^-40 later. */
 TEST(test_slip, "clocks that are late")
 {
-    FREED(record) a;
     begin_still(1e-3);
     const struct record_setup o = task_setup(
         &task, (struct models_plan){.model = models_find("line")},
         INFINITY);
     write_run((struct played){MODELS_DONE, 4, 7, 1, 1, 0x1p-44, NULL});
     write_whole(7 + 0x1p-30);
-    played_run(&a, &view, &o);
+    MADE(record, a, played_run(&a, &view, &o));
     UNIT_EQUAL(error_of_clock(&task, &a), 0x1p-34);
     UNIT_EQUAL(ordered[1].every, 0.5 * (1 + 0x1p-40));
     a.clock = 0;

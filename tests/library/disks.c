@@ -90,8 +90,7 @@ TEST(test_small_gap, "a small gap keeps its digits")
 /* The time of a meeting is the same number whenever one asks. */
 TEST(test_canonical, "meetings are canonical")
 {
-    FREED(disks) d;
-    begin(&d, 2, 20, 0.5, 8, DISKS_PERIODIC, 3);
+    MADE(disks, d, begin(&d, 2, 20, 0.5, 8, DISKS_PERIODIC, 3));
     disks_run(&d, INFINITY, 500);
     size_t meetings = 0;
     for (size_t i = 0; i < 20; ++i)
@@ -181,8 +180,7 @@ static double moment(const struct disks *d)
    order one each round to 2e-16, and their sum is a few thousand. */
 static void balance(size_t dimensions, double e)
 {
-    FREED(disks) d;
-    begin(&d, dimensions, 8, 0.5, 4, DISKS_WALLS, 11);
+    MADE(disks, d, begin(&d, dimensions, 8, 0.5, 4, DISKS_WALLS, 11));
     for (size_t i = 0; i < 8; ++i)
         d.mass[i] = 1 + (double)i / 4;
     d.restitution = 1;
@@ -210,9 +208,8 @@ TEST(test_balance, "virial, walls and energy balance")
    is below 1e-15 a collision. */
 TEST(test_conserved, "energy and momentum are conserved")
 {
-    FREED(disks) d;
     double sum[DISKS_AXES] = {0};
-    begin(&d, 3, 32, 0.5, 5, DISKS_PERIODIC, 2);
+    MADE(disks, d, begin(&d, 3, 32, 0.5, 5, DISKS_PERIODIC, 2));
     UNIT_NEAR(disks_energy(&d), 16, 1e-12);
     disks_run(&d, INFINITY, 20000);
     UNIT_NEAR(disks_energy(&d), 16, 1e-10);
@@ -240,8 +237,7 @@ TEST(test_one, "one disk: exact impulses")
 
 TEST(test_rest, "nothing happens at rest")
 {
-    FREED(disks) d;
-    begin(&d, 2, 4, 0.15, 1, DISKS_WALLS, 1);
+    MADE(disks, d, begin(&d, 2, 4, 0.15, 1, DISKS_WALLS, 1));
     for (size_t i = 0; i < 4; ++i)
         memset(d.disk[i].velocity, 0, sizeof d.disk[i].velocity);
     UNIT_TRUE(disks_plan(&d));
@@ -255,9 +251,8 @@ TEST(test_rest, "nothing happens at rest")
    event that rounding has put into the past happens now. */
 TEST(test_settle, "settling folds, and begins to count")
 {
-    FREED(disks) d;
     double before[DISKS_AXES], after[DISKS_AXES];
-    begin(&d, 2, 6, 0.5, 5, DISKS_PERIODIC, 1);
+    MADE(disks, d, begin(&d, 2, 6, 0.5, 5, DISKS_PERIODIC, 1));
     disks_run(&d, 50, UINT64_MAX);
     disks_position(&d, 3, before);
     disks_fold(&d, before);
@@ -397,10 +392,9 @@ TEST(test_guest, "a guest stands in the middle")
 
 TEST(test_random_start, "random starts fit or are refused")
 {
-    FREED(disks) d;
     SEEDED(r, 1);
     size_t a, b;
-    begin(&d, 2, 40, 0.5, 9, DISKS_WALLS, 1);
+    MADE(disks, d, begin(&d, 2, 40, 0.5, 9, DISKS_WALLS, 1));
     UNIT_TRUE(disks_place_random(&d, &r) && disks_fit(&d, &a, &b));
     for (size_t i = 0; i < 40; ++i)
         d.disk[i].radius = 0.7;
@@ -411,9 +405,8 @@ TEST(test_random_start, "random starts fit or are refused")
 
 TEST(test_fit, "misfits are named")
 {
-    FREED(disks) d;
     size_t a, b;
-    begin(&d, 2, 4, 0.15, 1, DISKS_WALLS, 1);
+    MADE(disks, d, begin(&d, 2, 4, 0.15, 1, DISKS_WALLS, 1));
     memcpy(d.disk[3].position, d.disk[1].position, sizeof(double[3]));
     UNIT_TRUE(!disks_fit(&d, &a, &b) && a == 1 && b == 3);
     d.disk[0].position[1] = 0.1499;
@@ -425,9 +418,8 @@ TEST(test_fit, "misfits are named")
 /* Images: nearest, and folded. A box of 4 radii is too narrow. */
 TEST(test_images, "nearest images")
 {
-    FREED(disks) d;
     double apart[DISKS_AXES], place[DISKS_AXES] = {-0.5, 31.25, 0};
-    begin(&d, 2, 2, 0.5, 3, DISKS_PERIODIC, 1);
+    MADE(disks, d, begin(&d, 2, 2, 0.5, 3, DISKS_PERIODIC, 1));
     disks_separation(&d, (double[]){0.25, 0, 0}, (double[]){2.75, 1, 0},
                      apart);
     UNIT_LIST(apart, 0, -0.5, 1, 0);
@@ -528,9 +520,8 @@ TEST(test_ball, "a disk that bounces")
 {
     for (int roof = 0; roof < 2; ++roof) {
         const double g = 9.81, v = roof ? 5 : 3, room = 0.8;
-        FREED(disks) d;
         double place[3], velocity[3];
-        begin_fall(&d, DISKS_WALLS, 2, 1, 0.1, g);
+        MADE(disks, d, begin_fall(&d, DISKS_WALLS, 2, 1, 0.1, g));
         memcpy(d.disk[0].position, (double[]){0.1, 0.1, 0}, 24);
         memcpy(d.disk[0].velocity, (double[]){0.25, v, 0}, 24);
         disks_plan(&d);
@@ -643,9 +634,8 @@ TEST(test_falling_runs, "falling, the plan has the bits of every pair")
    0.2 m/s later, and then every 4.6 s; none meets a side. */
 TEST(test_no_sides, "without sides they meet behind the seam")
 {
-    FREED(disks) d;
     double place[3];
-    begin_fall(&d, DISKS_FLOOR, 2, 2, 0.02, 1);
+    MADE(disks, d, begin_fall(&d, DISKS_FLOOR, 2, 2, 0.02, 1));
     for (size_t i = 0; i < 2; ++i) {
         memcpy(d.disk[i].position, (double[]){i ? 0.95 : 0.05, 0.02, 0},
                24);
@@ -666,8 +656,7 @@ TEST(test_no_sides, "without sides they meet behind the seam")
 
 TEST(test_lying, "a disk that lies is reported")
 {
-    FREED(disks) d;
-    begin_fall(&d, DISKS_WALLS, 2, 1, 0.1, 1);
+    MADE(disks, d, begin_fall(&d, DISKS_WALLS, 2, 1, 0.1, 1));
     memcpy(d.disk[0].position, (double[]){0.5, 0.1, 0}, 24);
     memcpy(d.disk[0].velocity, (double[]){0, 0, 0}, 24);
     disks_plan(&d);
@@ -681,10 +670,9 @@ TEST(test_speeds, "speeds and momentum of a start")
     for (size_t dimensions = 2; dimensions <= 3; ++dimensions)
         for (int b = 0; b < DISKS_BOUNDARIES; ++b)
             for (int warm = 0; warm < 2; ++warm) {
-                FREED(disks) d;
                 SEEDED(r, 2);
                 double total[DISKS_AXES] = {0}, mass = 0, energy = 0;
-                begin(&d, dimensions, 5, 0.25, 8, b, 1);
+                MADE(disks, d, begin(&d, dimensions, 5, 0.25, 8, b, 1));
                 for (size_t i = 0; i < 5; ++i)
                     d.mass[i] = 1 + (double)i;
                 if (warm)
@@ -780,8 +768,7 @@ TEST(test_cold, "which speeds are too cold")
 /* A thousand collisions at one time, and ten for each disk, are none. */
 TEST(test_collapsed, "how long a clock may stand")
 {
-    FREED(disks) d;
-    begin(&d, 2, 7, 0.15, 4, DISKS_PERIODIC, 1);
+    MADE(disks, d, begin(&d, 2, 7, 0.15, 4, DISKS_PERIODIC, 1));
     d.now = 2;
     for (int k = 1; k <= 1071; ++k) {
         disks_collide(&d, (struct disks_event){k % 2 ? 2 : 1.5, 3, 3});
@@ -868,8 +855,7 @@ TEST(test_rounding_fits, "what rounding may overlap")
 TEST(test_where_it_lies, "and which disk lies")
 {
     for (size_t who = 0; who < 3; ++who) {
-        FREED(disks) d;
-        begin_fall(&d, DISKS_WALLS, 2, 3, 0.0625, 8);
+        MADE(disks, d, begin_fall(&d, DISKS_WALLS, 2, 3, 0.0625, 8));
         d.now = 4;
         for (size_t i = 0; i < 3; ++i) {
             d.disk[i].since = 4;

@@ -61,10 +61,9 @@ TEST(test_naive, "the paper's membrane moves as computed elsewhere")
     const struct elastic_membrane m = {8,   8, 1, 50,    0, 1,
                                        0.1, 1, 1, false, 0, 0};
     FREED(scene) s;
-    FREED(springs) p;
     FREED(stepping) t;
     UNIT_MUST(!elastic_membrane(&s, &m));
-    begin(&p, &t, &s, "kahan-li8", 0.02);
+    MADE(springs, p, begin(&p, &t, &s, "kahan-li8", 0.02));
     for (int k = 0; k < 4; ++k) {
         double sum = 0;
         stepping_run(&t, (uint64_t)(expected[k][0] / 0.02 + 0.5) - t.steps);

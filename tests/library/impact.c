@@ -45,8 +45,7 @@ static void drop(struct motion *m, struct scene *s, const char *method,
 static void bounce(const char *method, double tolerance)
 {
     FREED(scene) s;
-    ENDED(motion) m;
-    drop(&m, &s, method, 1, 0.064375);
+    STARTED(motion, m, drop(&m, &s, method, 1, 0.064375));
     m.stepping.tolerance = tolerance;
     for (int k = 0; k < 311; ++k) {
         motion_run(&m, 100);
@@ -69,8 +68,7 @@ TEST(test_thousand, "a thousand bounces")
 static void come_to_rest(const char *method)
 {
     FREED(scene) s;
-    ENDED(motion) m;
-    drop(&m, &s, method, 0.8, 0.03125);
+    STARTED(motion, m, drop(&m, &s, method, 0.8, 0.03125));
     motion_run(&m, 287);
     UNIT_TRUE(motion_shorten(&m, 9 - 0x1p-20 - motion_time(&m)));
     UNIT_EQUAL(motion_run(&m, 1), STEPPING_DONE);
@@ -111,10 +109,8 @@ static void make_three(struct scene *s, double k2, double dt)
 static double run_three(const char *method, double k2, bool located,
                         uint64_t steps, double x[9])
 {
-    FREED(scene) s;
-    ENDED(motion) m;
-    make_three(&s, k2, 1.0 / (double)steps);
-    begin(&m, &s, method, located);
+    MADE(scene, s, make_three(&s, k2, 1.0 / (double)steps));
+    STARTED(motion, m, begin(&m, &s, method, located));
     m.spheres.rule = SPHERES_APPROACHING;
     m.spheres.shift = SPHERES_BACK;
     UNIT_EQUAL(motion_run(&m, steps), STEPPING_DONE);
@@ -166,16 +162,14 @@ TEST(test_steps, "a thousand times the steps agree")
    is 8.3e-16 m. */
 TEST(test_hidden, "an earlier root, hidden")
 {
-    FREED(scene) s;
-    ENDED(motion) m;
-    make(&s, 3, 1);
+    MADE(scene, s, make(&s, 3, 1));
     WALLS(s, 0, SCENE_HARD, -5, 2.125);
     PUT(s.position, 1.5, 1.46875, -0.53125);
     s.position[3 + 1] = s.position[3 + 2] = 3;
     s.velocity[0] = s.velocity[1] = 1;
     s.freedom[2] = s.freedom[3 + 2] = s.freedom[6 + 2] = 0;
     UNIT_TRUE(scene_add_kind(&s, 1, 0) && scene_add_spring(&s, 1, 2, 0, 2));
-    begin(&m, &s, "leapfrog", true);
+    STARTED(motion, m, begin(&m, &s, "leapfrog", true));
     UNIT_EQUAL(motion_run(&m, 1), STEPPING_DONE);
     UNIT_EQUAL(m.collisions, 2);
     UNIT_NEAR(s.position[0], 1.5, 1e-15);
@@ -190,15 +184,13 @@ TEST(test_sprung, "a ball meets a sprung one")
 {
     static const char *const methods[] = {"radau15", "dopri5"};
     for (int k = 0; k < 2; ++k) {
-        FREED(scene) s;
-        ENDED(motion) m;
-        make(&s, 3, 0.25);
+        MADE(scene, s, make(&s, 3, 0.25));
         PUT(s.position, -0.5, 1, 2);
         s.velocity[0] = 1;
         s.freedom[2] = s.freedom[3 + 2] = s.freedom[6 + 2] = 0;
         UNIT_TRUE(scene_add_kind(&s, 4, 0) &&
                   scene_add_spring(&s, 1, 2, 0, 1));
-        begin(&m, &s, methods[k], true);
+        STARTED(motion, m, begin(&m, &s, methods[k], true));
         UNIT_EQUAL(motion_run(&m, 16), STEPPING_DONE);
         UNIT_EQUAL(m.collisions, 2);
         UNIT_NEAR(s.position[0], 0.75 - 2.75 + acos(-1) / 2,
@@ -223,10 +215,8 @@ TEST(test_same_bits, "without contact the same bits")
 {
     for (int way = 0; way < 2; ++way) {
         static double x[9];
-        FREED(scene) s;
-        ENDED(motion) m;
-        make_three(&s, 0.5, 0.01);
-        begin(&m, &s, "rk4", way == 1);
+        MADE(scene, s, make_three(&s, 0.5, 0.01));
+        STARTED(motion, m, begin(&m, &s, "rk4", way == 1));
         motion_run(&m, 15);
         UNIT_EQUAL(m.collisions, 0);
         for (size_t c = 0; way == 1 && c < 9; ++c)
@@ -237,13 +227,11 @@ TEST(test_same_bits, "without contact the same bits")
 
 TEST(test_at_once, "a row that touches, at once")
 {
-    FREED(scene) s;
-    ENDED(motion) m;
-    make(&s, 5, 0.5);
+    MADE(scene, s, make(&s, 5, 0.5));
     for (size_t i = 0; i < 5; ++i)
         s.position[i] = i > 0 ? (double)i / 4 : -1;
     s.velocity[0] = 4;
-    begin(&m, &s, "leapfrog", true);
+    STARTED(motion, m, begin(&m, &s, "leapfrog", true));
     UNIT_EQUAL(motion_run(&m, 1), STEPPING_DONE);
     UNIT_EQUAL(m.collisions, 4);
     UNIT_EQUAL(m.impact.simultaneous, 3);
@@ -255,12 +243,10 @@ TEST(test_touching, "two that touch already")
 {
     static const char *const methods[] = {"leapfrog", "rk4", "radau15"};
     for (int k = 0; k < 3; ++k) {
-        FREED(scene) s;
-        ENDED(motion) m;
-        make(&s, 2, 0.5);
+        MADE(scene, s, make(&s, 2, 0.5));
         s.position[1] = 0.25;
         PUT(s.velocity, 1, -1);
-        begin(&m, &s, methods[k], true);
+        STARTED(motion, m, begin(&m, &s, methods[k], true));
         UNIT_EQUAL(motion_run(&m, 1), STEPPING_DONE);
         UNIT_EQUAL(m.collisions, 1);
         UNIT_LIST(s.position, 0, -0.5, 0.75);
@@ -274,15 +260,13 @@ TEST(test_touching, "two that touch already")
    That is clear after two looks, and a third puts it to the end. */
 TEST(test_missed, "a wall that only the path meets")
 {
-    FREED(scene) s;
-    ENDED(motion) m;
-    make(&s, 2, 1.45);
+    MADE(scene, s, make(&s, 2, 1.45));
     WALLS(s, 0, SCENE_HARD, -9, 1.4503);
     s.velocity[0] = 1;
     s.radius[0] = s.radius[1] = 0;
     s.freedom[1] = s.freedom[2 + 1] = s.freedom[4 + 1] = 0;
     UNIT_TRUE(scene_add_kind(&s, 1, 0) && scene_add_spring(&s, 0, 1, 0, 0));
-    begin(&m, &s, "leapfrog", true);
+    STARTED(motion, m, begin(&m, &s, "leapfrog", true));
     UNIT_EQUAL(motion_run(&m, 1), STEPPING_DONE);
     UNIT_EQUAL(m.collisions, 0);
     UNIT_EQUAL(m.impact.grazing, 1);
@@ -297,15 +281,13 @@ TEST(test_across, "two meet across a periodic box")
 {
     for (size_t k = 0; k < 3; ++k)
         for (size_t first = 0; first < 2; ++first) {
-            FREED(scene) s;
-            ENDED(motion) m;
-            make(&s, 2, 0.5);
+            MADE(scene, s, make(&s, 2, 0.5));
             WALLS(s, k, SCENE_PERIODIC, -1, 1);
             s.position[2 * k + first] = 0.7;
             s.velocity[2 * k + first] = 1;
             s.position[2 * k + 1 - first] = -0.7;
             s.velocity[2 * k + 1 - first] = -1;
-            begin(&m, &s, "leapfrog", true);
+            STARTED(motion, m, begin(&m, &s, "leapfrog", true));
             UNIT_EQUAL(motion_run(&m, 1), STEPPING_DONE);
             UNIT_EQUAL(m.collisions, 1);
             UNIT_NEAR(s.position[2 * k + first], 0.55, 4e-15);
@@ -318,13 +300,11 @@ TEST(test_across, "two meet across a periodic box")
 TEST(test_graze, "to touch is not to collide")
 {
     for (int nearer = 0; nearer < 2; ++nearer) {
-        FREED(scene) s;
-        ENDED(motion) m;
-        make(&s, 2, 0.7);
+        MADE(scene, s, make(&s, 2, 0.7));
         s.position[0] = -1;
         s.position[2 + 1] = nearer ? 0.25 - 0x1p-20 : 0.25;
         s.velocity[0] = 1;
-        begin(&m, &s, "leapfrog", true);
+        STARTED(motion, m, begin(&m, &s, "leapfrog", true));
         UNIT_EQUAL(motion_run(&m, 3), STEPPING_DONE);
         UNIT_EQUAL(m.collisions, nearer);
     }
@@ -335,9 +315,7 @@ TEST(test_graze, "to touch is not to collide")
 TEST(test_heap, "nobody gets into the floor")
 {
     static const double x[] = {0, 0.01, -0.02};
-    FREED(scene) s;
-    ENDED(motion) m;
-    make(&s, 3, 0.01);
+    MADE(scene, s, make(&s, 3, 0.01));
     for (size_t k = 0; k < 3; ++k)
         WALLS(s, k, SCENE_HARD, k < 2 ? -1 : 0, k < 2 ? 1 : 3);
     for (size_t i = 0; i < 3; ++i) {
@@ -346,7 +324,7 @@ TEST(test_heap, "nobody gets into the floor")
     }
     s.gravity[2] = -2;
     s.restitution = 0.9;
-    begin(&m, &s, "leapfrog", true);
+    STARTED(motion, m, begin(&m, &s, "leapfrog", true));
     double lowest = 1;
     for (int k = 0; k < 4000; ++k) {
         UNIT_EQUAL(motion_run(&m, 1), STEPPING_DONE);
@@ -360,13 +338,11 @@ TEST(test_heap, "nobody gets into the floor")
 /* A rest that no wall gives: two that attract each other. */
 TEST(test_crowd, "two that rest on each other crowd")
 {
-    FREED(scene) s;
-    ENDED(motion) m;
-    make(&s, 2, 0.01);
+    MADE(scene, s, make(&s, 2, 0.01));
     s.position[1] = 1;
     s.k2 = 1;
     s.restitution = 0.5;
-    begin(&m, &s, "rk4", true);
+    STARTED(motion, m, begin(&m, &s, "rk4", true));
     UNIT_EQUAL(motion_run(&m, 1000), STEPPING_STUCK);
     UNIT_TRUE(m.impact.crowded);
     UNIT_EQUAL(m.impact.between[1], 1);
@@ -398,15 +374,13 @@ static double swing(const char *method, double before, double steps)
     const double pi = acos(-1), leap = acos(1 - before);
     double angle = pi + 20;
     uint64_t met = 0;
-    FREED(scene) s;
-    ENDED(motion) m;
-    make(&s, 2, 20 / steps);
+    MADE(scene, s, make(&s, 2, 20 / steps));
     WALLS(s, 0, SCENE_HARD, -9, 1 - before);
     s.position[0] = -1;
     s.radius[0] = s.radius[1] = 0;
     s.freedom[1] = s.freedom[2 + 1] = s.freedom[4 + 1] = 0;
     UNIT_TRUE(scene_add_kind(&s, 1, 0) && scene_add_spring(&s, 0, 1, 0, 0));
-    begin(&m, &s, method, true);
+    STARTED(motion, m, begin(&m, &s, method, true));
     UNIT_EQUAL(motion_run(&m, (uint64_t)steps), STEPPING_DONE);
     for (; angle > 2 * pi - leap; ++met)
         angle -= 2 * (pi - leap);
@@ -431,15 +405,13 @@ TEST(test_shallow, "no contact is too shallow")
    after so many steps of half a second. Its floor stands so far below 0. */
 static struct motion drop_far(double radius, uint64_t steps)
 {
-    FREED(scene) s;
-    ENDED(motion) m;
-    make(&s, 1, 0.5);
+    MADE(scene, s, make(&s, 1, 0.5));
     WALLS(s, 2, SCENE_HARD, -radius, 100);
     s.radius[0] = radius;
     s.position[2] = 1;
     s.gravity[2] = -2;
     s.restitution = 0.8;
-    begin(&m, &s, "radau15", true);
+    STARTED(motion, m, begin(&m, &s, "radau15", true));
     UNIT_EQUAL(motion_run(&m, steps), STEPPING_DONE);
     /* A copy, as clang 17 returns m itself, after motion_end. */
     const struct motion counts = m;
@@ -473,9 +445,7 @@ TEST(test_far, "what is far is rounded as such")
 static size_t lift(const char *method, double speed, uint64_t steps,
                    double z[2])
 {
-    FREED(scene) s;
-    ENDED(motion) m;
-    make(&s, 2, 2 / (double)steps);
+    MADE(scene, s, make(&s, 2, 2 / (double)steps));
     WALLS(s, 2, SCENE_HARD, 0, 100);
     for (size_t c = 0; c < 4; ++c)
         s.freedom[c] = 0;
@@ -485,7 +455,7 @@ static size_t lift(const char *method, double speed, uint64_t steps,
     s.restitution = 0.5;
     UNIT_TRUE(scene_add_kind(&s, 20, 0) &&
               scene_add_spring(&s, 0, 1, 0, 1));
-    begin(&m, &s, method, true);
+    STARTED(motion, m, begin(&m, &s, method, true));
     for (uint64_t k = 0; k < steps; ++k) {
         UNIT_EQUAL(motion_run(&m, 1), STEPPING_DONE);
         UNIT_TRUE(s.position[4] >= 0.125 * (1 - 0x1p-50));
@@ -529,9 +499,7 @@ TEST(test_kicked, "what rests is hit")
 {
     static const char *const methods[] = {"leapfrog", "radau15"};
     for (int k = 0; k < 2; ++k) {
-        FREED(scene) s;
-        ENDED(motion) m;
-        make(&s, 2, 0.5);
+        MADE(scene, s, make(&s, 2, 0.5));
         WALLS(s, 2, SCENE_HARD, 0, 100);
         PUT(s.radius, 4, 1);
         PUT(s.position + 4, 4, 1);
@@ -539,7 +507,7 @@ TEST(test_kicked, "what rests is hit")
         s.velocity[1] = 2;
         s.mass[1] = 1e9;
         s.gravity[2] = -2;
-        begin(&m, &s, methods[k], true);
+        STARTED(motion, m, begin(&m, &s, methods[k], true));
         UNIT_EQUAL(motion_run(&m, 3), STEPPING_DONE);
         UNIT_EQUAL(m.impact.resting, 1);
         /* 2 x 2 m/s x 4/5 along (4/5, 3/5), for 0.5 s */
@@ -606,11 +574,9 @@ static enum stepping_end run_any(uint64_t seed, const char *method,
                                  uint64_t steps, double x[12],
                                  struct motion *counts)
 {
-    FREED(scene) s;
-    ENDED(motion) m;
-    make_any(&s, seed);
+    MADE(scene, s, make_any(&s, seed));
     s.dt = 1 / (double)steps;
-    begin(&m, &s, method, true);
+    STARTED(motion, m, begin(&m, &s, method, true));
     const enum stepping_end ended = motion_run(&m, steps);
     memset(x, 0, 12 * sizeof *x);
     memcpy(x, s.position, 3 * s.bodies * sizeof *x);
@@ -647,9 +613,7 @@ TEST(test_any, "two hundred scenes at random")
    square of by, over 2/4 m; but from 1e-3 m on nothing. */
 static void notice(const char *method, double by, bool ceiling)
 {
-    FREED(scene) s;
-    ENDED(motion) m;
-    make(&s, ceiling ? 1 : 2, 0.3);
+    MADE(scene, s, make(&s, ceiling ? 1 : 2, 0.3));
     s.position[0] = ceiling ? 0 : -1;
     s.velocity[0] = ceiling ? 2 : 1;
     if (ceiling) {
@@ -659,7 +623,7 @@ static void notice(const char *method, double by, bool ceiling)
         s.position[2] = 0.25 + by;
         s.freedom[1] = s.freedom[3] = s.freedom[5] = false;
     }
-    begin(&m, &s, method, true);
+    STARTED(motion, m, begin(&m, &s, method, true));
     m.impact.least = 1e-3;
     motion_run(&m, 6);
     UNIT_EQUAL(m.collisions, by < 0);

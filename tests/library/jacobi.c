@@ -171,8 +171,7 @@ TEST(test_light, "a body without mass disturbs nobody")
 
 TEST(test_open, "an orbit that opens ends the run")
 {
-    FREED(scene) s;
-    build(&s, 1e-3, 0.1);
+    MADE(scene, s, build(&s, 1e-3, 0.1));
     BEGUN(motion, m, "jacobi", &s, "wisdom-holman", 0.1);
     s.velocity[5] += 3;
     UNIT_TRUE(motion_run(&m, 1000) == STEPPING_INFINITE);
@@ -186,8 +185,7 @@ static void refuses(struct scene *s, const char *why)
 
 TEST(test_refusals, "what is no system of planets is refused")
 {
-    FREED(scene) s;
-    build(&s, 0.01, 0.1);
+    MADE(scene, s, build(&s, 0.01, 0.1));
     UNIT_TRUE(jacobi_refuses(&s) == NULL);
     s.contact = true;
     refuses(&s, "the scene has bodies that collide");

@@ -17,11 +17,10 @@ TEST(test_taut, "all modes of a taut membrane are those of the formula")
     const struct elastic_membrane e = {8, 6, 2, 50,   0, 0.8,
                                        0, 1, 1, true, 0, 0};
     FREED(scene) s;
-    FREED(modes) m;
     double law[72];
     size_t n = 0;
     UNIT_MUST(!elastic_membrane(&s, &e));
-    find(&m, &s);
+    MADE(modes, m, find(&m, &s));
     for (int axis = 0; axis < 3; ++axis)
         for (int r = 1; r <= 6; ++r)
             for (int h = 1; h <= 4; ++h) {
@@ -41,10 +40,9 @@ TEST(test_taut, "all modes of a taut membrane are those of the formula")
    stiffness across. */
 TEST(test_membranes, "a membrane at rest length has 36 loose modes")
 {
-    FREED(modes) m;
     int loose = 0;
     FREED(scene) s = made("membrane", "amplitude", 0);
-    find(&m, &s);
+    MADE(modes, m, find(&m, &s));
     for (size_t i = 0; i < m.size; ++i)
         loose += fabs(m.square[i]) < 1e-10;
     UNIT_EQUAL(loose, 36);
@@ -53,10 +51,9 @@ TEST(test_membranes, "a membrane at rest length has 36 loose modes")
 
 TEST(test_cantilever, "the cantilever's frequencies and deflection")
 {
-    FREED(modes) m;
     double a[36] = {0}, u[36] = {0};
     FREED(scene) s = made("cantilever", NULL, 0);
-    find(&m, &s);
+    MADE(modes, m, find(&m, &s));
     UNIT_NEAR(sqrt(m.square[0]), 1.76355068, 1e-8);
     UNIT_NEAR(sqrt(m.square[1]), 8.93555667, 1e-8);
     UNIT_NEAR(sqrt(m.square[2]), 10.1679045, 1e-7);
@@ -73,9 +70,8 @@ TEST(test_cantilever, "the cantilever's frequencies and deflection")
 /* Modes of length 1, at right angles, each a solution of its equation. */
 TEST(test_orthogonal, "modes are at right angles")
 {
-    FREED(modes) m;
     FREED(scene) s = made("cantilever", "diagonals", 1);
-    find(&m, &s);
+    MADE(modes, m, find(&m, &s));
     for (size_t i = 0; i < m.size; ++i)
         for (size_t j = 0; j < m.size; ++j) {
             double sum = 0;
@@ -90,7 +86,6 @@ TEST(test_orthogonal, "modes are at right angles")
 TEST(test_by_hand, "two bodies between walls, by hand")
 {
     FREED(scene) s;
-    FREED(modes) m;
     UNIT_MUST(scene_create(&s, 4) && scene_add_kind(&s, 0.3, 0));
     for (size_t i = 0; i < 4; ++i) {
         s.position[i] = (double)i;
@@ -100,7 +95,7 @@ TEST(test_by_hand, "two bodies between walls, by hand")
             exit(1);
     }
     s.mass[1] = 2;
-    find(&m, &s);
+    MADE(modes, m, find(&m, &s));
     UNIT_EQUAL(m.size, 2);
     for (int k = 0; k < 2; ++k) {
         const double root = 0.45 + (k ? 1 : -1) * sqrt(0.0675);

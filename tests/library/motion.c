@@ -43,11 +43,9 @@ static void begin(struct motion *m, struct scene *s, const char *method)
 /* Equation (11.9), term by term, with formulas of its own. */
 TEST(test_sum, "what acts is the sum of all that is in the scene")
 {
-    FREED(scene) s;
-    ENDED(motion) m;
     double a[9], d[3], w[3], expected[9];
-    build(&s, false);
-    begin(&m, &s, "leapfrog");
+    MADE(scene, s, build(&s, false));
+    STARTED(motion, m, begin(&m, &s, "leapfrog"));
     m.stepping.forces.accelerate(m.stepping.forces.what, s.position,
                                  s.velocity, a);
     for (size_t i = 0; i < 3; ++i)
@@ -164,8 +162,7 @@ TEST(test_two, "and two bodies alone, to the bit")
 /* Has the motion of two bodies the shorter way, and not that of springs? */
 static bool is_short(struct scene *s, const char *method)
 {
-    ENDED(motion) m;
-    begin(&m, s, method);
+    STARTED(motion, m, begin(&m, s, method));
     return m.stepping.sweep != NULL && m.stepping.sweep != springs_sweep;
 }
 
@@ -226,8 +223,7 @@ TEST(test_compensated, "which sums are compensated")
         static const char *const methods[] = {"kahan-li8", "yoshida6",
                                               "pefrl", "radau15"};
         for (int k = 0; k < 4; ++k) {
-            ENDED(motion) m;
-            begin(&m, &s, methods[k]);
+            STARTED(motion, m, begin(&m, &s, methods[k]));
             UNIT_TRUE(m.stepping.compensated == (k < 2 && what < 7));
         }
     }
@@ -235,10 +231,8 @@ TEST(test_compensated, "which sums are compensated")
 
 TEST(test_held, "what is held stays")
 {
-    FREED(scene) s;
-    ENDED(motion) m;
-    build(&s, true);
-    begin(&m, &s, "leapfrog");
+    MADE(scene, s, build(&s, true));
+    STARTED(motion, m, begin(&m, &s, "leapfrog"));
     UNIT_TRUE(motion_run(&m, 1000) == STEPPING_DONE);
     UNIT_EQUAL(s.position[3], 0);
     UNIT_EQUAL(s.position[8], 0.4);
@@ -436,9 +430,8 @@ TEST(test_forgotten, "and forgotten where it does not")
 {
     for (int way = 0; way < 2; ++way) {
         FREED(scene) s, t;
-        ENDED(motion) m;
         build(&s, false);
-        begin(&m, &s, "leapfrog");
+        STARTED(motion, m, begin(&m, &s, "leapfrog"));
         motion_run(&m, 10);
         save(&m, &t);
         UNIT_TRUE(t.kept != NULL && t.kept[5] != 0);
@@ -453,13 +446,11 @@ TEST(test_forgotten, "and forgotten where it does not")
    now: half a kick and a drift by it give the next place. */
 TEST(test_contact, "after a contact the method looks again")
 {
-    FREED(scene) s;
-    ENDED(motion) m;
     bool met = false;
-    build(&s, true);
+    MADE(scene, s, build(&s, true));
     s.damping = 0;
     s.kind[0].damping = 0;
-    begin(&m, &s, "leapfrog");
+    STARTED(motion, m, begin(&m, &s, "leapfrog"));
     for (int k = 0; k < 3000; ++k) {
         double a[9], expected[9];
         const uint64_t before = m.collisions;
@@ -507,8 +498,7 @@ TEST(test_light, "what has no mass")
 {
     for (size_t axis = 0; axis < 3; ++axis)
         for (size_t light = 0; light < 3; ++light) {
-            FREED(scene) s;
-            row(&s, 3);
+            MADE(scene, s, row(&s, 3));
             s.mass[light] = 0;
             has(&s, MOTION_WELL, 0);
             s.freedom[light] = 0;
@@ -534,8 +524,7 @@ TEST(test_box, "what is in a box")
 {
     for (size_t k = 0; k < 3; ++k)
         for (int wall = SCENE_OPEN; wall <= SCENE_PERIODIC; ++wall) {
-            FREED(scene) s;
-            row(&s, 2);
+            MADE(scene, s, row(&s, 2));
             WALLS(s, k, (enum scene_wall)wall, -1, 2);
             s.freedom[2 * k] = 0;
             s.freedom[2 * k + 1] = 1;
@@ -560,8 +549,7 @@ TEST(test_box, "what is in a box")
    and not all of them hang on springs. Off the line they pass. */
 TEST(test_points, "points on a line")
 {
-    FREED(scene) s;
-    row(&s, 4);
+    MADE(scene, s, row(&s, 4));
     s.contact = true;
     s.radius[1] = 0;
     has(&s, MOTION_WELL, 0);
@@ -640,7 +628,6 @@ TEST(test_shorten, "steps may change their length")
    along the axes that are free. */
 TEST(test_energies, "energies by hand")
 {
-    ENDED(motion) m;
     CREATED(scene, s, 2);
     s.mass[0] = 2;
     s.position[1] = 0.5;
@@ -659,7 +646,7 @@ TEST(test_energies, "energies by hand")
     s.law = SCENE_LINEAR;
     s.stiffness = 8;
     s.radius[0] = s.radius[1] = 0.5;
-    begin(&m, &s, "leapfrog");
+    STARTED(motion, m, begin(&m, &s, "leapfrog"));
     const struct motion_energy e = motion_energy(&m);
     UNIT_EQUAL(e.kinetic, 25 + 2);
     UNIT_EQUAL(e.gravity, -3 * 2 / 0.5);
@@ -678,12 +665,11 @@ static bool from_outside(void *with, double dt, double x[], double v[])
 
 TEST(test_outside, "another stepper can take the method's place")
 {
-    ENDED(motion) m;
     double clock = 0;
     CREATED(scene, s, 1);
     s.velocity[0] = 2;
     s.dt = 0.25;
-    begin(&m, &s, "leapfrog");
+    STARTED(motion, m, begin(&m, &s, "leapfrog"));
     m.outside = from_outside;
     m.with = &clock;
     UNIT_TRUE(motion_run(&m, 3) == STEPPING_DONE);

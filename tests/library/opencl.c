@@ -31,8 +31,7 @@ static struct opencl *open(bool single, enum opencl_way way)
 
 static void sum_here(double a[])
 {
-    FREED(gravity) g;
-    gravity_create(&g, BODIES, mass, k2, softening);
+    MADE(gravity, g, gravity_create(&g, BODIES, mass, k2, softening));
     g.kernel = GRAVITY_PORTABLE;
     gravity_add(&g, x, a);
 }

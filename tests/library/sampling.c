@@ -107,10 +107,9 @@ TEST(test_depletion, "Asakura and Oosawa's law of distances")
 
 TEST(test_moves, "a try moves one disk or none")
 {
-    FREED(sampling) s;
     SEEDED(r, 6);
     size_t moved = 0, a, b;
-    box(&s, 2, DISKS_WALLS, unit, 4, 0.2);
+    MADE(sampling, s, box(&s, 2, DISKS_WALLS, unit, 4, 0.2));
     UNIT_TRUE(sampling_start(&s, &r));
     for (int n = 0; n < 20000; ++n) {
         struct disk before[4];
@@ -135,10 +134,9 @@ TEST(test_moves, "a try moves one disk or none")
 /* Where no lattice fits they grow; where nothing fits there is no start. */
 TEST(test_starts, "starts are found, or not")
 {
-    FREED(sampling) s;
     SEEDED(r, 7);
     size_t a, b;
-    box(&s, 2, DISKS_WALLS, unit, 4, 0.24);
+    MADE(sampling, s, box(&s, 2, DISKS_WALLS, unit, 4, 0.24));
     UNIT_TRUE(sampling_start(&s, &r));
     UNIT_TRUE(disks_fit(&s.disks, &a, &b));
     UNIT_EQUAL(s.disks.disk[3].radius, 0.24);
@@ -157,9 +155,8 @@ TEST(test_starts, "starts are found, or not")
 TEST(test_guess, "hopeless throws are known beforehand")
 {
     const double sides[] = {2, 2};
-    FREED(sampling) s;
     SEEDED(r, 8);
-    box(&s, 2, DISKS_WALLS, unit, 4, 0.15);
+    MADE(sampling, s, box(&s, 2, DISKS_WALLS, unit, 4, 0.15));
     UNIT_NEAR(sampling_log_acceptance(&s, 100000, &r), log(0.0365551596),
               0.1);
     sampling_free(&s);
@@ -173,11 +170,10 @@ TEST(test_guess, "hopeless throws are known beforehand")
 TEST(test_long_chains, "chains of many keep all disks apart")
 {
     static const double sides[] = {13, 13};
-    FREED(sampling) s;
     SEEDED(r, 1);
     double gained = 0, touches = 0;
     size_t a, b;
-    box(&s, 2, DISKS_PERIODIC, sides, 64, 0.5);
+    MADE(sampling, s, box(&s, 2, DISKS_PERIODIC, sides, 64, 0.5));
     UNIT_TRUE(sampling_start(&s, &r));
     for (size_t n = 0; n < 20000; ++n)
         touches += (double)sampling_chain(

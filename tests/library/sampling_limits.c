@@ -34,10 +34,9 @@ TEST(test_chain, "a chain of three, by hand")
         for (uint64_t seed = 1; seed <= 16; ++seed) {
             /* The row stands in the middle, or across the seam. */
             const double aside = seed % 2 ? 0 : 4.75;
-            FREED(sampling) s;
             SEEDED(r, seed);
             double gained = 0;
-            box(&s, 3, DISKS_PERIODIC, 10, 3, 0.5, NULL);
+            MADE(sampling, s, box(&s, 3, DISKS_PERIODIC, 10, 3, 0.5, NULL));
             for (size_t i = 0; i < 3; ++i)
                 for (size_t k = 0; k < 3; ++k)
                     s.disks.disk[i].position[(k + axis) % 3] =
@@ -68,14 +67,13 @@ TEST(test_hair_behind, "what is a hair behind is not in the way")
     static const double places[][3] = {{.5, .4, 0}, {.5 - 1e-10, .7, 0}};
     int tried = 0;
     for (uint64_t seed = 1; seed <= 8; ++seed) {
-        FREED(sampling) s;
         SEEDED(r, seed);
         double gained = 0;
         if (random_below(&r, 2) != 0)
             continue;
         ++tried;
         random_seed(&r, seed);
-        box(&s, 2, DISKS_PERIODIC, 1, 2, 0.15, places);
+        MADE(sampling, s, box(&s, 2, DISKS_PERIODIC, 1, 2, 0.15, places));
         UNIT_TRUE(0.7 - 0.4 < 0.15 + 0.15);
         UNIT_EQUAL(sampling_chain(&s, 0, 0.25, &r, &gained), 0);
         UNIT_EQUAL(s.disks.disk[0].position[0], 0.75);
@@ -89,10 +87,9 @@ TEST(test_grazing, "what is grazed is not pushed")
 {
     for (uint64_t seed = 1; seed <= 4; ++seed) {
         static const double places[][3] = {{1, 5, 0}, {3, 6, 0}};
-        FREED(sampling) s;
         SEEDED(r, seed);
         double gained = 0, before, after;
-        box(&s, 2, DISKS_PERIODIC, 10, 2, 0.5, places);
+        MADE(sampling, s, box(&s, 2, DISKS_PERIODIC, 10, 2, 0.5, places));
         before = s.disks.disk[0].position[0] + s.disks.disk[1].position[0];
         UNIT_EQUAL(sampling_chain(&s, 0, 5, &r, &gained), 0);
         after = s.disks.disk[0].position[0] + s.disks.disk[1].position[0];
@@ -148,10 +145,10 @@ TEST(test_pair_density, "a disk that slides away from another")
                 for (int way = 0; way < 8; ++way) {
                     static const double at[] = {0, 0.75, 0.65, 0.59};
                     const int third = way % 4, small = way / 4;
-                    FREED(sampling) s;
                     const double p = (double)D;
-                    box(&s, D, round ? DISKS_PERIODIC : DISKS_WALLS, 1,
-                        third ? 3 : 2, 0.1, NULL);
+                    MADE(sampling, s,
+                         box(&s, D, round ? DISKS_PERIODIC : DISKS_WALLS, 1,
+                             third ? 3 : 2, 0.1, NULL));
                     if (third && small)
                         s.disks.disk[2].radius = 0.05;
                     for (size_t i = 0; i < s.disks.count; ++i)
@@ -285,10 +282,9 @@ TEST(test_images, "images end a slide in every direction")
                                  D == 2 ? 0 : way / 9 - 1};
             const double length =
                 sqrt(to[0] * to[0] + to[1] * to[1] + to[2] * to[2]);
-            FREED(sampling) s;
             if (length == 0)
                 continue;
-            box(&s, D, DISKS_PERIODIC, 1, 3, 0.1, NULL);
+            MADE(sampling, s, box(&s, D, DISKS_PERIODIC, 1, 3, 0.1, NULL));
             for (size_t k = 0; k < D; ++k) {
                 s.disks.disk[1].position[k] = 0.3;
                 s.disks.disk[0].position[k] = 0.3 + 0.25 * to[k] / length;

@@ -109,8 +109,7 @@ TEST(test_against_plain, "events come out as from a plain array")
 
 TEST(test_ties, "equal times come in the order of numbers")
 {
-    FREED(schedule) s;
-    schedule_create(&s, MOST, MOST);
+    MADE(schedule, s, schedule_create(&s, MOST, MOST));
     for (size_t i = 0; i < MOST; ++i)
         schedule_put(&s, (i * 77) % MOST, i % 2 ? 0.0 : -0.0);
     for (size_t i = 0; i < MOST; ++i)

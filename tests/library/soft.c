@@ -161,8 +161,7 @@ TEST(test_rest, "to rest is to be pressed")
 
 TEST(test_twice, "restitution or springs")
 {
-    FREED(scene) s;
-    make(&s, 2, SCENE_LINEAR, 0);
+    MADE(scene, s, make(&s, 2, SCENE_LINEAR, 0));
     UNIT_EQUAL(motion_flaw(&s, NULL), MOTION_WELL);
     s.restitution = 0.5;
     UNIT_EQUAL(motion_flaw(&s, NULL), MOTION_RESTITUTION);
@@ -176,9 +175,8 @@ TEST(test_stored, "what is stored comes back")
 {
     static const enum scene_law kinds[] = {SCENE_LINEAR, SCENE_HERTZ};
     for (size_t kind = 0; kind < 2; ++kind) {
-        FREED(scene) s;
         double x[9], v[9] = {0}, a[9] = {0};
-        make(&s, 3, kinds[kind], -0.03);
+        MADE(scene, s, make(&s, 3, kinds[kind], -0.03));
         for (size_t i = 0; i < 3; ++i) {
             s.mass[i] = 1 + (double)i;
             s.position[3 + i] = 0.015 * (double)(i * (i + 1));
@@ -218,9 +216,8 @@ TEST(test_stored, "what is stored comes back")
 TEST(test_by_hand, "two by hand")
 {
     static const double force[] = {0, 0, 0, 0, -0.3, 0.15, 0, -0.4, 0.2};
-    FREED(scene) s;
     double a[9] = {0};
-    make(&s, 3, SCENE_LINEAR, 9);
+    MADE(scene, s, make(&s, 3, SCENE_LINEAR, 9));
     s.stiffness = 8;
     s.dashpot = 2;
     PUT(s.mass + 1, 2, 4);

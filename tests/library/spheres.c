@@ -81,9 +81,8 @@ TEST(test_shares,
                  {SPHERES_BACK, 1, -0.125, 1.125},
                  {SPHERES_BACK, 0.0625, -0.0625, 0.9375}};
     for (size_t k = 0; k < sizeof known / sizeof *known; ++k) {
-        FREED(scene) s;
         FREED(spheres) p;
-        begin_pair(&s);
+        MADE(scene, s, begin_pair(&s));
         begin(&p, &s, SPHERES_APPROACHING, known[k].shift, known[k].dt);
         UNIT_EQUAL(spheres_resolve(&p, s.position, s.velocity), 1);
         UNIT_LIST(s.velocity, 0, 0, 2);
@@ -104,9 +103,8 @@ TEST(test_oblique, "oblique hits found late are made good")
         const double b = random_between(&r, -0.95, 0.95);
         const double tau = random_between(&r, 0, 0.3);
         const double along = sqrt(1 - b * b); /* contact at (along, b) */
-        FREED(scene) s;
         FREED(spheres) p;
-        make(&s, 2);
+        MADE(scene, s, make(&s, 2));
         PUT(s.radius, 0.2, 0.3);
         s.mass[1] = random_between(&r, 0.5, 2);
         s.position[1] = unit * (along - tau);
@@ -131,13 +129,11 @@ TEST(test_oblique, "oblique hits found late are made good")
    that of the row; the third is touched by nobody before its turn. */
 TEST(test_in_one_step, "a velocity goes through a row in a step")
 {
-    FREED(scene) s;
-    FREED(spheres) p;
-    make(&s, 3);
+    MADE(scene, s, make(&s, 3));
     s.position[1] = 0.875;
     s.position[2] = 1.9375; /* a gap of 1/16 to where 1 goes back from */
     s.velocity[0] = 1;
-    begin(&p, &s, SPHERES_APPROACHING, SPHERES_BACK, 1);
+    MADE(spheres, p, begin(&p, &s, SPHERES_APPROACHING, SPHERES_BACK, 1));
     UNIT_EQUAL(spheres_resolve(&p, s.position, s.velocity), 2);
     UNIT_EQUAL(s.velocity[2], 1);
     UNIT_LIST(s.position, 0, -0.125, 0.9375, 2);
@@ -150,11 +146,10 @@ TEST(test_in_one_step, "a velocity goes through a row in a step")
 TEST(test_pushed, "who is pushed meets the next")
 {
     for (int way = 0; way < 12; ++way) {
-        FREED(scene) s;
         FREED(spheres) p;
         const size_t heavy = way % 2 ? 2 : 0, far = 2 - heavy;
         const size_t k = (size_t)(way / 4);
-        make(&s, 3);
+        MADE(scene, s, make(&s, 3));
         double *const x = s.position + 3 * k, *const v = s.velocity + 3 * k;
         s.mass[heavy] = 1e9;
         x[heavy] = 0;
@@ -175,8 +170,7 @@ TEST(test_nearest, "images are the nearest")
 {
     static const double at[] = {0.95, 1.05, -0.95, -1.05, 2.9, -3.1},
                         way[] = {0.95, -0.95, -0.95, 0.95, 0.9, 0.9};
-    FREED(scene) s;
-    make(&s, 2);
+    MADE(scene, s, make(&s, 2));
     WALLS(s, 1, SCENE_PERIODIC, 5, 7);
     for (size_t i = 0; i < sizeof at / sizeof at[0]; ++i) {
         s.position[1] = s.position[3] = at[i];
@@ -190,11 +184,9 @@ TEST(test_nearest, "images are the nearest")
 TEST(test_parting, "only the paper reflects pairs that part")
 {
     for (int rule = SPHERES_ALL; rule <= SPHERES_APPROACHING; ++rule) {
-        FREED(scene) s;
-        FREED(spheres) p;
-        begin_pair(&s);
+        MADE(scene, s, begin_pair(&s));
         PUT(s.velocity, -1, 1);
-        begin(&p, &s, rule, SPHERES_BY_MASS, 1);
+        MADE(spheres, p, begin(&p, &s, rule, SPHERES_BY_MASS, 1));
         spheres_resolve(&p, s.position, s.velocity);
         UNIT_EQUAL(s.velocity[1], rule == SPHERES_ALL ? -2 : 1);
         UNIT_EQUAL(p.receding, rule == SPHERES_ALL);
@@ -214,8 +206,7 @@ static void collide(struct scene *s)
    comes down on it: J = 2 (4/5) / (9/25 + 1). */
 TEST(test_fixed, "what is fixed along an axis stays")
 {
-    FREED(scene) s;
-    make(&s, 2);
+    MADE(scene, s, make(&s, 2));
     s.freedom[2] = s.freedom[4] = 0; /* body 0 along y, z */
     s.position[1] = 0.54;
     s.position[3] = 0.72; /* 0.9 apart */
@@ -251,9 +242,8 @@ TEST(test_fixed, "what is fixed along an axis stays")
    virial has that times the distance, 1 m. */
 TEST(test_asked, "contacts that others find")
 {
-    FREED(scene) s;
     FREED(spheres) p;
-    make(&s, 2);
+    MADE(scene, s, make(&s, 2));
     s.mass[0] = s.mass[1] = 2;
     s.restitution = 0.5;
     s.position[3] = 1;
@@ -274,15 +264,13 @@ TEST(test_asked, "contacts that others find")
 /* Mirrored, with restitution, and left alone on the way in. */
 TEST(test_walls, "walls mirror, and lose what they should")
 {
-    FREED(scene) s;
-    FREED(spheres) p;
-    make(&s, 1);
+    MADE(scene, s, make(&s, 1));
     s.mass[0] = 2;
     WALLS(s, 0, SCENE_HARD, -1, 3);
     s.restitution = 0.5;
     s.position[0] = 2.75; /* 0.25 beyond */
     s.velocity[0] = 4;
-    begin(&p, &s, SPHERES_ALL, SPHERES_BY_RADIUS, 1);
+    MADE(spheres, p, begin(&p, &s, SPHERES_ALL, SPHERES_BY_RADIUS, 1));
     UNIT_EQUAL(spheres_resolve(&p, s.position, s.velocity), 1);
     UNIT_EQUAL(s.position[0], 2.375);
     UNIT_EQUAL(s.velocity[0], -2);
@@ -296,9 +284,8 @@ TEST(test_walls, "walls mirror, and lose what they should")
 /* Two bodies at one place, a body alone, no body at all. */
 TEST(test_awkward, "awkward scenes do no harm")
 {
-    FREED(scene) s;
     FREED(spheres) p;
-    make(&s, 2);
+    MADE(scene, s, make(&s, 2));
     s.velocity[0] = 1;
     begin(&p, &s, SPHERES_APPROACHING, SPHERES_BACK, 1e-3);
     spheres_resolve(&p, s.position, s.velocity);
@@ -390,10 +377,8 @@ TEST(test_kept, "energy, momentum, centre of mass are kept")
 {
     for (int shift = SPHERES_BY_RADIUS; shift <= SPHERES_BACK; ++shift)
         for (int rule = SPHERES_ALL; rule <= SPHERES_APPROACHING; ++rule) {
-            FREED(scene) s;
-            FREED(spheres) p;
-            make_crowd(&s, SCENE_PERIODIC, 2);
-            begin(&p, &s, rule, shift, 0.02);
+            MADE(scene, s, make_crowd(&s, SCENE_PERIODIC, 2));
+            MADE(spheres, p, begin(&p, &s, rule, shift, 0.02));
             const double E = energy(&s), P = total(&s, s.velocity),
                          X = total(&s, s.position);
             run(&s, &p, 100);
@@ -411,12 +396,11 @@ TEST(test_identity, "walls balance flight and virial")
     for (int shift = SPHERES_BY_RADIUS; shift <= SPHERES_BACK; ++shift)
         for (int coarse = 0; coarse < 2; ++coarse) {
             FREED(scene) s;
-            FREED(spheres) p;
             const double dt = coarse ? 0.08 : 0.01;
             double rest = 0;
             UNIT_TRUE(!gallery_make(&s, gallery_find(hard_scenes, "gas"),
                                     NULL, 0));
-            begin(&p, &s, SPHERES_APPROACHING, shift, dt);
+            MADE(spheres, p, begin(&p, &s, SPHERES_APPROACHING, shift, dt));
             const double E = energy(&s);
             for (int end = 0; end < 2; ++end) {
                 for (size_t i = 0; i < 500; ++i)
@@ -482,9 +466,8 @@ TEST(test_order_of_pairs, "the order of pairs decides, or their depth")
         {SPHERES_DEEPEST, {-0.95, 0, 0.9}, {1 - 20 / 9., 1 / 3.}},
         {SPHERES_DEEPEST, {0.9, 0, -0.9}, {1 / 3., 1 - 20 / 9.}}};
     for (size_t k = 0; k < sizeof known / sizeof *known; ++k) {
-        FREED(scene) s;
         FREED(spheres) p;
-        make(&s, 3);
+        MADE(scene, s, make(&s, 3));
         s.mass[1] = 2;
         memcpy(s.position, known[k].x, sizeof known[k].x);
         s.velocity[0] = s.position[0] < 0 ? 1 : -1;
@@ -507,10 +490,9 @@ TEST(test_overlaps, "what overlaps, and how deep")
     enum { N = 30 };
     for (int round = 0; round < 18; ++round) {
         SEEDED(r, (uint64_t)round);
-        FREED(scene) s;
         FREED(spheres) p;
         size_t found = 0;
-        make(&s, N);
+        MADE(scene, s, make(&s, N));
         for (size_t k = 0; k < SCENE_AXES; ++k) {
             const double side = (int)k == round / 3 % 3 ? 7 : 3;
             WALLS(s, k, (enum scene_wall)(round % 3), -9, side - 9);
@@ -558,8 +540,7 @@ TEST(test_overlaps, "what overlaps, and how deep")
 TEST(test_depth, "an overlap of what is held is none")
 {
     for (int held = 0; held < 4; ++held) {
-        FREED(scene) s;
-        begin_pair(&s);
+        MADE(scene, s, begin_pair(&s));
         for (size_t i = 0; i < 2; ++i)
             for (size_t k = 0; k < SCENE_AXES; ++k)
                 s.freedom[2 * k + i] = !(held >> i & 1) && k == 1;
@@ -611,10 +592,9 @@ TEST(test_passed, "who passes through another is counted")
     SEEDED(r, 7);
     size_t all = 0;
     for (int round = 0; round < 60; ++round) {
-        FREED(scene) s;
         FREED(spheres) p, q;
         double before[3 * N], flown[3 * N], v[3 * N];
-        make(&s, N);
+        MADE(scene, s, make(&s, N));
         for (size_t k = 0; k < SCENE_AXES; ++k) {
             WALLS(s, k, (enum scene_wall)(round % 3), 0, 8);
         }
@@ -661,9 +641,8 @@ TEST(test_turned, "but not who has turned at a wall")
         const size_t k = round / 4 % SPHERES_AXES, who = round % 2;
         const bool high = round / 2 % 2;
         const size_t row = round / (4 * SPHERES_AXES);
-        FREED(scene) s;
         FREED(spheres) p;
-        make(&s, 2);
+        MADE(scene, s, make(&s, 2));
         s.radius[0] = s.radius[1] = 0.1;
         WALLS(s, k, known[row].wall ? SCENE_HARD : SCENE_OPEN,
               high ? 0 : known[row].low, high ? 10 - known[row].low : 10);
@@ -681,9 +660,8 @@ TEST(test_turned, "but not who has turned at a wall")
 TEST(test_many_passed, "nor for ever")
 {
     for (int search = SPHERES_PAIRS; search <= SPHERES_SWEEP; ++search) {
-        FREED(scene) s;
         FREED(spheres) p;
-        make(&s, 64);
+        MADE(scene, s, make(&s, 64));
         for (size_t i = 0; i < 64; ++i) {
             s.radius[i] = 1e-3;
             s.velocity[i] = i < 32 ? 1 : -1;

@@ -39,9 +39,8 @@ static void begin(struct springs *p, struct stepping *t, struct scene *s,
 /* Stretched from 1 to 5 m along (3, 4): 40 N, and the second is heavier. */
 TEST(test_pull, "a stretched spring draws its ends together")
 {
-    FREED(scene) s;
     double a[6];
-    make_pair(&s, 3, 4, false);
+    MADE(scene, s, make_pair(&s, 3, 4, false));
     forces(&s, a);
     UNIT_NEAR(a[0], 24, 1e-14); /* towards the other: the right sign */
     UNIT_NEAR(a[2], 32, 1e-14);
@@ -55,9 +54,8 @@ TEST(test_pull, "a stretched spring draws its ends together")
 TEST(test_dashpots,
      "the printed dashpot brakes all, the axial one its axis")
 {
-    FREED(scene) s;
     double full[6], axial[6];
-    make_pair(&s, 1, 0, false);
+    MADE(scene, s, make_pair(&s, 1, 0, false));
     s.velocity[1] = 0.5;
     s.velocity[3] = 2;
     forces(&s, full);
@@ -73,9 +71,8 @@ TEST(test_dashpots,
    that is not a number. */
 TEST(test_same_place, "two bodies in one place do no harm")
 {
-    FREED(scene) s;
     double a[6];
-    make_pair(&s, 0, 0, false);
+    MADE(scene, s, make_pair(&s, 0, 0, false));
     forces(&s, a);
     for (int i = 0; i < 6; ++i)
         UNIT_EQUAL(a[i], 0);
@@ -88,9 +85,8 @@ TEST(test_same_place, "two bodies in one place do no harm")
 
 TEST(test_held, "held axes, gravity and friction")
 {
-    FREED(scene) s;
     double a[6], more[6] = {7, 7, 7, 7, 7, 7};
-    make_pair(&s, 3, 4, false);
+    MADE(scene, s, make_pair(&s, 3, 4, false));
     s.freedom[0] = s.freedom[3] = 0;
     s.gravity[1] = -9;
     s.damping = 0.5;
@@ -110,9 +106,8 @@ TEST(test_held, "held axes, gravity and friction")
 /* The energy's slope is the force: central differences, error h^2. */
 TEST(test_potential, "the slope of the energy is the force")
 {
-    FREED(scene) s;
     double a[6];
-    make_pair(&s, 0.3, 0.5, false);
+    MADE(scene, s, make_pair(&s, 0.3, 0.5, false));
     s.position[4] = 0.7;
     forces(&s, a);
     CREATED(springs, p, &s);
@@ -261,8 +256,7 @@ TEST(test_same_bits, "scatter, gather and threads give the same bits")
 /* A net so wide that no two steps of it would stay in the cache. */
 TEST(test_wide, "on a wide net too")
 {
-    FREED(scene) s;
-    make_membrane(&s, 8000, 3, 0);
+    MADE(scene, s, make_membrane(&s, 8000, 3, 0));
     same_bits(&s, 2);
 }
 
@@ -270,7 +264,6 @@ TEST(test_wide, "on a wide net too")
 static void leap(const struct scene *from, uint64_t steps, uint64_t piece,
                  bool swept, struct scene *s)
 {
-    FREED(springs) p;
     FREED(stepping) stepping;
     make_membrane(s, 40, 30, 0.5);
     memcpy(s->position, from->position, 3600 * sizeof *s->position);
@@ -278,7 +271,7 @@ static void leap(const struct scene *from, uint64_t steps, uint64_t piece,
     s->damping = from->damping;
     for (size_t i = 0; i < s->kinds; ++i)
         s->kind[i] = from->kind[i];
-    begin(&p, &stepping, s, "leapfrog", 0.01);
+    MADE(springs, p, begin(&p, &stepping, s, "leapfrog", 0.01));
     stepping.sweep = swept ? springs_sweep : NULL;
     for (uint64_t k = 0; k < steps; k += piece)
         stepping_run(&stepping, piece);
@@ -347,11 +340,10 @@ TEST(test_momentum, "inner forces keep the momentum")
         s.freedom[i] = 1;
     shake(&s);
     for (int axial = 0; axial < 2; ++axial) {
-        FREED(springs) p;
         FREED(stepping) t;
         double before[3] = {0}, after[3] = {0};
         s.axial = axial;
-        begin(&p, &t, &s, "leapfrog", 0.01);
+        MADE(springs, p, begin(&p, &t, &s, "leapfrog", 0.01));
         for (size_t i = 0; i < 3 * s.bodies; ++i)
             before[i / s.bodies] += s.velocity[i];
         stepping_run(&t, 1000);
@@ -367,14 +359,12 @@ TEST(test_momentum, "inner forces keep the momentum")
 TEST(test_spin, "what dashpots do to rotation")
 {
     for (int axial = 0; axial < 2; ++axial) {
-        FREED(scene) s;
-        FREED(springs) p;
         FREED(stepping) t;
-        make_pair(&s, 1.2, 0, axial);
+        MADE(scene, s, make_pair(&s, 1.2, 0, axial));
         s.kind[0].damping = 0.3;
         s.velocity[2] = -1; /* y velocities: no momentum */
         s.velocity[3] = 0.5;
-        begin(&p, &t, &s, "yoshida4", 1e-3);
+        MADE(springs, p, begin(&p, &t, &s, "yoshida4", 1e-3));
         double spin[2];
         for (int k = 0; k < 2; ++k) {
             const double *x = s.position, *v = s.velocity;

@@ -50,8 +50,7 @@ static void begin(struct stepping *s, const struct stepping_method *m,
 static void go(const char *name, struct stepping_forces f, double dt,
                uint64_t steps, double *x, double *v)
 {
-    FREED(stepping) s;
-    begin(&s, stepping_find(name), f, dt, x, v);
+    MADE(stepping, s, begin(&s, stepping_find(name), f, dt, x, v));
     UNIT_TRUE(stepping_run(&s, steps) == STEPPING_DONE);
 }
 
@@ -385,11 +384,11 @@ TEST(test_leapfrog_is_a_splitting,
     general.kick = kick;
     double x[2][2], v[2][2];
     for (int k = 0; k < 2; ++k) {
-        FREED(stepping) s;
         PUT(x[k], 0.5, 0.1);
         PUT(v[k], 0.1, 1.5);
-        begin(&s, k ? &general : stepping_find("leapfrog"), orbit_forces,
-              0.03, x[k], v[k]);
+        MADE(stepping, s,
+             begin(&s, k ? &general : stepping_find("leapfrog"),
+                   orbit_forces, 0.03, x[k], v[k]));
         stepping_run(&s, 200);
     }
     UNIT_TRUE(!memcmp(x[0], x[1], sizeof x[0]) &&
@@ -407,13 +406,13 @@ FORCES(pendulums)
 static void swing(const struct stepping_method *m, bool compensated,
                   size_t from, size_t n, double x[], double v[])
 {
-    FREED(stepping) s;
     for (size_t i = 0; i < n; ++i) {
         x[i] = 0.1 * (double)(from + i + 1);
         v[i] = 1 / (double)(from + i + 1);
     }
-    begin(&s, m, (struct stepping_forces){n, false, pendulums, &n}, 0.1, x,
-          v);
+    MADE(stepping, s,
+         begin(&s, m, (struct stepping_forces){n, false, pendulums, &n},
+               0.1, x, v));
     s.compensated = compensated;
     UNIT_TRUE(stepping_run(&s, 20) == STEPPING_DONE);
 }
@@ -443,8 +442,7 @@ static void count(const struct stepping_method *m, struct stepping_forces f,
                   double *first, double *more)
 {
     double x[] = {0.5, 0.1}, v[] = {0.1, 1.5};
-    FREED(stepping) s;
-    begin(&s, m, f, 0.01, x, v);
+    MADE(stepping, s, begin(&s, m, f, 0.01, x, v));
     stepping_run(&s, 1);
     *first = (double)s.evaluations;
     stepping_run(&s, 100);
@@ -567,9 +565,10 @@ TEST(test_linear, "Newton's method is right at once on linear forces")
         if (m->family != STEPPING_IMPLICIT)
             continue;
         double x[] = {0.3, -1.1}, v[] = {4, 0.7};
-        FREED(stepping) s;
-        begin(&s, m, (struct stepping_forces){2, true, stiff_linear, NULL},
-              0.5, x, v);
+        MADE(stepping, s,
+             begin(&s, m,
+                   (struct stepping_forces){2, true, stiff_linear, NULL},
+                   0.5, x, v));
         UNIT_EQUAL(stepping_run(&s, 10), STEPPING_DONE);
         const double n = (double)m->stages;
         UNIT_TRUE((double)s.evaluations <=
@@ -611,9 +610,8 @@ TEST(test_infinite, "what is not finite is noticed")
         uint64_t ends[2];
         for (int cut = 0; cut < 2; ++cut) {
             double x = 2, v = 2;
-            FREED(stepping) s;
             enum stepping_end end = STEPPING_DONE;
-            begin(&s, m, f, 0.1, &x, &v);
+            MADE(stepping, s, begin(&s, m, f, 0.1, &x, &v));
             while (end == STEPPING_DONE && s.steps < 1000)
                 end = stepping_run(&s, cut ? 64 : 1000);
             UNIT_TRUE(end == (m->family == STEPPING_IMPLICIT

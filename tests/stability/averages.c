@@ -56,8 +56,7 @@ TEST(test_pairs, "two alone on a line have a pressure and no mean place")
 {
     static const double ratios[] = {1.1, 1.618033988749895, 2, 3, 30, 1000};
     for (size_t k = 0; k < sizeof ratios / sizeof ratios[0]; ++k) {
-        FREED(scene) s;
-        make_pair(&s, ratios[k], 1);
+        MADE(scene, s, make_pair(&s, ratios[k], 1));
         const struct averages_found f = ask(&s, "x:0", 5000, 0.05, NULL);
         UNIT_TRUE(refused(&f) && strstr(f.refusal, "depends on the start"));
         UNIT_EQUAL(f.cost, 0);
@@ -80,8 +79,7 @@ static void make_box(struct scene *s, size_t n, double width, double height)
    never across, and the mean that blocks believe is that of this start. */
 TEST(test_line_of_disks, "disks that all move along one line never mix")
 {
-    FREED(scene) s;
-    make_box(&s, 3, 1, 1);
+    MADE(scene, s, make_box(&s, 3, 1, 1));
     put(&s, 0, 1, 0.1, (double[]){0.25, 0.25}, (double[]){1, 0});
     put(&s, 1, 2, 0.1, (double[]){0.75, 0.25}, (double[]){0.3, 0});
     put(&s, 2, 2, 0.1, (double[]){0.75, 0.75}, (double[]){0.4, 0});
@@ -96,8 +94,7 @@ TEST(test_line_of_disks, "disks that all move along one line never mix")
    along x. */
 TEST(test_columns, "disks that have not met are not believed")
 {
-    FREED(scene) s;
-    make_box(&s, 2, 1, 1);
+    MADE(scene, s, make_box(&s, 2, 1, 1));
     put(&s, 0, 1, 0.1, (double[]){0.25, 0.3}, (double[]){1e-3, 1});
     put(&s, 1, 2, 0.1, (double[]){0.75, 0.6}, (double[]){-1e-4, 0.7});
     const struct averages_found f = ask(&s, "pressure", 1e5, 0.01, NULL);
@@ -112,8 +109,7 @@ TEST(test_columns, "disks that have not met are not believed")
    eight errors from the middle. */
 TEST(test_door, "disks that have not passed are not believed")
 {
-    FREED(scene) s;
-    make_box(&s, 2, 1, 0.45);
+    MADE(scene, s, make_box(&s, 2, 1, 0.45));
     put(&s, 0, 1, 0.11, (double[]){0.3, 0.2}, (double[]){0.5, -0.4});
     put(&s, 1, 2, 0.11, (double[]){0.7, 0.2}, (double[]){0.2, 0.7});
     for (double e = 0.1; e > 0.02; e /= 3) {
@@ -126,8 +122,7 @@ TEST(test_door, "disks that have not passed are not believed")
    is given that a longer run would not have. */
 TEST(test_patience, "a heavy piston that has settled has not")
 {
-    FREED(scene) s;
-    make_piston(&s, 41, 600);
+    MADE(scene, s, make_piston(&s, 41, 600));
     const struct averages_found f = ask(&s, "x:20", 2048, 0.05, NULL);
     UNIT_TRUE(refused(&f) && strstr(f.refusal, "settle"));
     UNIT_NEAR(f.value, 4.97, 0.1); /* the mean of the run to 2048 s */
@@ -143,8 +138,7 @@ TEST(test_patience, "a heavy piston that has settled has not")
    than a hundredth. */
 TEST(test_corners, "disks that keep their corners have no mean place")
 {
-    FREED(scene) s;
-    make_four(&s, 0.2);
+    MADE(scene, s, make_four(&s, 0.2));
     const struct averages_found f = ask(&s, "x:0", 2000, 0.02, NULL);
     UNIT_TRUE(refused(&f) && strstr(f.refusal, "far from where"));
     UNIT_NEAR(f.value, 0.27, 0.01);
@@ -186,8 +180,7 @@ static void make_line(struct scene *s, size_t n, double share,
    it at 0.935(12). What is said, if anything, holds that. */
 TEST(test_alike, "masses that are nearly alike are not believed")
 {
-    FREED(scene) s;
-    make_line(&s, 8, 0.01, 11);
+    MADE(scene, s, make_line(&s, 8, 0.01, 11));
     for (double e = 0.02; e > 1e-3; e /= 2) {
         const struct averages_found f = ask(&s, "x:0", 3e4, e, NULL);
         UNIT_TRUE(refused(&f) ||

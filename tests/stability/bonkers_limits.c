@@ -82,10 +82,11 @@ static size_t count_pairs(double ratio)
 {
     enum { TIMES = 40000, MANY = 1000 };
     static double seen[MANY][2];
-    FREED(bonkers) b;
     size_t count = 0;
-    begin(&b, (struct start_request){.kind = START_TWO, .ratio = ratio},
-          BONKERS_AUTO);
+    MADE(bonkers, b,
+         begin(&b,
+               (struct start_request){.kind = START_TWO, .ratio = ratio},
+               BONKERS_AUTO));
     for (int k = 1; k <= TIMES && count < MANY; ++k) {
         double x[4], v[4];
         size_t i = 0;
@@ -148,12 +149,13 @@ TEST(test_looking, "only the naive engine feels when it is looked at")
 TEST(test_late_clock, "a clock of 10^9 s leaves all in order")
 {
     for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e) {
-        FREED(bonkers) b;
         double x[42], v[42];
         size_t crossed = 0;
-        begin(&b,
-              (struct start_request){.kind = START_RANDOM, .movers = 40},
-              (enum bonkers_engine)e);
+        MADE(bonkers, b,
+             begin(
+                 &b,
+                 (struct start_request){.kind = START_RANDOM, .movers = 40},
+                 (enum bonkers_engine)e));
         for (size_t i = 1; i < b.gaps; ++i)
             b.body[i].since = 1e9;
         b.body[0].since = b.body[b.gaps].since = b.now = 1e9;

@@ -32,8 +32,7 @@ static void strike(struct disks *d, bool up)
 TEST(test_three, "three at once: the numbers decide")
 {
     for (int up = 0; up < 2; ++up) {
-        FREED(disks) d;
-        strike(&d, up);
+        MADE(disks, d, strike(&d, up));
         const double side = up ? 1 : -1, w = sqrt(3);
         UNIT_LIST(d.disk[0].velocity, 1e-14, -0.125, -side * w / 8);
         UNIT_LIST(d.disk[1].velocity, 1e-14, 0.75, side * w / 4);
@@ -46,8 +45,7 @@ TEST(test_three, "three at once: the numbers decide")
    Symmetry survives, in any order. */
 TEST(test_four_at_once, "four at once: two pairs stay symmetric")
 {
-    FREED(disks) d;
-    make(&d, 4, 10);
+    MADE(disks, d, make(&d, 4, 10));
     for (size_t i = 0; i < 4; ++i) {
         const double x = i % 2 ? 1 : -1, y = i / 2 ? 1 : -1;
         d.disk[i] =
@@ -122,8 +120,7 @@ TEST(test_chaos, "the way back is lost after 50 collisions")
 
 TEST(test_collapse, "inelastic collapse ends a run")
 {
-    FREED(disks) d;
-    begin(&d, 100, 0.5, sqrt(280), 1, 1);
+    MADE(disks, d, begin(&d, 100, 0.5, sqrt(280), 1, 1));
     d.restitution = 0.3;
     UNIT_TRUE(disks_run(&d, INFINITY, 20000) == DISKS_COLLAPSE);
     UNIT_TRUE(isfinite(d.now) && d.now < 1000);
@@ -140,8 +137,7 @@ TEST(test_collapse, "inelastic collapse ends a run")
    box of 10, the nearest image is behind. */
 TEST(test_nearest_image, "the nearest image is not always met")
 {
-    FREED(disks) d;
-    make(&d, 2, 10);
+    MADE(disks, d, make(&d, 2, 10));
     d.boundary = DISKS_PERIODIC;
     d.disk[0] = (struct disk){{1, 5, 0}, 0, {1, 0, 0}, 0.5};
     d.disk[1] = (struct disk){{7, 5, 0}, 0, {-1, 0, 0}, 0.5};
@@ -155,10 +151,9 @@ TEST(test_nearest_image, "the nearest image is not always met")
    1e5 collisions with errors of places of a few eps each. */
 TEST(test_overlaps, "overlaps stay at rounding")
 {
-    FREED(disks) d;
     size_t a, b;
     double deepest = 0;
-    begin(&d, 30, 0.5, 5.9, 1, 3);
+    MADE(disks, d, begin(&d, 30, 0.5, 5.9, 1, 3));
     for (int k = 0; k < 200; ++k) {
         disks_run(&d, INFINITY, d.collisions + 500);
         for (size_t i = 0; i < 30; ++i)

@@ -45,10 +45,8 @@ static double energy(const struct scene *s)
    -0.043 of it at a step of 0.1 diameters. */
 static double pressure(enum spheres_shift shift, double *change)
 {
-    FREED(scene) s;
-    FREED(spheres) p;
-    make(&s, "gas", NULL, 0);
-    begin(&p, &s, shift, 0.02);
+    MADE(scene, s, make(&s, "gas", NULL, 0));
+    MADE(spheres, p, begin(&p, &s, shift, 0.02));
     const double E = energy(&s);
     run(&s, &p, 10);
     p.virial = 0;
@@ -73,13 +71,12 @@ TEST(test_pressure, "perfect energy, wrong pressure")
 TEST(test_tunnelling, "long steps go through")
 {
     for (int slow = 0; slow < 2; ++slow) {
-        FREED(spheres) p;
         CREATED(scene, s, 2);
         s.contact = true;
         s.radius[0] = s.radius[1] = 0.1;
         PUT(s.position, -0.15, 0.15);
         PUT(s.velocity, 1, -1);
-        begin(&p, &s, SPHERES_BACK, slow ? 0.1 : 0.3);
+        MADE(spheres, p, begin(&p, &s, SPHERES_BACK, slow ? 0.1 : 0.3));
         run(&s, &p, 0.3);
         UNIT_EQUAL(p.collisions, slow);
         UNIT_NEAR(s.velocity[0], slow ? -1 : 1, 1e-15);
@@ -94,14 +91,13 @@ static void strike(double mass, enum spheres_order order, double v[])
     const struct gallery_scene *g = gallery_find(hard_scenes, "cradle");
     double value[GALLERY_KEYS], momentum = 0;
     FREED(scene) s;
-    FREED(spheres) p;
     gallery_usual(g, value);
     value[gallery_key(g, "right")] = 1;
     value[gallery_key(g, "gap")] = 0;
     value[gallery_key(g, "middle")] = mass;
     UNIT_TRUE(!g->build(&s, value));
     s.wall[0] = SCENE_OPEN;
-    begin(&p, &s, SPHERES_BY_MASS, 0.001);
+    MADE(spheres, p, begin(&p, &s, SPHERES_BY_MASS, 0.001));
     p.order = order;
     run(&s, &p, 8);
     for (size_t i = 0; i < 5; ++i) {
@@ -148,10 +144,8 @@ static double break_by_events(double seed)
 
 static double break_by_steps(enum spheres_order order)
 {
-    FREED(scene) s;
-    FREED(spheres) p;
-    make(&s, "break", NULL, 0);
-    begin(&p, &s, SPHERES_BACK, 1e-5);
+    MADE(scene, s, make(&s, "break", NULL, 0));
+    MADE(spheres, p, begin(&p, &s, SPHERES_BACK, 1e-5));
     p.order = order;
     run(&s, &p, 0.5);
     const double x = s.position[15];
@@ -179,12 +173,10 @@ TEST(test_break, "the break has two answers")
 TEST(test_shoved, "a heavy disk is shoved")
 {
     for (int shift = SPHERES_BY_RADIUS; shift <= SPHERES_BACK; ++shift) {
-        FREED(scene) s;
-        FREED(spheres) p;
         double before = 0, P = 0, after = 0;
-        make(&s, "brownian", NULL, 0);
+        MADE(scene, s, make(&s, "brownian", NULL, 0));
         s.wall[0] = s.wall[1] = SCENE_PERIODIC;
-        begin(&p, &s, shift, 0.02);
+        MADE(spheres, p, begin(&p, &s, shift, 0.02));
         for (size_t i = 0; i < s.bodies; ++i) {
             before += s.mass[i] * s.position[i];
             P += s.mass[i] * s.velocity[i];

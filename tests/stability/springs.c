@@ -102,10 +102,9 @@ TEST(test_euler, "Euler's method loses the pendulum at any step")
 {
     const double dt[] = {5e-4, 1e-3, 2e-3}, lost[] = {9.2, 4.6, 2.3};
     for (int k = 0; k < 3; ++k) {
-        FREED(scene) s;
         FREED(springs) p;
         FREED(stepping) t;
-        make(&s, "double-pendulum", NULL, 0);
+        MADE(scene, s, make(&s, "double-pendulum", NULL, 0));
         UNIT_MUST(springs_create(&p, &s) &&
                   stepping_begin(&t, stepping_find("euler"),
                                  springs_forces(&p), dt[k], s.position,
@@ -121,11 +120,10 @@ TEST(test_euler, "Euler's method loses the pendulum at any step")
    row to the next, 0.025 s apart. */
 static double ripple(const char *method, int steps)
 {
-    FREED(scene) s;
     FREED(springs) p;
     FREED(stepping) t;
     double most = 0, before = 0;
-    make(&s, "double-pendulum", NULL, 0);
+    MADE(scene, s, make(&s, "double-pendulum", NULL, 0));
     UNIT_MUST(springs_create(&p, &s) &&
               stepping_begin(&t, stepping_find(method), springs_forces(&p),
                              0.025 / steps, s.position, s.velocity));
@@ -153,12 +151,11 @@ TEST(test_silent, "RK4 damps the stiff spring in silence")
 TEST(test_mechanism, "a truss without diagonals is a mechanism")
 {
     for (int diagonals = 0; diagonals < 3; ++diagonals) {
-        FREED(scene) s;
         FREED(springs) p;
         FREED(modes) m;
         FREED(stepping) t;
         int loose = 0;
-        make(&s, "cantilever", "diagonals", diagonals);
+        MADE(scene, s, make(&s, "cantilever", "diagonals", diagonals));
         s.damping = 2;
         UNIT_MUST(springs_create(&p, &s) &&
                   modes_find(&m, &p, s.position) &&

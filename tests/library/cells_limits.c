@@ -27,11 +27,6 @@ static void scatter(struct disks *d, uint64_t seed)
             d->disk[i].position[k] = random_between(&r, 0, d->box[k]);
 }
 
-static void begin(struct cells *c, struct disks *d)
-{
-    UNIT_MUST(cells_create(c, d));
-}
-
 /* Ten neighbours and the disk itself share a circle, twelve spheres a
    sphere; where that is too small, three tenths of a mean diameter are the
    least. Round a box the widest two must see each other by one image alone,
@@ -83,7 +78,7 @@ TEST(test_skin, "skin and cells have the sizes of the rules")
         for (size_t i = 0; i < d.count; ++i)
             d.disk[i].radius = boxes[b].radius[i % 3];
         scatter(&d, 1);
-        MADE(cells, c, begin(&c, &d));
+        CREATED(cells, c, &d);
         for (size_t k = 0; k < 3; ++k) {
             UNIT_EQUAL(c.grid[k], boxes[b].grid[k]);
             longest = fmax(longest, boxes[b].box[k]);
@@ -200,7 +195,7 @@ TEST(test_neighbours, "all neighbours are listed, and no others")
         for (size_t i = 0; crowd && i < d.count; ++i)
             for (size_t k = 0; k < dimensions; ++k)
                 d.disk[i].velocity[k] = (2 - d.disk[i].position[k]) / 9;
-        MADE(cells, c, begin(&c, &d));
+        CREATED(cells, c, &d);
         if (c.lanes > (n % 4 ? 1 : 8))
             c.lanes = n % 4 == 1 ? 1 : 4;
         wrong += wrong_neighbours(&c);
@@ -235,7 +230,7 @@ static void begin_lonely(struct cells *c, struct disks *d, double gravity,
     for (size_t i = 1; i < MANY; ++i) {
         PUT(d->disk[i].position, 199, 199 - 0.01 * (double)i);
     }
-    begin(c, d);
+    UNIT_MUST(cells_create(c, d));
 }
 
 /* A skin ends a thickness from the anchor: on a straight way, on the way
@@ -341,7 +336,7 @@ TEST(test_many, "many disks, for which memory is fetched early")
         MADE(disks, d, make(&d, 2, 5000, DISKS_PERIODIC, box, 0.4));
         UNIT_TRUE(disks_place_lattice(&d));
         disks_set_speed(&d, 1, &r);
-        begin(&c, &d);
+        UNIT_MUST(cells_create(&c, &d));
         c.lanes = all ? c.lanes : 1;
         UNIT_TRUE(cells_run(&c, INFINITY, 8000) == DISKS_COLLISIONS);
         for (size_t i = 0; i < d.count; ++i) {

@@ -18,7 +18,7 @@ static void begin(struct loop *l, double offset)
     l->next = disks_next(&l->d);
 }
 
-static void finish(struct loop *l)
+static void loop_free(struct loop *l)
 {
     disks_free(&l->d);
 }
@@ -29,8 +29,7 @@ static void finish(struct loop *l)
 TEST(test_turns, "ticks, and an offset at an event")
 {
     for (int offset = -1; offset <= 1; offset += 2) {
-        struct loop l;
-        begin(&l, offset);
+        MADE(loop, l, begin(&l, offset));
         UNIT_EQUAL(l.next.time, 4);
         for (int k = 1; k <= 5; ++k) {
             loop_turn(&l, 0.75);
@@ -51,21 +50,17 @@ TEST(test_turns, "ticks, and an offset at an event")
         UNIT_EQUAL(l.d.disk[0].velocity[0], -1);
         UNIT_EQUAL(loop_overlap(&l), 0);
         UNIT_EQUAL(l.next.time, 4 + 5 + far);
-        finish(&l);
     }
     /* An event at the tick itself is one. */
-    struct loop l;
-    begin(&l, 1);
+    MADE(loop, l, begin(&l, 1));
     loop_turn(&l, 4);
     UNIT_EQUAL(l.d.collisions, 1);
     UNIT_EQUAL(l.d.disk[0].position[0], 6);
-    finish(&l);
 }
 
 TEST(test_go_to, "events up to a tick")
 {
-    struct loop l;
-    begin(&l, 1);
+    MADE(loop, l, begin(&l, 1));
     loop_go_to(&l, 3.5);
     UNIT_EQUAL(l.t, 3.5);
     UNIT_EQUAL(l.d.now, 3.5);
@@ -77,7 +72,6 @@ TEST(test_go_to, "events up to a tick")
     loop_go_to(&l, 12);
     UNIT_EQUAL(l.d.wall_collisions, 2);
     UNIT_EQUAL(l.d.now, 12);
-    finish(&l);
 }
 
 /* How deep two disks are in each other, or one in a wall, whichever is
@@ -92,12 +86,10 @@ TEST(test_overlap, "overlaps by hand")
                   {{5, 9}, {3, 5.25}, 0.25},  {{0.5, 2}, {3, 3}, 0.5},
                   {{0.75, 2.25}, {3, 3}, 0.5}};
     for (size_t n = 0; n < sizeof states / sizeof states[0]; ++n) {
-        struct loop l;
-        begin(&l, 1);
+        MADE(loop, l, begin(&l, 1));
         for (size_t i = 0; i < 2; ++i) {
             PUT(l.d.disk[i].position, states[n].x[i], states[n].y[i]);
         }
         UNIT_EQUAL(loop_overlap(&l), states[n].deepest);
-        finish(&l);
     }
 }

@@ -220,10 +220,9 @@ TEST(test_free, "free: weight and friction, and what is held")
     const struct gap gap = compare("free", "gauss4:400", 0.5, 6);
     UNIT_NEAR(gap.x, 0, 1e-11);
     UNIT_NEAR(gap.v, 0, 1e-11);
-    struct models_run r = run_of("free", 0.5, 1);
+    RUN r = run_of("free", 0.5, 1);
     UNIT_EQUAL(r.scene.velocity[1], 0);
     UNIT_EQUAL(r.scene.position[1], 0);
-    models_end(&r);
     scene.contact = true;
     refuses("free", "bodies may meet");
     make("oscillator", NULL);
@@ -418,9 +417,8 @@ static void test_falling_disks(void)
         scene.gravity[other] = 0;
         scene.wall[down] = SCENE_HARD;
         scene.wall[other] = (enum scene_wall)(way / 4);
-        struct models_run r = run_of("disks", 0.5, 2);
+        RUN r = run_of("disks", 0.5, 2);
         UNIT_TRUE(r.collisions > 2);
-        models_end(&r);
         UNIT_NEAR(compare("disks", "kahan-li8:1000", 0.5, 2).x, 0, 1e-10);
         UNIT_NEAR(compare("disks", "kahan-li8:1000", 0.5, 2).v, 0, 1e-9);
     }
@@ -464,10 +462,9 @@ TEST(test_disks, "disks: boxes, periodic, open, in space, by cells")
     test_falling_disks();
     make("gas", NULL); /* 250: cells */
     UNIT_NEAR(compare("disks", "leapfrog:4000", 0.1, 3).x, 0, 1e-9);
-    struct models_run r = run_of("disks", 0.1, 3);
+    RUN r = run_of("disks", 0.1, 3);
     UNIT_TRUE(r.collisions > 100 && r.virial > 0);
     UNIT_EQUAL(r.work[MODELS_DISK_EVENT], r.collisions);
-    models_end(&r);
     scene.position[0] = scene.position[1];
     scene.position[250] = scene.position[251];
     refuses("disks", "bodies overlap at the start");
@@ -550,11 +547,10 @@ TEST(test_rods, "rods: chapter 10's numbers, and a hanging cradle")
     const double coarse =
         compare("leapfrog:100,rods", "leapfrog:8000,rods", 10, 1).x;
     UNIT_TRUE(coarse > 0.009 && coarse < 0.013);
-    struct models_run r = run_of("leapfrog:100,rods", 10, 1);
+    RUN r = run_of("leapfrog:100,rods", 10, 1);
     UNIT_EQUAL(r.scene.springs, 1);
     UNIT_EQUAL(r.work[MODELS_EVALUATION], 101);
     UNIT_TRUE(r.work[MODELS_ROD] > 300);
-    models_end(&r);
     refuses("rk4:10,rods", "it knows no rods");
     scene.damping = 0.1;
     refuses("leapfrog:10,rods", "rods and friction do not go together");

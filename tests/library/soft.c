@@ -20,35 +20,20 @@ static void make(struct scene *s, size_t balls, enum scene_law touch,
     s->velocity[0] = 1;
 }
 
-static void begin(struct motion *m, struct scene *s, const char *method,
-                  double dt)
-{
-    UNIT_MUST(motion_begin(m, "touch", s, method, dt));
-}
-
-static void end(struct motion *m, struct scene *s)
-{
-    motion_end(m);
-    scene_free(s);
-}
-
 /* e^(-pi zeta / sqrt(1 - zeta^2)). The dashpot begins and ends with a jump
    of 2 zeta omega u somewhere in a step: a share zeta omega dt each. */
 TEST(test_restitution, "what a dashpot returns")
 {
     static const double zeta[] = {0, 0.05, 0.2, 0.5};
     for (int k = 0; k < 4; ++k) {
-        struct scene s;
-        struct motion m;
-        make(&s, 2, SCENE_LINEAR, 0);
+        MADE(scene, s, make(&s, 2, SCENE_LINEAR, 0));
         s.dashpot = 2 * zeta[k] * 50;
-        begin(&m, &s, "leapfrog", 1e-6);
+        BEGUN(motion, m, "touch", &s, "leapfrog", 1e-6);
         motion_run(&m, 60000);
         UNIT_NEAR(s.velocity[1] - s.velocity[0],
                   exp(-acos(-1) * zeta[k] / sqrt(1 - zeta[k] * zeta[k])),
                   1e-8 + 2e-4 * zeta[k]);
         UNIT_NEAR(s.velocity[0] + s.velocity[1], 1, 1e-12);
-        end(&m, &s);
     }
 }
 
@@ -56,11 +41,9 @@ TEST(test_restitution, "what a dashpot returns")
 TEST(test_hertz, "how long Hertz's balls touch")
 {
     for (double u = 0.5; u < 3; u *= 2) {
-        struct scene s;
-        struct motion m;
-        make(&s, 2, SCENE_HERTZ, 0);
+        MADE(scene, s, make(&s, 2, SCENE_HERTZ, 0));
         s.velocity[0] = u;
-        begin(&m, &s, "rk4", 1e-5);
+        BEGUN(motion, m, "touch", &s, "rk4", 1e-5);
         do
             motion_run(&m, 1);
         while (s.position[1] - s.position[0] < 0.25);
@@ -70,7 +53,6 @@ TEST(test_hertz, "how long Hertz's balls touch")
             2.94327 * pow(2.5 * u * u / (4 * s.stiffness), 0.4) / u;
         UNIT_NEAR((motion_time(&m) - late) / exact, 1, 1e-5);
         UNIT_NEAR(s.velocity[1], u, 1e-6);
-        end(&m, &s);
     }
 }
 
@@ -78,22 +60,19 @@ TEST(test_hertz, "how long Hertz's balls touch")
 static void strike(enum scene_law touch, double gap, size_t k,
                    const double out[5], double within)
 {
-    struct scene s;
-    struct motion m;
     double momentum = 0;
-    make(&s, 5, touch, gap);
+    MADE(scene, s, make(&s, 5, touch, gap));
     if (touch == SCENE_HERTZ)
         s.stiffness = 50000;
     for (size_t i = 0; i < k; ++i)
         s.velocity[i] = 1;
-    begin(&m, &s, "leapfrog", 1e-4);
+    BEGUN(motion, m, "touch", &s, "leapfrog", 1e-4);
     motion_run(&m, 5000);
     for (size_t i = 0; i < 5; ++i) {
         UNIT_NEAR(s.velocity[i], out[i], within);
         momentum += s.velocity[i];
     }
     UNIT_NEAR(momentum, k, 1e-13);
-    end(&m, &s);
 }
 
 /* With gaps wider than u/omega = 0.01 m, k for k. Touching, a wave. */
@@ -120,15 +99,13 @@ TEST(test_cradle, "the cradle")
 TEST(test_energy, "what is pressed has energy")
 {
     for (int touch = SCENE_LINEAR; touch <= SCENE_HERTZ; ++touch) {
-        struct scene s;
-        struct motion m;
-        make(&s, 20, touch, 0.05);
+        MADE(scene, s, make(&s, 20, touch, 0.05));
         for (size_t k = 0; k < 3; ++k) {
             WALLS(s, k, k < 2 ? SCENE_HARD : SCENE_PERIODIC,
                   k < 1 ? -1 : -0.5, k < 1 ? 7 : 0.5);
         }
         s.gravity[1] = -1;
-        begin(&m, &s, "rk4", 1e-3);
+        BEGUN(motion, m, "touch", &s, "rk4", 1e-3);
         const struct motion_energy e = motion_energy(&m);
         double pressed = 0;
         for (int k = 0; k < 100; ++k) {
@@ -138,25 +115,21 @@ TEST(test_energy, "what is pressed has energy")
         UNIT_TRUE(pressed > 0.01);
         UNIT_NEAR(motion_kinetic(&m) + motion_potential(&m),
                   e.kinetic + e.gravity + e.springs + e.weight, 1e-3);
-        end(&m, &s);
     }
 }
 
 /* With a dashpot it lies on the floor, as deep as its weight presses it. */
 TEST(test_rest, "to rest is to be pressed")
 {
-    struct scene s;
-    struct motion m;
-    make(&s, 1, SCENE_LINEAR, 0);
+    MADE(scene, s, make(&s, 1, SCENE_LINEAR, 0));
     s.dashpot = 50;
     s.velocity[0] = 0;
     s.gravity[2] = -2;
     WALLS(s, 2, SCENE_HARD, -0.25, 9);
-    begin(&m, &s, "leapfrog", 1e-3);
+    BEGUN(motion, m, "touch", &s, "leapfrog", 1e-3);
     motion_run(&m, 20000);
     UNIT_NEAR(s.position[2], -0.125 - 2 / s.stiffness, 1e-15);
     UNIT_NEAR(s.velocity[2], 0, 1e-13);
-    end(&m, &s);
 }
 
 TEST(test_twice, "restitution or springs")

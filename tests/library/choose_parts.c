@@ -459,6 +459,17 @@ static double next_steps(const struct ladder *l)
     return p.model ? (double)p.steps : 0;
 }
 
+/* The same while the best way costs so much. */
+static double next_below(const struct ladder *l, double cost)
+{
+    double value = 0;
+    choice.run.value = &value;
+    choice.run.cost = cost;
+    const double steps = next_steps(l);
+    choice.run.value = NULL;
+    return steps;
+}
+
 /* A method of second order with 16 steps to a row is off by a hundred times
    what is asked for and costs 1 ms: it needs 160 steps, by its order. If
    there is a better way, an eighth of an octave below its price; and no run
@@ -468,56 +479,36 @@ TEST(test_next, "the next rung")
     begin(1e-6);
     struct ladder l = ladder("leapfrog", 16, 1e-4, 1e-3);
     UNIT_EQUAL(next_steps(&l), 160);
-    double value = 0;
-    choice.run.value = &value;
-    choice.run.cost = 0.0100; /* 0.98 of it 2^(-1/8) is that of 143.8 */
-    UNIT_EQUAL(next_steps(&l), 144);
-    choice.run.cost = 0.0090; /* 129.4: 144 are too dear */
-    UNIT_EQUAL(next_steps(&l), 0);
-    choice.run.cost = 0.0080; /* 115.04 */
-    UNIT_EQUAL(next_steps(&l), 120);
-    choice.run.cost = 0.00700; /* 100.7; 2^(log2(100)/2.4) ms are 6.81 */
-    UNIT_EQUAL(next_steps(&l), 104);
-    choice.run.cost = 0.00690;
-    UNIT_EQUAL(next_steps(&l), 0);
-    choice.run.cost = 1e9;
+    /* 0.98 of that, times 2^(-1/8), is the price of 143.8 steps */
+    UNIT_EQUAL(next_below(&l, 0.0100), 144);
+    UNIT_EQUAL(next_below(&l, 0.0090), 0);   /* 129.4: 144 are too dear */
+    UNIT_EQUAL(next_below(&l, 0.0080), 120); /* 115.04 */
+    /* 100.7; 2^(log2(100)/2.4) ms are 6.81 */
+    UNIT_EQUAL(next_below(&l, 0.00700), 104);
+    UNIT_EQUAL(next_below(&l, 0.00690), 0);
     choice.spent = request.budget - 0.0100 * 0.98; /* or what is left */
-    UNIT_EQUAL(next_steps(&l), 144);
-    choice.run.value = NULL;
+    UNIT_EQUAL(next_below(&l, 1e9), 144);
     UNIT_EQUAL(next_steps(&l), 144);
     choice.spent = 0;
     l.best.error = 2e-6; /* one octave: 2^(1/2.4) ms are 1.335 */
-    choice.run.value = &value;
-    choice.run.cost = 0.00138 / 0.98; /* an eighth less: 20.3 steps */
-    UNIT_EQUAL(next_steps(&l), 22);
-    choice.run.value = NULL;
+    /* an eighth less: 20.3 steps */
+    UNIT_EQUAL(next_below(&l, 0.00138 / 0.98), 22);
     /* An error beyond the scale bounds nothing: at twice the cost, if that
        can be paid, whatever the order promises. */
     l.best.error = 1.5;
     UNIT_EQUAL(next_steps(&l), 32);
-    choice.run.value = &value;
-    choice.run.cost = 0.00203;
-    UNIT_EQUAL(next_steps(&l), 30);
-    choice.run.cost = 0.0021; /* 1.888 ms by an eighth less: 30.2 steps */
-    UNIT_EQUAL(next_steps(&l), 32);
-    choice.run.value = NULL;
+    UNIT_EQUAL(next_below(&l, 0.00203), 30);
+    /* 1.888 ms by an eighth less: 30.2 steps */
+    UNIT_EQUAL(next_below(&l, 0.0021), 32);
     /* Within the scale, but lost: twice the cost, if the order from a tenth
        of the scale on could make it: 2^(log2(1e5)/2.4) is 121. */
     l.best.error = 0.5;
-    choice.run.value = &value;
-    choice.run.cost = 0.125;
-    UNIT_EQUAL(next_steps(&l), 32);
-    choice.run.cost = 0.121;
-    UNIT_EQUAL(next_steps(&l), 0);
-    choice.run.value = NULL;
+    UNIT_EQUAL(next_below(&l, 0.125), 32);
+    UNIT_EQUAL(next_below(&l, 0.121), 0);
     /* A method that follows orbits may be of the eighth order. */
     l = ladder("wisdom-holman", 16, 1e-4, 1e-3);
-    choice.run.value = &value;
-    choice.run.cost = 0.00189; /* 2^(6.644/8) = 1.778 */
-    UNIT_EQUAL(next_steps(&l), 28);
-    choice.run.cost = 0.00181;
-    UNIT_EQUAL(next_steps(&l), 0);
-    choice.run.value = NULL;
+    UNIT_EQUAL(next_below(&l, 0.00189), 28); /* 2^(6.644/8) = 1.778 */
+    UNIT_EQUAL(next_below(&l, 0.00181), 0);
     /* It holds with 160, and 96 did not: halfway, in octaves, or where the
        order says, if that is between them. */
     l = ladder("leapfrog", 160, 1e-8, 0.01);

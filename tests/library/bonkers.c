@@ -226,10 +226,9 @@ TEST(test_collision_number,
 {
     for (enum bonkers_engine e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e)
         for (uint64_t c = 1; c < 400; c += 7) {
-            FREED(bonkers) a, b;
             fill_lattice(101, (double[]){1, 3});
-            begin(&a, 101, 1, e, false);
-            begin(&b, 101, 1, BONKERS_SCAN, false);
+            MADE(bonkers, a, begin(&a, 101, 1, e, false));
+            MADE(bonkers, b, begin(&b, 101, 1, BONKERS_SCAN, false));
             UNIT_TRUE(bonkers_run(&a, INFINITY, c) == BONKERS_COLLISIONS);
             while (b.collisions < c)
                 bonkers_run(&b, INFINITY, b.collisions + 1);
@@ -282,11 +281,10 @@ TEST(test_touching_rows, "and in touching rows")
 TEST(test_long_row, "a touching row of 100000 is struck")
 {
     enum { ROW = 100000 };
-    FREED(bonkers) heap, slab;
     fill_row(ROW, false);
     body[1].v = 1;
-    begin(&heap, ROW, 1, BONKERS_HEAP, true);
-    begin(&slab, ROW, 1, BONKERS_SLAB, true);
+    MADE(bonkers, heap, begin(&heap, ROW, 1, BONKERS_HEAP, true));
+    MADE(bonkers, slab, begin(&slab, ROW, 1, BONKERS_SLAB, true));
     for (int k = 1; k <= 8; ++k) {
         bonkers_run(&heap, k, UINT64_MAX);
         bonkers_run(&slab, k, UINT64_MAX);
@@ -493,21 +491,20 @@ TEST(test_symmetries, "mirrored and in other units, every bit is the same")
     for (enum bonkers_engine e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e)
         for (size_t n = 0; n < 4; ++n) {
             const size_t last = movers[n] + 1;
-            FREED(bonkers) a, mirror, scaled;
             size_t same = 0;
             fill_random(movers[n], 21, false);
-            begin(&a, movers[n], 1, e, false);
+            MADE(bonkers, a, begin(&a, movers[n], 1, e, false));
             for (size_t i = 0; i <= last; ++i) {
                 body[i].x = a.body[i].x * 1024;
                 body[i].v *= 0.25;
                 body[i].im *= 8;
             }
-            begin(&scaled, movers[n], 1, e, false);
+            MADE(bonkers, scaled, begin(&scaled, movers[n], 1, e, false));
             for (size_t i = 0; i <= last; ++i)
                 body[i] = (struct bonkers_body){-a.body[last - i].x,
                                                 -a.body[last - i].v, 0,
                                                 a.body[last - i].im};
-            begin(&mirror, movers[n], 1, e, false);
+            MADE(bonkers, mirror, begin(&mirror, movers[n], 1, e, false));
             bonkers_run(&a, 40, UINT64_MAX);
             bonkers_run(&mirror, 40, UINT64_MAX);
             bonkers_run(&scaled, 40 * 4096.0, UINT64_MAX);
@@ -565,14 +562,13 @@ TEST(test_rods_are_points, "rods are points in a smaller box")
 {
     for (enum bonkers_engine e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e)
         for (size_t movers = 1; movers < 200; movers = 3 * movers + 1) {
-            FREED(bonkers) points, rods;
             SEEDED(r, movers);
             double shift[LARGEST / 100], sum = 0;
             size_t same = 0;
             fill_random(movers, movers, false);
             for (size_t i = 0; i <= movers + 1; ++i)
                 body[i].x = round(body[i].x * 0x1p20) * 0x1p-20;
-            begin(&points, movers, 1, e, false);
+            MADE(bonkers, points, begin(&points, movers, 1, e, false));
             for (size_t i = 0; i <= movers + 1; ++i) {
                 const bool wall = i == 0 || i == movers + 1;
                 radius[i] =
@@ -581,7 +577,7 @@ TEST(test_rods_are_points, "rods are points in a smaller box")
                 body[i].x += shift[i];
                 sum += 2 * radius[i];
             }
-            begin(&rods, movers, 1, e, true);
+            MADE(bonkers, rods, begin(&rods, movers, 1, e, true));
             bonkers_run(&points, 30, UINT64_MAX);
             bonkers_run(&rods, 30, UINT64_MAX);
             UNIT_EQUAL(rods.collisions, points.collisions);
@@ -987,10 +983,9 @@ TEST(test_settle, "a settled run goes on")
 {
     for (enum bonkers_engine e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e)
         for (int rods = 0; rods < 2; ++rods) {
-            FREED(bonkers) a, b;
             fill_random(20, 77, rods);
-            begin(&a, 20, 1, e, rods);
-            begin(&b, 20, 1, e, rods);
+            MADE(bonkers, a, begin(&a, 20, 1, e, rods));
+            MADE(bonkers, b, begin(&b, 20, 1, e, rods));
             bonkers_run(&a, 5, UINT64_MAX);
             bonkers_run(&b, 5, UINT64_MAX);
             bonkers_settle(&b);
@@ -1192,11 +1187,11 @@ TEST(test_falling_slab, "and the slab, in columns that come to rest")
 TEST(test_falling_engines, "scan and heap fall alike, the naive nearly")
 {
     for (int k = 0; k < 2; ++k) {
-        FREED(bonkers) scan, heap, slab, naive;
+        FREED(bonkers) naive;
         double x[2][11], v[2][11], worst = 0;
-        begin_fall(&scan, BONKERS_SCAN, k ? 0.99 : 1);
-        begin_fall(&heap, BONKERS_HEAP, k ? 0.99 : 1);
-        begin_fall(&slab, BONKERS_SLAB, k ? 0.99 : 1);
+        MADE(bonkers, scan, begin_fall(&scan, BONKERS_SCAN, k ? 0.99 : 1));
+        MADE(bonkers, heap, begin_fall(&heap, BONKERS_HEAP, k ? 0.99 : 1));
+        MADE(bonkers, slab, begin_fall(&slab, BONKERS_SLAB, k ? 0.99 : 1));
         begin_fall(&naive, BONKERS_NAIVE, k ? 0.99 : 1);
         for (int n = 1; n <= 30; ++n) /* cut in pieces */
             bonkers_run(&scan, n / 10.0, UINT64_MAX);

@@ -905,7 +905,6 @@ TEST(test_exact_twins, "twins of an exact run")
                  {0.1, -0.2, 1, 4, 0.86, false}};
     const struct models_plan p = {.model = models_find("line")};
     for (size_t k = 0; k < sizeof known / sizeof *known; ++k) {
-        FREED(record) a, b;
         begin_still(1e-3);
         const struct record_setup o = task_setup(&task, p, INFINITY);
         struct record_setup other = o;
@@ -915,8 +914,8 @@ TEST(test_exact_twins, "twins of an exact run")
         write_whole(7 + known[k].far * 1e-3);
         for (unsigned twin = 1; twin < known[k].twins; ++twin)
             write_whole(7 + known[k].twin * 1e-3);
-        played_run(&a, &view, &o);
-        played_run(&b, &view, &other);
+        MADE(record, a, played_run(&a, &view, &o));
+        MADE(record, b, played_run(&b, &view, &other));
         UNIT_NEAR(twins_bound(&task, &a, &b), known[k].error * 1e-3, 1e-9);
         UNIT_EQUAL(played, written);
         for (size_t j = 1; j < played; ++j)

@@ -148,10 +148,9 @@ TEST(test_engines, "a plan has the bits of every pair looked at")
 
 TEST(test_pieces, "pieces of a run have the bits of the whole")
 {
-    FREED(disks) one, many;
     double place[DISKS_AXES];
-    begin(&one, 2, 10, 0.5, 6, DISKS_PERIODIC, 5);
-    begin(&many, 2, 10, 0.5, 6, DISKS_PERIODIC, 5);
+    MADE(disks, one, begin(&one, 2, 10, 0.5, 6, DISKS_PERIODIC, 5));
+    MADE(disks, many, begin(&many, 2, 10, 0.5, 6, DISKS_PERIODIC, 5));
     UNIT_TRUE(disks_run(&one, 20, UINT64_MAX) == DISKS_TIME);
     for (int k = 1; k <= 2000; ++k) {
         disks_run(&many, k * 0.01, UINT64_MAX);

@@ -351,13 +351,12 @@ TEST(test_crowd, "two that rest on each other crowd")
 TEST(test_resume, "what rests is resumed")
 {
     FREED(scene) s, saved;
-    ENDED(motion) m, again;
-    drop(&m, &s, "leapfrog", 0.5, 0.01);
+    STARTED(motion, m, drop(&m, &s, "leapfrog", 0.5, 0.01));
     s.velocity[0] = 0.1;
     motion_run(&m, 500);
     UNIT_EQUAL(m.impact.resting, 1);
     UNIT_TRUE(motion_note(&m) && scene_copy(&saved, &s));
-    begin(&again, &saved, "leapfrog", true);
+    STARTED(motion, again, begin(&again, &saved, "leapfrog", true));
     motion_run(&m, 50);
     motion_run(&again, 50);
     for (size_t c = 0; c < 3; ++c)

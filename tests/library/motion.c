@@ -35,17 +35,12 @@ static void build(struct scene *s, bool contact)
     }
 }
 
-static void begin(struct motion *m, struct scene *s, const char *method)
-{
-    UNIT_MUST(motion_begin(m, "motion", s, method, 0));
-}
-
 /* Equation (11.9), term by term, with formulas of its own. */
 TEST(test_sum, "what acts is the sum of all that is in the scene")
 {
     double a[9], d[3], w[3], expected[9];
     MADE(scene, s, build(&s, false));
-    STARTED(motion, m, begin(&m, &s, "leapfrog"));
+    BEGUN(motion, m, "motion", &s, "leapfrog", 0);
     m.stepping.forces.accelerate(m.stepping.forces.what, s.position,
                                  s.velocity, a);
     for (size_t i = 0; i < 3; ++i)
@@ -85,14 +80,13 @@ TEST(test_sum, "what acts is the sum of all that is in the scene")
 /* Springs alone take a way of their own. */
 TEST(test_springs_alone, "springs alone move as they do with others")
 {
-    FREED(scene) s, t;
-    ENDED(motion) m, n;
-    build(&s, false);
+    FREED(scene) t;
+    MADE(scene, s, build(&s, false));
     s.k2 = 0;
     UNIT_MUST(scene_copy(&t, &s));
     t.k2 = 1e-300;
-    begin(&m, &s, "rk4");
-    begin(&n, &t, "rk4");
+    BEGUN(motion, m, "motion", &s, "rk4", 0);
+    BEGUN(motion, n, "motion", &t, "rk4", 0);
     motion_run(&m, 100);
     motion_run(&n, 100);
     for (size_t c = 0; c < 9; ++c)
@@ -140,12 +134,11 @@ static void build_two(struct scene *s, int way)
 TEST(test_two, "and two bodies alone, to the bit")
 {
     for (int way = 0; way < TWOS; ++way) {
-        FREED(scene) s, t;
-        ENDED(motion) m, n;
-        build_two(&s, way);
+        FREED(scene) t;
+        MADE(scene, s, build_two(&s, way));
         UNIT_MUST(scene_copy(&t, &s));
-        begin(&m, &s, "leapfrog");
-        begin(&n, &t, "leapfrog");
+        BEGUN(motion, m, "motion", &s, "leapfrog", 0);
+        BEGUN(motion, n, "motion", &t, "leapfrog", 0);
         UNIT_TRUE(m.stepping.sweep != NULL);
         n.stepping.sweep = NULL;
         for (int k = 0; k < 3; ++k) {
@@ -162,7 +155,7 @@ TEST(test_two, "and two bodies alone, to the bit")
 /* Has the motion of two bodies the shorter way, and not that of springs? */
 static bool is_short(struct scene *s, const char *method)
 {
-    STARTED(motion, m, begin(&m, s, method));
+    BEGUN(motion, m, "motion", s, method, 0);
     return m.stepping.sweep != NULL && m.stepping.sweep != springs_sweep;
 }
 
@@ -223,7 +216,7 @@ TEST(test_compensated, "which sums are compensated")
         static const char *const methods[] = {"kahan-li8", "yoshida6",
                                               "pefrl", "radau15"};
         for (int k = 0; k < 4; ++k) {
-            STARTED(motion, m, begin(&m, &s, methods[k]));
+            BEGUN(motion, m, "motion", &s, methods[k], 0);
             UNIT_TRUE(m.stepping.compensated == (k < 2 && what < 7));
         }
     }
@@ -232,7 +225,7 @@ TEST(test_compensated, "which sums are compensated")
 TEST(test_held, "what is held stays")
 {
     MADE(scene, s, build(&s, true));
-    STARTED(motion, m, begin(&m, &s, "leapfrog"));
+    BEGUN(motion, m, "motion", &s, "leapfrog", 0);
     UNIT_TRUE(motion_run(&m, 1000) == STEPPING_DONE);
     UNIT_EQUAL(s.position[3], 0);
     UNIT_EQUAL(s.position[8], 0.4);
@@ -252,12 +245,10 @@ TEST(test_cuts, "how a run is cut changes no bit")
     for (int contact = 0; contact < 2; ++contact)
         for (const struct stepping_method *k = stepping_next(NULL); k;
              k = stepping_next(k)) {
-            FREED(scene) s, t;
-            ENDED(motion) m, n;
-            build(&s, contact);
-            build(&t, contact);
-            begin(&m, &s, k->name);
-            begin(&n, &t, k->name);
+            MADE(scene, s, build(&s, contact));
+            MADE(scene, t, build(&t, contact));
+            BEGUN(motion, m, "motion", &s, k->name, 0);
+            BEGUN(motion, n, "motion", &t, k->name, 0);
             motion_run(&m, 300);
             for (uint64_t left = 300, bite = 1; left > 0; bite += 3) {
                 motion_run(&n, bite < left ? bite : left);
@@ -306,17 +297,16 @@ static bool must_keep(const char *method, int way)
    keeps an acceleration only where it must. Returns whether it has. */
 static bool goes_on(const char *method, int way, uint64_t cut)
 {
-    FREED(scene) s, t;
-    ENDED(motion) m, n;
-    build_way(&s, way);
-    begin(&m, &s, method);
+    FREED(scene) t;
+    MADE(scene, s, build_way(&s, way));
+    BEGUN(motion, m, "motion", &s, method, 0);
     m.stepping.compensated = way & COMPENSATED;
     motion_run(&m, cut);
     save(&m, &t);
     const bool kept = t.kept != NULL;
     UNIT_TRUE(!kept || must_keep(method, way));
     UNIT_EQUAL(t.time, motion_time(&m));
-    begin(&n, &t, method);
+    BEGUN(motion, n, "motion", &t, method, 0);
     /* From order six on sums are compensated unless the caller says no. */
     UNIT_TRUE(n.stepping.compensated ==
               (way & COMPENSATED || stepping_find(method)->order >= 6));
@@ -345,16 +335,15 @@ TEST(test_saved, "a saved run goes on to the same bits")
    that of before, and either run asks for a new one. */
 TEST(test_saved_after_contact, "saved right after a contact as well")
 {
-    FREED(scene) s, t;
-    ENDED(motion) m, n;
-    build_way(&s, DAMPED | CONTACT);
-    begin(&m, &s, "leapfrog");
+    FREED(scene) t;
+    MADE(scene, s, build_way(&s, DAMPED | CONTACT));
+    BEGUN(motion, m, "motion", &s, "leapfrog", 0);
     for (int k = 0; k < 1000 && m.collisions == 0; ++k)
         motion_run(&m, 1);
     UNIT_TRUE(m.collisions > 0);
     save(&m, &t);
     UNIT_TRUE(t.kept == NULL);
-    begin(&n, &t, "leapfrog");
+    BEGUN(motion, n, "motion", &t, "leapfrog", 0);
     motion_run(&m, 5);
     motion_run(&n, 5);
     UNIT_TRUE(is_same(&s, &t));
@@ -364,11 +353,10 @@ TEST(test_saved_after_contact, "saved right after a contact as well")
    as well. Without what sums carry, or the acceleration, all is not. */
 static void resume(uint64_t cut, bool carry, bool kept, bool same)
 {
-    FREED(scene) s, t;
-    ENDED(motion) m, n;
-    build(&s, false);
+    FREED(scene) t;
+    MADE(scene, s, build(&s, false));
     s.time = 0.7;
-    begin(&m, &s, "leapfrog");
+    BEGUN(motion, m, "motion", &s, "leapfrog", 0);
     m.stepping.compensated = true;
     motion_run(&m, cut);
     save(&m, &t);
@@ -378,7 +366,7 @@ static void resume(uint64_t cut, bool carry, bool kept, bool same)
         free(t.kept);
         t.kept = NULL;
     }
-    begin(&n, &t, "leapfrog");
+    BEGUN(motion, n, "motion", &t, "leapfrog", 0);
     motion_resume(&n, 0.7, cut);
     motion_run(&m, 500);
     motion_run(&n, 500);
@@ -398,8 +386,8 @@ TEST(test_resume, "and a resumed one to the same times")
    the motion? */
 static bool heeds(const char *method, int way, double dt)
 {
-    FREED(scene) s, t;
-    build_way(&s, way);
+    FREED(scene) t;
+    MADE(scene, s, build_way(&s, way));
     UNIT_MUST(scene_copy(&t, &s));
     t.kept = calloc(9, sizeof *t.kept);
     UNIT_MUST(t.kept != NULL);
@@ -429,14 +417,15 @@ TEST(test_heeded, "an acceleration that was kept is heeded where it counts")
 TEST(test_forgotten, "and forgotten where it does not")
 {
     for (int way = 0; way < 2; ++way) {
-        FREED(scene) s, t;
-        build(&s, false);
-        STARTED(motion, m, begin(&m, &s, "leapfrog"));
+        FREED(scene) t;
+        MADE(scene, s, build(&s, false));
+        BEGUN(motion, m, "motion", &s, "leapfrog", 0);
         motion_run(&m, 10);
         save(&m, &t);
         UNIT_TRUE(t.kept != NULL && t.kept[5] != 0);
         motion_end(&m);
-        begin(&m, &t, way ? "rk4" : "leapfrog");
+        UNIT_MUST(
+            motion_begin(&m, "motion", &t, way ? "rk4" : "leapfrog", 0));
         UNIT_MUST(motion_note(&m));
         UNIT_TRUE(way ? t.kept == NULL : scene_same(&s, &t));
     }
@@ -450,7 +439,7 @@ TEST(test_contact, "after a contact the method looks again")
     MADE(scene, s, build(&s, true));
     s.damping = 0;
     s.kind[0].damping = 0;
-    STARTED(motion, m, begin(&m, &s, "leapfrog"));
+    BEGUN(motion, m, "motion", &s, "leapfrog", 0);
     for (int k = 0; k < 3000; ++k) {
         double a[9], expected[9];
         const uint64_t before = m.collisions;
@@ -597,14 +586,13 @@ TEST(test_shorten, "steps may change their length")
     for (int k = 0; k < 3; ++k)
         for (int two = 0; two < 2; ++two) {
             FREED(scene) s, t;
-            ENDED(motion) m, n;
             if (two)
                 build_two(&s, SOFT);
             else
                 build_way(&s, 0);
             UNIT_MUST(scene_copy(&t, &s));
-            begin(&m, &s, methods[k]);
-            begin(&n, &t, methods[k]);
+            BEGUN(motion, m, "motion", &s, methods[k], 0);
+            BEGUN(motion, n, "motion", &t, methods[k], 0);
             m.stepping.compensated = n.stepping.compensated = k < 2 && !two;
             motion_run(&m, 150);
             motion_run(&n, 100);
@@ -646,7 +634,7 @@ TEST(test_energies, "energies by hand")
     s.law = SCENE_LINEAR;
     s.stiffness = 8;
     s.radius[0] = s.radius[1] = 0.5;
-    STARTED(motion, m, begin(&m, &s, "leapfrog"));
+    BEGUN(motion, m, "motion", &s, "leapfrog", 0);
     const struct motion_energy e = motion_energy(&m);
     UNIT_EQUAL(e.kinetic, 25 + 2);
     UNIT_EQUAL(e.gravity, -3 * 2 / 0.5);
@@ -669,7 +657,7 @@ TEST(test_outside, "another stepper can take the method's place")
     CREATED(scene, s, 1);
     s.velocity[0] = 2;
     s.dt = 0.25;
-    STARTED(motion, m, begin(&m, &s, "leapfrog"));
+    BEGUN(motion, m, "motion", &s, "leapfrog", 0);
     m.outside = from_outside;
     m.with = &clock;
     UNIT_TRUE(motion_run(&m, 3) == STEPPING_DONE);

@@ -329,10 +329,9 @@ TEST(test_sweep, "the sweep finds what every pair finds")
 {
     for (int wall = SCENE_OPEN; wall <= SCENE_PERIODIC; ++wall)
         for (int order = 0; order < SPHERES_ORDERS; ++order) {
-            FREED(scene) a, b;
             FREED(spheres) pa, pb;
-            make_crowd(&a, wall, 1);
-            make_crowd(&b, wall, 1);
+            MADE(scene, a, make_crowd(&a, wall, 1));
+            MADE(scene, b, make_crowd(&b, wall, 1));
             begin(&pa, &a, SPHERES_APPROACHING, SPHERES_BACK, 0.02);
             begin(&pb, &b, SPHERES_APPROACHING, SPHERES_BACK, 0.02);
             pa.order = pb.order = order;
@@ -353,15 +352,14 @@ TEST(test_sweep, "the sweep finds what every pair finds")
 TEST(test_tiny_box, "a pair that is near twice collides once")
 {
     FREED(scene) a, b;
-    FREED(spheres) pa, pb;
     struct scene *scene[] = {&a, &b};
     for (int i = 0; i < 2; ++i) {
         make_crowd(scene[i], SCENE_PERIODIC, 3);
         for (size_t k = 0; k < SCENE_AXES; ++k)
             scene[i]->high[k] = scene[i]->low[k] + 1.6;
     }
-    begin(&pa, &a, SPHERES_ALL, SPHERES_BY_RADIUS, 0.02);
-    begin(&pb, &b, SPHERES_ALL, SPHERES_BY_RADIUS, 0.02);
+    MADE(spheres, pa, begin(&pa, &a, SPHERES_ALL, SPHERES_BY_RADIUS, 0.02));
+    MADE(spheres, pb, begin(&pb, &b, SPHERES_ALL, SPHERES_BY_RADIUS, 0.02));
     pa.search = SPHERES_PAIRS;
     pb.search = SPHERES_SWEEP;
     run(&a, &pa, 2);

@@ -509,8 +509,7 @@ static void check_parts(const struct stepping_method *m)
         const struct stepping_forces f =
             way & 1 ? rough_forces : orbit_forces;
         double x[] = {0.5, 0.1}, v[] = {0.1, 1.5}, y[2], u[2], note[11];
-        FREED(stepping) s, t;
-        begin(&s, m, f, 0.03, x, v);
+        MADE(stepping, s, begin(&s, m, f, 0.03, x, v));
         s.compensated = way & 2;
         stepping_run(&s, 5);
         stepping_note(&s, note);
@@ -527,7 +526,7 @@ static void check_parts(const struct stepping_method *m)
         stepping_run(&s, 3);
         UNIT_TRUE(!memcmp(y, x, sizeof y) && !memcmp(u, v, sizeof u));
         UNIT_EQUAL(s.evaluations - then, three);
-        begin(&t, m, f, 0.03, y, u);
+        MADE(stepping, t, begin(&t, m, f, 0.03, y, u));
         t.compensated = way & 2;
         memcpy(y, note, sizeof y);
         memcpy(u, note + 2, sizeof u);

@@ -22,10 +22,9 @@ static void begin(struct bonkers *b, struct start_request request,
 static double miss(struct start_request request, enum bonkers_engine engine,
                    uint64_t n)
 {
-    FREED(bonkers) b, start;
     double worst = 0;
-    begin(&b, request, engine);
-    begin(&start, request, engine);
+    MADE(bonkers, b, begin(&b, request, engine));
+    MADE(bonkers, start, begin(&start, request, engine));
     bonkers_run(&b, INFINITY, n);
     const double t = b.now;
     bonkers_settle(&b);

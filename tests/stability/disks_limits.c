@@ -76,10 +76,9 @@ static void begin(struct disks *d, size_t count, double r, double side,
 
 static double way_back(double t, uint64_t seed)
 {
-    FREED(disks) d, start;
     double worst = 0;
-    begin(&d, 4, 0.15, 1, sqrt(0.5), seed);
-    begin(&start, 4, 0.15, 1, sqrt(0.5), seed);
+    MADE(disks, d, begin(&d, 4, 0.15, 1, sqrt(0.5), seed));
+    MADE(disks, start, begin(&start, 4, 0.15, 1, sqrt(0.5), seed));
     disks_run(&d, t, UINT64_MAX);
     disks_settle(&d);
     for (size_t i = 0; i < 4; ++i)

@@ -60,10 +60,9 @@ static void check_virial(struct disks *d, bool fast)
 TEST(test_virial, "the virial theorem holds in every run")
 {
     for (size_t fast = 0; fast < 2; ++fast) {
-        FREED(disks) plane, space;
-        make(&plane, 2, 100, 15);
+        MADE(disks, plane, make(&plane, 2, 100, 15));
         check_virial(&plane, fast);
-        make(&space, 3, 120, 6);
+        MADE(disks, space, make(&space, 3, 120, 6));
         check_virial(&space, fast);
     }
 }

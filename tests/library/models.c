@@ -349,8 +349,7 @@ TEST(test_line_refuses, "line and relabel refuse what is no line")
     refuses("line", "bodies overlap at the start");
     scene.restitution = 1;
     refuses("relabel", "bodies overlap at the start");
-    scene_free(&scene);
-    UNIT_MUST(scene_create(&scene, 2)); /* without any room between walls */
+    make_bodies(2); /* without any room between walls */
     scene.contact = true;
     PUT(scene.radius, 0.5, 0.5);
     PUT(scene.position, 0.5, 1.5);

@@ -40,18 +40,11 @@ TEST(test_prices, "the prices are those that were measured")
     UNIT_NEAR(models_cost(work), sum * 1e-9, 1e-20);
 }
 
-static struct scene made(size_t bodies)
-{
-    struct scene s;
-    UNIT_TRUE(scene_create(&s, bodies));
-    return s;
-}
-
 /* By the softened law two bodies would circle with k2 (m + M)/d^3 as the
    square of the frequency, where d^2 = 0.6^2 + 0.8^2 = 1. */
 TEST(test_rate_of_gravity, "a pair's frequency is the rate")
 {
-    FREED(scene) s = made(3);
+    CREATED(scene, s, 3);
     s.k2 = 3;
     s.softening = 0.6;
     s.mass[0] = 4;
@@ -67,7 +60,7 @@ TEST(test_rate_of_gravity, "a pair's frequency is the rate")
     UNIT_NEAR(models_rate(&s, 0), sqrt(15 / 0.512) + 0.5, 1e-14);
     scene_free(&s);
     /* Of more than 4000, pairs of light bodies are not looked at. */
-    s = made(4001);
+    UNIT_MUST(scene_create(&s, 4001));
     s.k2 = 2;
     for (size_t i = 0; i < s.bodies; ++i) {
         s.mass[i] = i == 7 ? 100 : 0.5;
@@ -82,7 +75,7 @@ TEST(test_rate_of_gravity, "a pair's frequency is the rate")
    first has 36 (1/1 + 1/2), and 2 (1 + 1/2) of friction. */
 TEST(test_rate_of_springs, "so is that of springs, with their friction")
 {
-    FREED(scene) s = made(3);
+    CREATED(scene, s, 3);
     UNIT_TRUE(scene_add_kind(&s, 36, 2) && scene_add_kind(&s, 0.36, 0));
     UNIT_TRUE(scene_add_spring(&s, 0, 1, 0, 1));
     s.mass[1] = 4;
@@ -121,7 +114,7 @@ TEST(test_rate_of_springs, "so is that of springs, with their friction")
    rate is sqrt(36/4), and 2/4 of friction. */
 TEST(test_rate_without_mass, "a spring on what has no mass")
 {
-    FREED(scene) s = made(2);
+    CREATED(scene, s, 2);
     UNIT_TRUE(scene_add_kind(&s, 36, 2) &&
               scene_add_spring(&s, 0, 1, 0, 1));
     PUT(s.mass, 0, 4);
@@ -133,7 +126,7 @@ TEST(test_acts, "what acts")
 {
     for (size_t n = 1; n < 3; ++n)
         for (size_t wall = 0; wall < 4; ++wall) {
-            FREED(scene) s = made(n);
+            CREATED(scene, s, n);
             struct models_acts a;
             if (wall < 3)
                 s.wall[wall] = SCENE_HARD;
@@ -146,7 +139,7 @@ TEST(test_acts, "what acts")
     UNIT_EQUAL(BEARS_RODS + BEARS_PARTICLES + BEARS_SPRINGS +
                    BEARS_GRAVITY + BEARS_CONTACT + BEARS_FRICTION,
                BEARS_ALL);
-    FREED(scene) s = made(2);
+    CREATED(scene, s, 2);
     s.mass[0] = 0;
     UNIT_TRUE(!attracts(&s)); /* without k2 nothing does */
     s.k2 = 1;
@@ -163,7 +156,7 @@ TEST(test_acts, "what acts")
    longest axis, along which nothing changes. */
 TEST(test_left_out, "what is left out")
 {
-    FREED(scene) s = made(2);
+    CREATED(scene, s, 2);
     for (size_t k = 0; k < 3; ++k)
         UNIT_TRUE(scene_add_kind(&s, (const double[]){1, 100, 0.99}[k],
                                  0.5 + (double)k));
@@ -195,7 +188,7 @@ TEST(test_left_out, "what is left out")
    is a step away, and 2 n^2 in each row. */
 TEST(test_bills_of_forms, "bills of closed forms")
 {
-    FREED(scene) s = made(2);
+    CREATED(scene, s, 2);
     RUN r = run_plan("free", &s, 1, 2);
     UNIT_EQUAL(r.work[MODELS_FLIGHT], 2 * 6);
     models_end(&r);
@@ -209,7 +202,7 @@ TEST(test_bills_of_forms, "bills of closed forms")
     UNIT_EQUAL(r.work[MODELS_ELLIPSE], 3);
     models_end(&r);
     scene_free(&s);
-    s = made(2);
+    UNIT_MUST(scene_create(&s, 2));
     UNIT_TRUE(scene_add_kind(&s, 1, 0) && scene_add_spring(&s, 0, 1, 0, 1));
     for (size_t k = 0; k < 3; ++k)
         s.freedom[2 * k] = 0;
@@ -225,7 +218,7 @@ TEST(test_border, "a spring that just turns round")
 {
     RUN r;
     const char *why = "";
-    FREED(scene) s = made(2);
+    CREATED(scene, s, 2);
     const struct models_plan p = plan("oscillator");
     UNIT_TRUE(scene_add_kind(&s, 1, 0) && scene_add_spring(&s, 0, 1, 0, 1));
     for (size_t k = 0; k < 3; ++k)
@@ -243,7 +236,7 @@ TEST(test_many_modes, "too many modes")
 {
     const struct models_plan p = plan("modes");
     for (size_t n = 400; n < 402; ++n) {
-        FREED(scene) s = made(n);
+        CREATED(scene, s, n);
         UNIT_TRUE(scene_add_kind(&s, 1, 0));
         for (size_t i = 0; i < n; ++i) {
             s.position[i] = (double)i;
@@ -269,7 +262,7 @@ TEST(test_sorting, "to put in order has a price")
         models_count_sorting(&r, (size_t)bits[k][0], 3);
         UNIT_EQUAL(r.work[MODELS_ORDER], 7 + 3 * bits[k][0] * bits[k][1]);
     }
-    FREED(scene) s = made(3);
+    CREATED(scene, s, 3);
     s.contact = true;
     for (size_t i = 0; i < 3; ++i) {
         s.position[i] = (double)i;
@@ -312,7 +305,7 @@ TEST(test_upwards, "along a line that rises")
                  {1, true, "nothing is free, or too much"}};
     const struct models_plan p = plan("line");
     for (size_t k = 0; k < 3; ++k) {
-        FREED(scene) s = made(1);
+        CREATED(scene, s, 1);
         s.contact = true;
         s.wall[0] = SCENE_HARD;
         s.high[0] = 10;
@@ -337,7 +330,7 @@ TEST(test_upwards, "along a line that rises")
    bottom it has all of its energy: 2 g h = v^2. */
 TEST(test_rod, "a rod")
 {
-    FREED(scene) s = made(2);
+    CREATED(scene, s, 2);
     UNIT_TRUE(scene_add_kind(&s, 1e6, 0));
     UNIT_TRUE(scene_add_spring(&s, 0, 1, 0, 1));
     for (size_t k = 0; k < 3; ++k)
@@ -411,7 +404,8 @@ static const struct stepping_method *method(const char *name)
    belongs to the method, contacts, rods and light bodies. */
 TEST(test_bill_of_steps, "the bill of steps")
 {
-    FREED(scene) s = made(4), many = made(33);
+    CREATED(scene, s, 4);
+    CREATED(scene, many, 33);
     struct steps t = {.plan = plan("leapfrog:1")};
     struct models_run r = {.scene = s, .plan = t.plan, .rows = 2};
     double work[MODELS_UNITS] = {0};
@@ -547,7 +541,7 @@ TEST(test_hopeless, "what will cost too much is seen")
    second at least. A hundred calls more do no harm. */
 TEST(test_look, "how long a look may take")
 {
-    FREED(scene) s = made(2);
+    CREATED(scene, s, 2);
     struct adaptive own = {.evaluations = 50};
     struct steps t = {.plan = plan("radau15:1e-9")};
     struct models_run r = {.scene = s, .plan = t.plan, .limit = 3};
@@ -630,7 +624,7 @@ TEST(test_longest, "the longest step")
 {
     struct steps t = {.plan.time_left = 1};
     struct scene *s = &t.scene;
-    *s = made(4);
+    UNIT_MUST(scene_create(s, 4));
     double a[12] = {0};
     PUT(s->position + 1, 2, 12);
     s->position[3] = 12.1; /* the last two have no mass */
@@ -664,7 +658,7 @@ TEST(test_longest, "the longest step")
    brings back stands where it was, and costs what is said. */
 TEST(test_order, "bodies in the order of their orbits")
 {
-    FREED(scene) s = made(3);
+    CREATED(scene, s, 3);
     static const double x[] = {4, 0, 1}, v[] = {0.5, 0, 1};
     s.k2 = 1;
     for (size_t i = 0; i < 3; ++i) {

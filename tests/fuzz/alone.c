@@ -23,13 +23,8 @@ static void read_seeds(const char *folder)
     DIR *d = opendir(folder);
     for (struct dirent *e; d && (e = readdir(d));) {
         snprintf(path, sizeof path, "%s/%s", folder, e->d_name);
-        FILE *f = e->d_name[0] == '.' ? NULL : fopen(path, "r");
-        if (f && count < SEEDS) {
-            seeds[count].size = fread(seeds[count].byte, 1, MOST, f);
-            ++count;
-        }
-        if (f)
-            fclose(f);
+        count += e->d_name[0] != '.' && count < SEEDS &&
+                 read_text(path, &seeds[count]);
     }
     if (d)
         closedir(d);

@@ -80,8 +80,7 @@ struct folder {
 /* What became of the commands. */
 struct tally {
     size_t done, unable, refused, told, failed;
-    double
-        longest; /* s of processor time, of those that end by themselves */
+    double longest; /* s of processor time, of those that end themselves */
 };
 
 static const char *bin, *folder;
@@ -171,13 +170,6 @@ static void become(const struct command *c, rlim_t disk)
     _exit(98);
 }
 
-static void doze(long milliseconds)
-{
-    nanosleep(&(struct timespec){milliseconds / 1000,
-                                 milliseconds % 1000 * 1000000},
-              NULL);
-}
-
 static double clock_of(clockid_t id)
 {
     struct timespec t = {0};
@@ -194,7 +186,7 @@ static void attend(struct command *c, pid_t child)
     double worked = clock_of(CLOCK_MONOTONIC); /* when it last did */
     for (long wait = 1; waitpid(child, &c->status, WNOHANG) == 0;
          wait = wait < 20 ? wait + 1 : 20) {
-        doze(wait);
+        nanosleep(&(struct timespec){0, 1000000 * wait}, NULL);
         const double now = clock_of(CLOCK_MONOTONIC), last = c->spent;
         c->spent = clock_of(id);
         if (c->spent > last + 0.001)
@@ -306,12 +298,6 @@ static const char *edge_number(struct random *r, struct command *c)
     return edge;
 }
 
-static void add_text(char text[], const char *more)
-{
-    const size_t used = strlen(text);
-    snprintf(text + used, LINE - used, "%s", more);
-}
-
 /* A number, or as many as the argument has commas, or some more. */
 static void draw_numbers(struct random *r, const char *argument, bool wild,
                          struct command *c, char value[])
@@ -325,9 +311,10 @@ static void draw_numbers(struct random *r, const char *argument, bool wild,
     const size_t bad = random_below(r, n);
     *value = '\0';
     for (size_t i = 0; i < n; ++i) {
-        add_text(value, i ? "," : "");
-        add_text(value, wild && i == bad ? edge_number(r, c)
-                                         : small_number(r, whole));
+        const size_t used = strlen(value);
+        snprintf(value + used, LINE - used, "%s%s", i ? "," : "",
+                 wild && i == bad ? edge_number(r, c)
+                                  : small_number(r, whole));
     }
 }
 
@@ -378,12 +365,9 @@ static void draw_file(struct random *r, bool output, bool wild,
 
 static bool is_output(const char *name)
 {
-    static const char *const names[] = {"output", "summary", "save",
-                                        "chart"};
-    for (size_t i = 0; i < sizeof names / sizeof *names; ++i)
-        if (strcmp(name, names[i]) == 0)
-            return true;
-    return false;
+    char barred[NAME + 2];
+    snprintf(barred, sizeof barred, "|%s|", name);
+    return strstr("|output|summary|save|chart|", barred) != NULL;
 }
 
 static void draw_option(struct random *r, const struct program *p,
@@ -412,15 +396,6 @@ static void draw_option(struct random *r, const struct program *p,
 }
 
 /* ---- files ----------------------------------------------------------- */
-
-static bool read_text(const char *path, struct text *t)
-{
-    FILE *f = fopen(path, "r");
-    t->size = f ? fread(t->byte, 1, MOST, f) : 0;
-    if (f)
-        fclose(f);
-    return f != NULL;
-}
 
 static void write_text(const char *path, const struct text *t)
 {

@@ -5,13 +5,24 @@
 #include "toolbox/random.h"
 
 #include <stddef.h>
+#include <stdbool.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <string.h>
 
 struct text {
     size_t size;
     uint8_t byte[MOST];
 };
+
+static bool read_text(const char *path, struct text *t)
+{
+    FILE *f = fopen(path, "r");
+    t->size = f ? fread(t->byte, 1, MOST, f) : 0;
+    if (f)
+        fclose(f);
+    return f != NULL;
+}
 
 /* Puts n bytes in place of the next `gone` of the text. */
 static void splice(struct text *t, size_t at, size_t gone,

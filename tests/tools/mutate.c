@@ -173,12 +173,7 @@ static void match_brackets(void)
 
 static void read_tokens(void)
 {
-    size_t room = 0;
     for (const char *at = after_space(file.text, file.text); *at;) {
-        if (file.count == room) {
-            room = 2 * room + 256;
-            file.tokens = grow(file.tokens, room * sizeof *file.tokens);
-        }
         struct token *t = &file.tokens[file.count++];
         *t = (struct token){.start = (size_t)(at - file.text)};
         const char *next = read_token(at, &t->kind);
@@ -950,6 +945,7 @@ int main(int argc, char **argv)
     size_t length;
     file.path = argv[argc - 1];
     file.text = read_file(file.path, &length);
+    file.tokens = grow(NULL, length * sizeof *file.tokens);
     read_tokens();
     make_mutants();
     if (ranks)

@@ -257,7 +257,6 @@ static size_t count;
 
 static void add_gaps(void)
 {
-    count = 0;
     for (size_t k = 0; s.contact && k < 3; ++k)
         for (size_t i = 0; s.wall[k] == SCENE_HARD && i < n; ++i)
             if (s.freedom[k * n + i])
@@ -387,10 +386,7 @@ static real turn(const struct gap *g, const real y[], real lo, real hi,
     for (int k = 0; k < 80 && hi - lo > (real)1e-24 * hi; ++k) {
         const real mid = (lo + hi) / 2;
         true_width(g, y, mid, &rate);
-        if ((rate > 0) == rises)
-            lo = mid;
-        else
-            hi = mid;
+        *((rate > 0) == rises ? &lo : &hi) = mid;
     }
     return (lo + hi) / 2;
 }
@@ -761,9 +757,8 @@ static void measure(void)
     for (size_t c = 0; c < 3 * n; ++c) {
         v = fmax(v, fabs(s.velocity[c]));
         g = fmax(g, size_of(a[c]));
-    }
-    for (size_t c = 0; c < 3 * n; ++c)
         far = fmax(far, fabs(s.position[c]));
+    }
     if (!(length > 0))
         length = 1;
     speed = fmax(v, sqrt(g * length) * 0.1);

@@ -305,12 +305,12 @@ static void read_bodies(struct bodies *all, const char *file)
 
 static void print_bodies(const struct bodies *all)
 {
+    const size_t room = (size_t)name_count * sizeof(int);
+    int *number = grow(NULL, room);
     for (const struct body *b = all->list; b < all->list + all->count;
          ++b) {
-        int *number = grow(NULL, (size_t)name_count * sizeof *number);
         int used = 0;
-        for (int i = 0; i < name_count; ++i)
-            number[i] = 0;
+        memset(number, 0, room);
         printf("%s:%d: %s:", b->file, b->line, b->function);
         for (size_t i = 0; i < b->code.count; ++i) {
             const struct token *t = &b->code.list[i];
@@ -323,7 +323,6 @@ static void print_bodies(const struct bodies *all)
             printf(" ID%d", number[t->name]);
         }
         printf("\n");
-        free(number);
     }
 }
 

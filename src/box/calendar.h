@@ -31,10 +31,10 @@ struct calendar {
 };
 
 /* Prepares a calendar for the events 0 to size - 1, none of which has a
-   time yet. `begin` is the time when the calendar starts, s. `width`, s, is
-   a first guess of the length of a day, which the calendar adapts. Returns
-   false, with nothing to free, if memory runs out. Requires 0 < size < 2^31
-   - 64, width > 0. */
+   time yet. `begin` is the time when the calendar starts, s. `width` (in
+   s) is a first guess of the length of a day, which the calendar adapts.
+   Returns false, with nothing to free, if memory runs out. Requires 0 <
+   size < 2^31 - 64, width > 0. */
 bool calendar_create(struct calendar *c, size_t size, double begin,
                      double width);
 void calendar_free(struct calendar *c);

@@ -49,11 +49,11 @@ static void from_anchor(const struct cells *c, uint32_t i, double way[],
     }
 }
 
-/* Returns the time, s, at which disk i will be a skin away from its anchor
-   (7.15, eq:skin-end). Returns INFINITY, without computing a root, if this
-   time is not before `until`. Returns the present time if rounding has
-   already put the disk there. Under gravity the exact time would be the
-   root of a quartic. Instead, a quarter of the skin is reserved for
+/* Returns the time (in s) at which disk i will be a skin away from its
+   anchor (7.15, eq:skin-end). Returns INFINITY, without computing a root,
+   if this time is not before `until`. Returns the present time if rounding
+   has already put the disk there. Under gravity the exact time would be
+   the root of a quartic. Instead, a quarter of the skin is reserved for
    falling, which is enough for the time `most`, and the straight part of
    the motion may use the other three quarters. */
 static double skin_end(const struct cells *c, uint32_t i, double until)
@@ -934,10 +934,10 @@ bool cells_fit(const struct cells *c, size_t *a, size_t *b)
     return !clash;
 }
 
-/* Handles the events that are not collisions: the end of a skin, and a
-   stale plan, whose partner has collided since it was made. Makes a new
-   plan for such an event. Returns whether e is one. Sets *memory to false
-   if memory runs out. */
+/* Handles the events that are not collisions: a disk has moved as far as
+   the skin of its neighbour list allows, or its plan is stale, since its
+   partner has collided after the plan was made. Makes a new plan. Returns
+   whether e is one. Sets *memory to false if memory runs out. */
 static bool replan(struct cells *c, struct disks_event e, bool *memory)
 {
     struct disks *d = c->d;

@@ -129,9 +129,9 @@ double sampling_wall_density(const struct sampling *s, size_t i, size_t k)
     return length > 0 ? (low + high) / (2 * length) : 0;
 }
 
-/* Returns the largest distance, m, by which disk i can be moved along the
-   line. The line ends at a wall or, in a periodic box, where another image
-   becomes the nearest. */
+/* Returns the largest distance (in m) by which disk i can be moved along
+   the line. The line ends at a wall or, in a periodic box, where another
+   image becomes the nearest. */
 static double end_of_ray(const struct line *l)
 {
     const struct disks *d = &l->s->disks;

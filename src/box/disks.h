@@ -79,29 +79,31 @@ bool disks_create(struct disks *d, size_t dimensions, size_t count);
 /* Frees the disks and makes *d empty. */
 void disks_free(struct disks *d);
 
-/* Returns the time, s, at least 0, until a disk meets the wall toward which
-   it flies, at 0 or at length, m: its centre is then a radius away from the
-   wall (5.1, eq:wall-time). x is the position of the centre and v its
-   velocity. Returns INFINITY if v is 0. */
+/* Returns the time (in s, at least 0) until a disk meets the wall toward
+   which it flies, at 0 or at length, m: its centre is then a radius away
+   from the wall (5.1, eq:wall-time). x is the position of the centre and v
+   its velocity. Returns INFINITY if v is 0. */
 double disks_wall_time(double x, double v, double radius, double length);
 
-/* Returns the time, s, at least 0, until the centres of two disks are at
-   this distance, m (5.3, eq:pair-time). Returns 0 for two disks that touch
-   or overlap and approach each other, and INFINITY for two disks that never
-   meet. separation (m) and closing (m/s) are the position and velocity of
-   the second disk relative to the first, with DISKS_AXES components. */
+/* Returns the time (in s, at least 0) until the centres of two disks are
+   at this distance, m (5.3, eq:pair-time). Returns 0 for two disks that
+   touch or overlap and approach each other, and INFINITY for two disks
+   that never meet. separation (m) and closing (m/s) are the position and
+   velocity of the second disk relative to the first, with DISKS_AXES
+   components. */
 double disks_pair_time(const double separation[], const double closing[],
                        double distance);
 
-/* Returns the time, s, at which disks i and j will meet (5.10, eq:meeting).
-   The result is the same to the last bit for all calls until one of the
-   disks collides again. In a periodic box, uses the images that are nearest
-   at the time `at`, s, which must not be before the last collision of
-   either disk. */
+/* Returns the time (in s) at which disks i and j will meet (5.10,
+   eq:meeting). The result is the same to the last bit for all calls until
+   one of the disks collides again. In a periodic box, uses the images that
+   are nearest at the time `at` (in s), which must not be before the last
+   collision of either disk. */
 double disks_meeting(const struct disks *d, size_t i, size_t j, double at);
 
-/* Returns the time, s, at which disk i will meet its next wall, or INFINITY
-   if it meets no wall. Sets *axis to the axis across which this wall is. */
+/* Returns the time (in s) at which disk i will meet its next wall, or
+   INFINITY if it meets no wall. Sets *axis to the axis across which this
+   wall is. */
 double disks_wall(const struct disks *d, size_t i, size_t *axis);
 
 /* Returns whether event a comes before b. Events at the same time are
@@ -138,10 +140,10 @@ bool disks_over(const struct disks *d, size_t i);
    if there is no such disk. Such a disk ends a run as a collapse does. */
 size_t disks_lying(const struct disks *d);
 
-/* Returns the distance, m, that a disk may fly before it needs a new plan,
-   since other images may then be the nearest. Returns INFINITY with walls.
-   Returns 0 if the box is too narrow to be periodic: its width must exceed
-   four times the largest radius by at least a few millionths. */
+/* Returns the distance (in m) that a disk may fly before it needs a new
+   plan, since other images may then be the nearest. Returns INFINITY with
+   walls. Returns 0 if the box is too narrow to be periodic: its width must
+   exceed four times the largest radius by at least a few millionths. */
 double disks_replan_distance(const struct disks *d);
 
 /* Allocates the plans for disks_run, and plans from the present state. Must

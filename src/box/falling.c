@@ -18,8 +18,8 @@ double falling_wall(const struct disks *d, const struct disk *a)
                                              a->velocity[1], d->gravity));
 }
 
-/* The speed is computed from the energy and not from the time, as for
-   bodies on the line, so rounding loses no energy. */
+/* As for bodies on the line, the speed is computed from the energy and not
+   from the time, so that rounding loses no energy. */
 void falling_land(const struct disks *d, struct disk *a)
 {
     const bool roof = to_roof(d, a) < INFINITY;

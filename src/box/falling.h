@@ -6,9 +6,9 @@
 
 #include <math.h>
 
-/* Adds the effect of gravity (5.12, eq:fall) to a position, m, and a
-   velocity, m/s, after a straight flight for the time wait, s. velocity may
-   be NULL. */
+/* Adds the effect of gravity (5.12, eq:fall) to a position (in m)
+   and a velocity (in m/s) after a straight flight for the time `wait` (in
+   s). `velocity` may be NULL. */
 static inline void falling_move(const struct disks *d, double wait,
                                 double place[], double velocity[])
 {
@@ -32,8 +32,8 @@ static inline void falling_between(const struct disks *d,
     x[1] += lag / 2 * wait;
 }
 
-/* Returns the time, s, from the last collision of disk a until it reaches
-   the floor or the roof. */
+/* Returns the time (in s) from the last collision of disk a until it
+   reaches the floor or the roof. */
 double falling_wall(const struct disks *d, const struct disk *a);
 
 /* Moves disk a to the floor or the roof, which it reaches at d->now. */

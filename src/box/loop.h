@@ -28,7 +28,7 @@ void loop_turn(struct loop *l, double every);
    tick. */
 void loop_go_to(struct loop *l, double tick);
 
-/* Returns the deepest overlap, m, of disks with each other or with the
+/* Returns the deepest overlap (in m) of disks with each other or with the
    walls, in a box with walls on all sides. The error in the article makes
    disks overlap. */
 double loop_overlap(const struct loop *l);

@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-/* Fills time[j] with the time, s, when disk i meets disk j. The results
+/* Fills time[j] with the time (in s) when disk i meets disk j. The results
    equal those of disks_meeting to the last bit, since the operations and
    their order are the same. There is no branch: root and quotient are
    computed even for disks that are not met, and are then discarded. So a

@@ -4,7 +4,7 @@
 
 #include "box/disks.h"
 
-/* Fills time[j] with the time, s, when disk i meets disk j, for all j
+/* Fills time[j] with the time (in s) when disk i meets disk j, for all j
    except i. The times equal disks_meeting(d, i, j, d->now) to the last
    bit. */
 void meetings_of(const struct disks *d, size_t i, double time[]);

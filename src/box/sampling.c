@@ -1,5 +1,5 @@
 /* From chapters/06-room.nw: edit there, then run make tangle. */
-/* checksum 2888309485 of the lines below */
+/* checksum 1714913877 of the lines below */
 /* Samples hard disks directly, by a Markov chain, or by event chains. */
 #include "box/sampling.h"
 
@@ -158,7 +158,7 @@ bool sampling_start(struct sampling *s, struct random *r)
     return true;
 }
 
-/* Returns the distance, m, by which disk i can move in the positive
+/* Returns the distance (in m) by which disk i can move in the positive
    direction of the axis until it touches disk j. Sets *behind to the
    distance between the disks along the axis at contact, m. */
 static double way_to(const struct sampling *s, size_t i, size_t j,
@@ -183,9 +183,9 @@ static double way_to(const struct sampling *s, size_t i, size_t j,
 }
 
 /* Returns the disk that disk i touches first when it moves in the positive
-   direction of the axis by at most *way, m, or i if it touches none. Sets
-   *way to the distance to the contact and *behind to the distance between
-   the two disks along the axis at contact, m. */
+   direction of the axis by at most *way (in m), or i if it touches none.
+   Sets *way to the distance to the contact and *behind to the distance
+   between the two disks along the axis at contact, m. */
 static size_t find_next(const struct sampling *s, size_t i, size_t axis,
                         double *way, double *behind)
 {

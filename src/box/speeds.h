@@ -32,7 +32,7 @@ struct speeds_law speeds_maxwell(size_t dimensions, bool component);
 double speeds_bins(const struct speeds_law *l, double width, size_t bins,
                    double density[]);
 
-/* Returns the mean of u^4 of a speed under this law. */
+/* Returns the mean of u^4, where the speed u is distributed by this law. */
 double speeds_fourth(const struct speeds_law *l);
 
 #endif

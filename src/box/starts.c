@@ -80,10 +80,10 @@ bool disks_fit(const struct disks *d, size_t *a, size_t *b)
 }
 
 /* A close-packed lattice, stretched over the box. It has `cells` cells of
-   width `step`, m, along each axis, beginning at `from`, m, with `basis`
-   sites in each cell. In the plane it is triangular, with every other row
-   shifted by half a step, so a rectangular cell has two sites: a corner and
-   the centre. In space it is face-centred cubic. */
+   width `step` (in m) along each axis, beginning at `from` (in m) with
+   `basis` sites in each cell. In the plane it is triangular, with every
+   other row shifted by half a step, so a rectangular cell has two sites: a
+   corner and the centre. In space it is face-centred cubic. */
 struct lattice {
     size_t cells[DISKS_AXES], basis;
     double from[DISKS_AXES], step[DISKS_AXES];

@@ -25,13 +25,13 @@ void disks_fold(const struct disks *d, double place[])
         }
 }
 
-/* Returns the time, s, from the last collision of disk a to its next wall,
-   between walls on all sides and without gravity. With four disks, more
-   than half of the events are at a wall. The direction of a disk and the
-   wall that comes first are random, so a processor would mispredict every
-   other branch. So both sides are computed, with results equal to those of
-   disks_wall_time to the last bit. This gives a tenth more events a
-   second. */
+/* Returns the time (in s) from the last collision of disk a to its next
+   wall, between walls on all sides and without gravity. With four disks,
+   more than half of the events are at a wall. The direction of a disk and
+   the wall that comes first are random, so a processor would mispredict
+   every other branch. So both sides are computed, with results equal to
+   those of disks_wall_time to the last bit. This gives a tenth more events
+   a second. */
 static double wall_of_either(const struct disks *d, const struct disk *a,
                              size_t *axis)
 {

@@ -11,13 +11,14 @@
 /* Cost limit of a first attempt, s. */
 static const double first_limit = 0.1;
 
-/* Predicts the cost, s, of one of two twins that were stopped at the cost
-   limit. r is the slower twin; its cost is extrapolated from the rows that
-   it has reached.
+/* Predicts the cost (in s) of one of two twins that were stopped at the
+   cost limit. r is the slower twin; its cost is extrapolated from the rows
+   that it has reached.
 
-   If r has reached no row, the twins are run again over the first sixteenth
-   of the first row, then over a sixteenth of that, and so on, until they
-   reach a row. Returns INFINITY if they differ in such a shorter row. */
+   If r has reached no row, the twins are run again over the first
+   sixteenth of the first row, then over a sixteenth of that, and so on,
+   until they reach a row. Returns INFINITY if they differ in such a
+   shorter row. */
 static double price_of_twin(const struct task *t, const struct record *r)
 {
     double cost = r->cost, part = 1;

@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 2126250543 of the lines below */
+/* checksum 4000795218 of the lines below */
 /* Tries finer and finer steps of one method while these may be cheaper. */
 #include "choosing/task.h"
 
@@ -61,7 +61,8 @@ static double excess(const struct task *t, const struct ladder *l)
     return log2(l->best.error / t->q->tolerance);
 }
 
-/* Returns the predicted cost, s, of a run with steps 2^more times finer. */
+/* Returns the predicted cost (in s) of a run with steps 2^more times
+   finer. */
 static double price_of(const struct ladder *l, double more)
 {
     return l->best.cost * exp2(l->rise * more);
@@ -75,7 +76,7 @@ static double octaves_up(const struct task *t, const struct ladder *l)
     return fmin(more, FAR);
 }
 
-/* Returns the cost, s, of a run of this ladder within the tolerance, as
+/* Returns the cost (in s) of a run of this ladder within the tolerance, as
    predicted from its first run. */
 double climb_price(const struct task *t, const struct ladder *l)
 {

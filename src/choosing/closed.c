@@ -174,7 +174,7 @@ static double turns_ahead(double way, double v, double circle)
     return circle < INFINITY ? floor(way / circle) : way < 0 ? -1 : 0;
 }
 
-/* Returns the sum of turns_ahead over all pairs of points at the time t, s.
+/* Returns the sum of turns_ahead over all pairs of points at time t (in s).
    With `images`, also counts pairs of a point and the mirror image of a
    point. The mirror image of (x, v) is at -x with velocity -v, where x is
    measured from the wall. */

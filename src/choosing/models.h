@@ -160,9 +160,10 @@ unsigned models_cuts(const struct scene *s);
 /* Finds the interactions in a scene. */
 void models_analyse(struct models_acts *a, const struct scene *s);
 
-/* Returns an estimate, 1/s, of the largest angular frequency of the scene
-   in its present state plus the largest damping rate. The simplifications
-   `cuts` are applied first. Returns INFINITY if memory runs out. */
+/* Returns an estimate (in 1/s) of the largest angular frequency of the
+   scene in its present state plus the largest damping rate. The
+   simplifications `cuts` are applied first. Returns INFINITY if memory
+   runs out. */
 double models_rate(const struct scene *s, unsigned cuts);
 
 /* Returns the square of the present distance of two bodies, m^2. */

@@ -244,11 +244,11 @@ static void end_modes(struct models_run *r)
     free(w->rest);
 }
 
-/* Improves the equilibrium positions w->rest by a Newton step: the modes at
-   these positions give the displacement that cancels the remaining forces.
-   Returns the largest displacement along an axis, m, or NaN if memory runs
-   out. Near equilibrium each step doubles the number of correct digits, so
-   five or six steps are enough. */
+/* Improves the equilibrium positions w->rest by a Newton step: the modes
+   at these positions give the displacement that cancels the remaining
+   forces. Returns the largest displacement along an axis (in m), or NaN if
+   memory runs out. Near equilibrium each step doubles the number of
+   correct digits, so five or six steps are enough. */
 static double approach_rest(struct vibration *w, struct models_run *r)
 {
     const struct modes *m = &w->modes;
@@ -304,9 +304,9 @@ static const char *find_rest(struct vibration *w, struct models_run *r)
                : NULL;
 }
 
-/* Computes the amplitude of each mode in the displacement x - from or, if
-   from is NULL, in the velocities x. Mode shapes are orthogonal, so each
-   amplitude is a scalar product. */
+/* Computes the amplitude of each mode in the displacement (x - `from`) or,
+   if `from` is NULL, in the velocities x. Mode shapes are orthogonal, so
+   each amplitude is a scalar product. */
 static void take_apart(const struct modes *m, const double x[],
                        const double from[], double amount[])
 {

@@ -1,4 +1,4 @@
-/* Computes disks and spheres in a box, collision by collision. */
+/* Simulates disks and spheres in a box, collision by collision. */
 #include "choosing/models_parts.h"
 
 #include "box/cells.h"

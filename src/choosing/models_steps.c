@@ -121,10 +121,10 @@ static bool passage_counts(const struct steps *t, const struct pair *p,
            t->plan.negligible * b * sqrt(p->v2);
 }
 
-/* Returns 1/T, 1/s, where T is the shorter of two times. In the first, two
-   bodies at their present relative velocity move by 0.7 of their distance.
-   In the second, they approach each other by as much, with their present
-   acceleration. */
+/* Returns 1/T (in 1/s), where T is the shorter of two times. In the first,
+   two bodies at their present relative velocity move by 0.7 of their
+   distance. In the second, they approach each other by as much, with their
+   present acceleration. */
 static double passage_rate(const struct pair *p, double a2)
 {
     const double way = 0.7 * sqrt(p->r2), fall = 2 * sqrt(a2) * way;
@@ -133,7 +133,7 @@ static double passage_rate(const struct pair *p, double a2)
            way;
 }
 
-/* Returns the longest time step, s, that cannot miss a close passage to
+/* Returns the longest time step (in s) that cannot miss a close passage to
    which passage_counts applies. */
 static double longest_step(void *what, const double x[], const double v[],
                            const double a[])

@@ -30,7 +30,7 @@ static double spread_of(const struct scene *s, size_t k, size_t without,
     return fmax(high - low, 0);
 }
 
-/* Returns the diagonal, m, of the box around the walls and all bodies
+/* Returns the diagonal (in m) of the box around the walls and all bodies
    except `without`. */
 static double size_without(const struct scene *s, size_t without)
 {

@@ -96,7 +96,7 @@ void task_explain(struct choose_candidate *k, const char *text);
 /* Returns why a run ended before its last row, as a text. */
 const char *task_ending(const struct record *r);
 
-/* Returns the cost of the best run so far, s, or INFINITY if there is
+/* Returns the cost of the best run so far (in s), or INFINITY if there is
    none. */
 double task_best_cost(const struct task *t);
 
@@ -188,7 +188,7 @@ bool reference_ask_twins(const struct task *t, struct reference *f,
 void climb_note(const struct task *t, struct ladder *l,
                 struct choose_point r);
 
-/* Returns the predicted cost, s, of a run within the tolerance. The
+/* Returns the predicted cost (in s) of a run within the tolerance. The
    prediction is based on the order of the method. */
 double climb_price(const struct task *t, const struct ladder *l);
 

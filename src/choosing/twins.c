@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 3473406800 of the lines below */
+/* checksum 1250097067 of the lines below */
 /* Bounds the rounding errors of a run by repeating it in other units. */
 #include "choosing/task.h"
 
@@ -23,8 +23,9 @@ bool twins_run(const struct task *t, struct record_setup one,
 }
 
 const double twins_margin[TWINS] = {4800, 43, 9.2, 4.3, 2.7, 2};
-/* Runs another twin and returns how far it differs from the run. If most
-   is positive, records a horizon where the difference exceeds it. */
+/* Runs another twin and returns how far it differs from the run. If `most`
+   is positive, records the time at which the difference first exceeds
+   `most`: the horizon. */
 double twins_add(const struct task *t, const struct record *r,
                  unsigned number, double most)
 {

@@ -70,7 +70,7 @@ struct process_end process_stop(void);
    the system has no such descriptors. */
 int process_watch(pid_t pid);
 
-/* Returns the time of the monotonic clock, s, which cannot be set back
+/* Returns the time of the monotonic clock (in s), which cannot be set back
    during a test. */
 double process_clock(void);
 

@@ -22,8 +22,8 @@
 enum { REPORT_FILE = 3, REPORT_NONCE = 32, REPORT_LINE = 1024 };
 
 /* An order to a waiting runner: the number of the test, its seed, and
-   whether to search for leaks. The runner answers with the process number
-   of its copy. */
+   whether to search for leaks. The runner answers with the process ID of
+   its forked copy. */
 enum { REPORT_ORDERS = 4 };
 struct report_order {
     uint64_t seed;

@@ -72,9 +72,10 @@ const char *run_text(const struct run_order *order);
 int run_remark(const struct run *run, const char *words, double x[],
                int count);
 
-/* Sets f to the forces on n bodies with masses m and positions x, by law
-   number `which` with this constant. A project whose calls are counted
-   outside (RUN_OUTSIDE) defines this function, with REMOTE_SERVER. */
+/* Sets f to the forces on n bodies with masses m and positions x, according
+   to law number `which` with this constant. A project whose calls are
+   counted outside the sandbox (RUN_OUTSIDE) defines this function, with
+   REMOTE_SERVER. */
 void run_law(int which, double constant, int n, const double m[],
              const double x[], double f[]);
 

@@ -185,10 +185,10 @@ void text_field(FILE *out, const char *label, const char *text)
     }
 }
 
-/* Writes a line after a bar, so that nobody takes a "passed" from a
-   student's program for the examiner's. Cuts long lines instead of folding
-   them, because a compiler's caret in the next line may point at a
-   column. */
+/* Writes a line with a vertical bar in front of it, so that nobody takes a
+   "passed" from a student's program for the examiner's. Cuts long lines
+   instead of folding them, because a compiler's caret in the next line may
+   point at a column. */
 static void quote(FILE *out, const char *line, size_t length)
 {
     const size_t room = TEXT_WIDTH - 4;

@@ -14,9 +14,10 @@ struct impact {
     uint64_t simultaneous; /* contacts at the same time as an earlier one */
     uint64_t grazing;      /* contacts found on paths but not confirmed by
                               the method */
-    double least;          /* minimal width of a gap that is nearest to 0,
-                              m; to be set first to the largest width that
-                              counts; 0: not searched for */
+    double least;          /* of all local minima of the widths of gaps,
+                              the one nearest to 0, m; set it first to the
+                              largest width that counts, or to 0 to skip
+                              the search */
     uint64_t parts;        /* parts of steps searched for contacts */
     uint64_t pairs;        /* pairs examined in these parts */
     uint64_t curves;       /* cost of all gaps: number of control points (at

@@ -70,7 +70,7 @@ struct spheres {
     uint64_t collisions, wall_collisions;
     uint64_t receding; /* collisions of pairs that were separating */
     uint64_t tested;   /* pairs tested for an overlap */
-    double impulse[SPHERES_AXES]; /* on walls across each axis, N s */
+    double impulse[SPHERES_AXES]; /* on walls normal to each axis, N s */
     double virial;       /* change of the sum of m x v by collisions, J s */
     double depth;        /* deepest overlap in a collision, m */
     uint64_t passed;     /* pairs that moved through each other in a step */

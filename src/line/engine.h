@@ -4,8 +4,8 @@
 
 #include "line/bonkers.h"
 
-/* Returns the largest expected rounding error, m, of the distance between
-   bodies i - 1 and i. */
+/* Returns the largest expected rounding error (in m) of the distance
+   between bodies i - 1 and i. */
 double engine_rounding(const struct bonkers *b, size_t i);
 
 /* Ends a run in which nothing happens before `until`: sets the clock to

@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 770742491 of the lines below */
+/* checksum 727686578 of the lines below */
 /* A gap between two bodies: the time when it closes, and the collision. */
 #ifndef GAP_H
 #define GAP_H
@@ -15,8 +15,8 @@ static inline double position(const struct bonkers_body *a, double t)
     return a->x + a->v * (t - a->since);
 }
 
-/* Returns the time, s, at which the gap to the right of a body closes, or
-   INFINITY if it does not (2.3, eq:gap-time). */
+/* Returns the time (in s) at which the gap to the right of a body closes,
+   or INFINITY if it does not (2.3, eq:gap-time). */
 static inline double time_of_gap(const struct bonkers_body *left)
 {
     const struct bonkers_body *right = left + 1;

@@ -1,5 +1,5 @@
 /* From chapters/04-piston.nw: edit there, then run make tangle. */
-/* checksum 3253235984 of the lines below */
+/* checksum 1734956142 of the lines below */
 /* Moves the piston in steps, and computes its period and frequency. */
 #include "line/piston.h"
 
@@ -109,7 +109,8 @@ double piston_period(const struct piston *p, double energy, size_t points)
     return sqrt(2 * piston_inertia(p) / energy) * pi * sum / (double)points;
 }
 
-/* Returns the length, m, of the gas `near` when the piston turns round. */
+/* Returns the length (in m) of the gas `near` when the piston turns
+   round. */
 static double turning_length(const struct piston_gas *near,
                              const struct piston_gas *far, double box,
                              double energy)
@@ -135,8 +136,8 @@ bool piston_turning_points(const struct piston *p, double energy,
     return true;
 }
 
-/* Returns the force, N, on the piston from a standing wave in a gas, if the
-   velocity amplitude of the piston is 1 m/s. */
+/* Returns the force (in N) on the piston from a standing wave in a gas, if
+   the velocity amplitude of the piston is 1 m/s. */
 static double wave_force(const struct piston_gas *gas, double length,
                          double frequency)
 {

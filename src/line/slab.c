@@ -471,10 +471,10 @@ static void adapt_width(struct bonkers *b, double width,
     s->alone -= s->alone > 0;
 }
 
-/* Returns a first guess of the width, s, which adapt_width corrects: twice
-   the time to the next collision, or INFINITY if there is no collision.
-   Late in a run this may be shorter than the clock can resolve, so the
-   width is at least 1e-12 of the clock reading. */
+/* Returns a first guess of the width (in s), which adapt_width corrects:
+   twice the time to the next collision, or INFINITY if there is no
+   collision. Late in a run this may be shorter than the clock can resolve,
+   so the width is at least 1e-12 of the clock reading. */
 static double first_width(const struct bonkers *b)
 {
     const double wait = b->due[schedule_scan(b->due, b->gaps)] - b->now;
@@ -482,7 +482,7 @@ static double first_width(const struct bonkers *b)
                             : fmin(fmax(2 * wait, 1e-12 * b->now), DBL_MAX);
 }
 
-/* Runs slabs of this width, s, from the time `begin`, but not beyond
+/* Runs slabs of this width (in s) from the time `begin`, but not beyond
    `until`. If the slabs fail, undoes all of their collisions and returns
    false. */
 static bool try_slabs(struct bonkers *b, double begin, double width,

@@ -89,7 +89,7 @@ struct statistics_scatter {
 /* The dependence of two series on each other. */
 struct statistics_dependence {
     double correlation, error; /* coefficient and its error */
-    double chi2;               /* chi-square of a table of cells */
+    double chi2;               /* chi-square of a contingency table */
     size_t degrees;            /* degrees of freedom of chi2 */
 };
 

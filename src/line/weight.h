@@ -9,7 +9,7 @@
 struct bonkers_body weight_body_at(const struct bonkers *b, size_t i,
                                    double t);
 
-/* Returns the time, s, at which gap i closes, or INFINITY if it never
+/* Returns the time (in s) at which gap i closes, or INFINITY if it never
    does. */
 double weight_time_of_gap(const struct bonkers *b, size_t i);
 

@@ -10,9 +10,9 @@ enum { LARGE = 2, MOST = 400 };
 #define SHELL 0.05 /* width of the contact shell, in small radii */
 
 /* Parameters: the number of small disks; their radius, m; the step of the
-   large disks, m, or 0 to keep them in place; the seed; the x and y, m, to
-   which page_make moves a large disk. The small disks may overlap each
-   other. The radius of the large disks is 1 m. */
+   large disks (in m), or 0 to keep them in place; the seed; the x and y
+   (in m) to which page_make moves a large disk. The small disks may
+   overlap each other. The radius of the large disks is 1 m. */
 double page_number[PAGE_NUMBERS];
 
 static struct sampling box;

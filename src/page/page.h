@@ -22,9 +22,10 @@ extern double page_number[PAGE_NUMBERS];
    are out of range or memory runs out. */
 bool page_begin(void);
 
-/* Runs until the time `until` or for `events` events, whichever ends first.
-   An event is a collision, a step or a record, as the figure says. Returns
-   the number of events in this call. Requires events < 2^63. */
+/* Runs until the time `until` or for `events` events, whichever ends
+   first. An event is a collision, a step or a record, depending on the
+   figure. Returns the number of events in this call. Requires events <
+   2^63. */
 double page_run(double until, double events);
 
 /* Copies the present state into an array and returns it. The first number

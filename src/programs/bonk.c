@@ -480,8 +480,8 @@ static void read_settings(int argc, char *argv[])
     check_settings(&o);
 }
 
-/* Returns the diagonal, m, of the box that contains all bodies in all rows
-   of the run. Leaves out periodic axes. */
+/* Returns the diagonal (in m) of the box that contains all bodies in all
+   rows of the run. Leaves out periodic axes. */
 static double size_of_run(const struct run *r)
 {
     const struct choose_choice *c = &r->choice;

@@ -280,7 +280,7 @@ struct run {
     double kT, energy;         /* initial values, J */
     double common[DISKS_AXES]; /* velocity of the centre of mass, m/s */
     double begin;              /* start of the run, s */
-    double piece;              /* length of the first pieces, s */
+    double piece;              /* initial length of the parts averaged, s */
     double until;              /* end of the run, s */
     struct blocks pressure;
     double impulse[DISKS_AXES], virial; /* before the current piece */
@@ -339,7 +339,7 @@ static double shortest(const struct disks *d)
     return least;
 }
 
-/* Returns the initial length, s, of the pieces of time over which the
+/* Returns the initial length (in s) of the pieces of time over which the
    pressure is averaged: about the time between two collisions in the box.
    The pieces become longer when blocks are joined. */
 static double first_piece(const struct disks *d)

@@ -1,5 +1,5 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 2563415263 of the lines below */
+/* checksum 3871075122 of the lines below */
 /* Simulates four hard disks in a box. Prints t and positions every TC. */
 #include <math.h>
 #include <stdio.h>
@@ -34,7 +34,8 @@ static const double r = 0.15, L = 1; /* m */
 static double x[N][3] = {{.25, .25}, {.75, .25}, {.25, .75}, {.75, .75}};
 static double v[N][3] = {{.6, .8}, {-.8, .6}, {.28, -.96}, {-.96, -.28}};
 
-/* Computes position, m, and velocity, m/s, of disk j relative to disk i. */
+/* Computes position (in m) and velocity (in m/s) of disk j relative to disk
+   i. */
 static void between(int i, int j, double separation[], double closing[])
 {
     for (int k = 0; k < 3; ++k) {

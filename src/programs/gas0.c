@@ -1,6 +1,6 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 881366802 of the lines below */
-/* Prints the density of speeds in a gas, its error, and two laws. */
+/* checksum 2036767396 of the lines below */
+/* Prints the speed distribution of a gas, its error, and two theories. */
 #include "box/disks.h"
 #include "box/speeds.h"
 #include "line/statistics.h"

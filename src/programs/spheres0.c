@@ -1,5 +1,5 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 1566293148 of the lines below */
+/* checksum 4268440873 of the lines below */
 /* Simulates a billiard break in steps, moving balls back to contacts. */
 #include <math.h>
 #include <stdio.h>
@@ -28,8 +28,9 @@ static double dot(const double a[], const double b[])
     return a[0] * b[0] + a[1] * b[1];
 }
 
-/* Returns the time, s, since two overlapping balls that approach each other
-   touched, or 0 if this time exceeds the step (11.2, eq:back-time). */
+/* Returns the time (in s) since two overlapping balls that approach each
+   other touched, or 0 if this time exceeds the step (11.2,
+   eq:back-time). */
 static double time_back(const double d[], const double u[])
 {
     const double b = dot(d, u), c = dot(d, d) - 4 * radius * radius;

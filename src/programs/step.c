@@ -425,12 +425,12 @@ static double omega_squared(const struct scene *s,
     return r2 > 0 ? s->kind[l->kind].stiffness * sum / r2 : 0;
 }
 
-/* Returns the step times the highest angular frequency of a spring between
-   two bodies (see omega_squared). If no spring is compressed, the fastest
-   motion of the scene is at least as fast, so every step that is reported
-   as too long is too long. The fastest motion of a chain is faster by a
-   factor of up to sqrt(2), so a step may be too long without being
-   reported. Then only the energy reveals it. */
+/* Returns the product of the step and the highest angular frequency of a
+   spring between two bodies (see omega_squared). If no spring is
+   compressed, the fastest motion of the scene is at least as fast, so
+   every step that is reported as too long is too long. The fastest motion
+   of a chain is faster by a factor of up to sqrt(2), so a step may be too
+   long without being reported. Then only the energy reveals it. */
 static double stiffest_omega_dt(const struct run *r)
 {
     const struct scene *s = &r->scene;

@@ -1,6 +1,6 @@
 /* From chapters/06-room.nw: edit there, then run make tangle. */
-/* checksum 553826260 of the lines below */
-/* Throws four disks into a box. Prints x, its density and the error. */
+/* checksum 1735747489 of the lines below */
+/* Places four disks at random. Prints the density of x and its error. */
 #include "toolbox/random.h"
 
 #include <math.h>

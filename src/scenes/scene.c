@@ -586,7 +586,7 @@ static bool refuse_word(struct reader *r)
 
 _Static_assert(S < 8, "a byte of `seen` has a bit for each sort");
 
-/* Refuses a second line of a sort that is allowed only once in the scene,
+/* Refuses a repeated line of a type that is allowed only once in the scene,
    or only once for each body or kind. This also ensures that no body is
    missing: n lines "pos" must have n different numbers below n. The same
    holds for kinds. */

@@ -135,7 +135,7 @@ static bool run_plan(struct path *p, const struct models_plan *plan,
 }
 
 /* Returns the largest difference between coordinates in the first `rows`
-   rows of two paths, m, or INFINITY if a difference is not finite. */
+   rows of two paths (in m), or INFINITY if a difference is not finite. */
 static double distance(const struct path *a, const struct path *b,
                        size_t rows)
 {

@@ -340,9 +340,9 @@ static void study_drift(struct study *s)
 }
 
 /* Runs n collisions, reverses all velocities and runs for the same time
-   again. Returns the largest distance of a body from its initial position,
-   m, which would be zero without rounding. The initial positions are those
-   of `start`: equal requests give bit-identical bodies. */
+   again. Returns the largest distance of a body from its initial position
+   (in m), which would be zero without rounding. The initial positions are
+   those of `start`: equal requests give bit-identical bodies. */
 static double miss(enum bonkers_engine engine, uint64_t n)
 {
     const struct start_request request = {.kind = START_MIXED};
@@ -431,8 +431,8 @@ static void walk(struct bonkers_body body[], size_t gaps, uint64_t steps,
     }
 }
 
-/* Returns the root mean square distance, m, of the moving bodies from their
-   true positions. First moves each body to the time of `truth`. */
+/* Returns the root mean square distance (in m) of the moving bodies from
+   their true positions. First moves each body to the time of `truth`. */
 static double distance(const struct line *truth,
                        const struct bonkers_body body[])
 {
@@ -446,9 +446,9 @@ static double distance(const struct line *truth,
     return sqrt(sum / (double)(truth->gaps - 1));
 }
 
-/* Returns the mean processor time, s, of a time-stepped run until the time
-   `until`. Stores the final state in body[]. Repeats the run for at least
-   0.02 s, because a single run may be too short for the clock. */
+/* Returns the mean processor time (in s) of a time-stepped run until the
+   time `until`. Stores the final state in body[]. Repeats the run for at
+   least 0.02 s, because a single run may be too short for the clock. */
 static double time_walk(double until, const struct bonkers *b, double dt,
                         struct bonkers_body body[])
 {
@@ -586,9 +586,9 @@ static struct bonkers_body bounce_in_steps(uint64_t steps)
     return a;
 }
 
-/* Returns the exact height, m, of a ball at the time `until` after it was
-   dropped from `height`. The motion is periodic, so only the time since the
-   last bounce matters. */
+/* Returns the exact height (in m) of a ball at the time `until` after it
+   was dropped from `height`. The motion is periodic, so only the time
+   since the last bounce matters. */
 static double bounced(double height, double until)
 {
     const double v = sqrt(2 * pull * height), phase = v / pull + until;
@@ -703,9 +703,9 @@ static void study_bounce(struct study *s)
     }
 }
 
-/* Returns the number of collisions in a row of n bodies at rest after its
-   first body, or its last if `right`, has started towards the others at 1
-   m/s. The masses are random, from 1 to 5 kg, and `gap` is the distance
+/* Launches the first body of a row of n bodies at rest (if `right`, the
+   last) towards the others at 1 m/s. Returns the number of collisions. The
+   masses are random, from 1 to 5 kg, and `gap` is the distance
    between neighbours, m. */
 static uint64_t strike(size_t n, uint64_t seed, double gap, bool right)
 {

@@ -258,10 +258,10 @@ static void make_cells(struct engines *e)
     program_memory(cells_create(&e->cells, &e->disks), "for the cells");
 }
 
-/* Returns the new radius of disk i, m, which fills nine tenths of the gap
-   to its nearest neighbour. If it filled the whole gap, thousands of disks
-   would touch and collide at the same time, and no calendar day would be
-   short enough for so many events. */
+/* Returns the new radius of disk i (in m), which fills nine tenths of the
+   gap to its nearest neighbour. If it filled the whole gap, thousands of
+   disks would touch and collide at the same time, and no calendar day
+   would be short enough for so many events. */
 static double grown_radius(const struct cells *c, size_t i)
 {
     const struct disk *disk = c->d->disk;

@@ -156,8 +156,8 @@ static void study_timeline(struct study *s)
 }
 
 /* Runs for the time t, reverses all velocities and runs for t again.
-   Returns the largest difference from an initial coordinate, m, which would
-   be zero without rounding. Adds the number of collisions before the
+   Returns the largest difference from an initial coordinate (in m), which
+   would be zero without rounding. Adds the number of collisions before the
    reversal to *collisions. All disks are moved to the present time before
    the reversal; otherwise the way back would begin at other positions. */
 static double miss(struct disks *d, double t, double *collisions)
@@ -454,10 +454,10 @@ enum { RUNS = 32 };
 
 static const double reference = 2.69889; /* direct sampling, +- 0.00031 */
 
-/* Sets row[1] to row[4] to the mean times of both engines and to the error
-   and the bias of Z, for runs of row[0] collisions. Returns the number of
-   runs in which Z differs between the engines. A difference of a single bit
-   anywhere in a run would eventually change Z. */
+/* Fills row[1], ..., row[4] with the mean times of both engines and with
+   the error and the bias of Z, for runs of row[0] collisions. Returns the
+   number of runs in which Z differs between the engines. A difference of a
+   single bit anywhere in a run would eventually change Z. */
 static double find_errors(uint64_t seed, double row[5])
 {
     const uint64_t count = (uint64_t)row[0];

@@ -850,7 +850,7 @@ static void study_ring(struct study *s)
     end_sky(&k);
 }
 
-/* Returns the angle, rad, by which softening turns an ellipse of
+/* Returns the angle (in rad) by which softening turns an ellipse of
    eccentricity e in one orbit. Stops after the first step beyond aphelion,
    where r . v changes sign. The path is nearly straight there, so the
    position at aphelion is extrapolated back along the velocity. */
@@ -878,8 +878,8 @@ static double precession(double e, double softening)
     return atan2(x[1], x[0]);
 }
 
-/* Writes the angle by which softening turns an ellipse, and the change of a
-   circle's period, which has a closed form. */
+/* Writes the precession of an ellipse due to softening, and the change of
+   the period of a circular orbit, which is known in closed form. */
 static void study_softening(struct study *s)
 {
     TABLE_COLUMNS(s->out, {"eps", "AU", "softening"},

@@ -391,8 +391,8 @@ static void run_method(enum method method, struct sampling *p, double step,
 
 /* Measures the error of each method against processor time: the root mean
    square of SEEDS runs, after one warm-up run. The reference is a much
-   longer run of dynamics. It must be correct, because direct sampling,
-   which is correct by construction, approaches it steadily up to the
+   longer run of dynamics. It can be trusted, because the error of direct
+   sampling, which is correct by construction, decreases steadily up to the
    longest time. */
 static void study_cost(struct study *s)
 {

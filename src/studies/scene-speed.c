@@ -15,8 +15,8 @@
    digits. They are stored WIDTH bytes apart. */
 enum { NUMBERS = 20000, WIDTH = 32, MOST_DIGITS = 19 };
 
-/* Returns the time to read one number, s, with decimal_read if `ours` is
-   true and with strtod otherwise. Counts in ways[] which algorithm
+/* Returns the time to read one number (in s) with decimal_read if `ours`
+   is true and with strtod otherwise. Counts in ways[] which algorithm
    decimal_read chose. Uses the sum, so that the compiler cannot remove the
    reading. */
 static double time_numbers(char text[][WIDTH], bool ours, size_t ways[])

@@ -1135,8 +1135,8 @@ static void make_touching(struct scene *s, int way, size_t balls)
     s->velocity[0] = 1;
 }
 
-/* Returns the speed, m/s, at which two balls separate after approaching
-   each other at 1 m/s. `gap`, m, is added to their initial distance. */
+/* Returns the speed (in m/s) at which two balls separate after approaching
+   each other at 1 m/s. `gap` (in m) is added to their initial distance. */
 static double parting_speed(int way, double dashpot, double gap, double dt)
 {
     struct scene s;

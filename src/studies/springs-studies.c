@@ -79,7 +79,7 @@ static double energy(const struct run *r)
     return sum;
 }
 
-/* Returns the position, m, of a damped oscillator with m = D = 1 that
+/* Returns the position (in m) of a damped oscillator with m = D = 1 that
    starts at rest at q = 1 m. Uses the textbook formulas: two exponentials,
    or a cosine with a phase. g is the damping divided by the critical
    damping. */
@@ -370,9 +370,9 @@ static void study_silent(struct study *s)
     }
 }
 
-/* A double pendulum whose bodies 0 and 1 are joined by a rod of 1 m instead
-   of a spring. a[] contains the accelerations without the force of the rod,
-   m/s^2, in the order of the scene's coordinates. */
+/* A double pendulum whose bodies 0 and 1 are joined by a rod of 1 m
+   instead of a spring. a[] contains the accelerations (in m/s^2) without
+   the force of the rod, in the order of the scene's coordinates. */
 struct rod {
     struct run run;
     double a[9];
@@ -634,9 +634,9 @@ static void put_between(struct scene *s, double a)
     s->position[7] = a;
 }
 
-/* Returns the period, s, of a mass between two springs at rest length that
-   is displaced sideways by `a`. The period is the time between its first
-   and its third passage through the middle. */
+/* Returns the period (in s) of a mass between two springs at rest length
+   that is displaced sideways by `a`. The period is the time between its
+   first and its third passage through the middle. */
 static double period(double a)
 {
     const double guess = 0.3 / a;
@@ -668,10 +668,10 @@ static void study_quartic(struct study *s)
                   {"AT", 0.002 * period(0.002)});
 }
 
-/* Returns the amplitude, m, of the mode with r half waves along x and
-   `half` along y in the displacement of an n x n membrane along z. Projects
-   the displacement on the shape of the mode, which is orthogonal on the
-   grid to the shapes of all other modes. */
+/* Returns the amplitude (in m) of the mode with r half waves along x and
+   `half` along y in the displacement of an n x n membrane along z.
+   Projects the displacement on the shape of the mode, which is orthogonal
+   on the grid to the shapes of all other modes. */
 static double amplitude(const struct scene *s, size_t n, size_t r,
                         size_t half)
 {
@@ -760,7 +760,7 @@ static size_t turn_to(struct scene *s, size_t axis, double *home)
     return body;
 }
 
-/* Returns the duration, s, of ten half periods in which coordinate `at`
+/* Returns the duration (in s) of ten half periods in which coordinate `at`
    oscillates about `home`. Interpolates linearly within a step. */
 static double ten_halves(struct run *r, size_t at, double home)
 {

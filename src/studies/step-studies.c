@@ -22,7 +22,7 @@ enum { CHAIN = 32, MOST = CHAIN };
 
 /* A small system: an oscillator, a pendulum, a planet, or a chain of CHAIN
    masses and springs between two walls. `friction` points to the friction
-   coefficient c, 1/s, of the acceleration -c v. */
+   coefficient c (in 1/s) of the acceleration -c v. */
 struct system {
     size_t size;
     void (*accelerate)(void *friction, const double x[], const double v[],
@@ -304,8 +304,8 @@ static void study_area(struct study *s)
 
 enum { BUDGET = 400 }; /* evaluations of the forces per orbit */
 
-/* Writes the largest energy error so far, at times each of which exceeds
-   the previous one by at least a tenth. */
+/* Writes the largest energy error so far at a series of times, each at
+   least 10 % later than the one before. */
 static void record_energy(struct study *s, const struct stepping_method *m)
 {
     struct run c;

@@ -41,7 +41,7 @@ int replace_above(int file);
 bool replace_file(const char *path, const void *bytes, size_t length,
                   mode_t mode, bool only_new);
 
-/* Prepares this process for ending early: from then on exit and fatal
+/* Prepares this process for ending early. From then on, exit() and fatal
    signals first remove the temporary files, and writing to a closed pipe is
    an error instead of a signal. Returns false if the process is already
    prepared. */

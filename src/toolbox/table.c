@@ -88,11 +88,12 @@ static bool is_taken(const struct table *t)
     return false;
 }
 
-/* Returns a descriptor from 0 to 9, the range that a shell can pass, that
-   is open for writing to this file, or -1. With `-o /dev/stdout >>log`, a
-   new file in place of log would lose the content of log. Descriptors for
-   reading only do not count: with `-o gas.dat <gas.dat` the old table can
-   be read to its end while the new table is written to a temporary file. */
+/* Returns a descriptor through which this file is open for writing, or -1.
+   Tries 0 to 9, those that a shell can pass. Such a file must not be
+   replaced: with `-o /dev/stdout >>log` the content of log would be lost.
+   Read-only descriptors do not count: with `-o gas.dat <gas.dat` the old
+   table can be read to its end while the new table is written to a
+   temporary file. */
 static int find_descriptor(const struct stat *file)
 {
     struct stat status;

@@ -1,5 +1,5 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 3557842809 of the lines below */
+/* checksum 2987571324 of the lines below */
 /* A calendar queue: days that are linked lists of a few events. */
 #include "box/calendar.h"
 
@@ -8,8 +8,7 @@
 
 enum {
     BUSY = 2,   /* wanted number of events in a day */
-    CROWDED = 8 /* above this number of events examined per call, days are
-                   too wide */
+    CROWDED = 8 /* events examined per call if days are too wide */
 };
 
 /* The bit of `previous` that marks the first event of a list. The other

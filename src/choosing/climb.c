@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 4000795218 of the lines below */
+/* checksum 2355459712 of the lines below */
 /* Tries finer and finer steps of one method while these may be cheaper. */
 #include "choosing/task.h"
 
@@ -23,10 +23,9 @@ static bool is_vain(const struct ladder *l, double error)
                               fabs(error - before) < 0.01 * error;
 }
 
-/* Returns whether the last error is too large for an extrapolation. If so,
-   much finer steps are tried next. If the scene was simplified, no finite
-   error is too large: it may be due to the simplification, and finer steps
-   would then not help. */
+/* Returns whether the last error is too large for an extrapolation, so that
+   much finer steps are tried next. In a simplified scene no finite error is
+   too large, as it may be due to the simplification. */
 static bool is_blind(const struct ladder *l)
 {
     const double error = l->best.error;

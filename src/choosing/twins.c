@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1250097067 of the lines below */
+/* checksum 1759581284 of the lines below */
 /* Bounds the rounding errors of a run by repeating it in other units. */
 #include "choosing/task.h"
 
@@ -56,8 +56,7 @@ static double error_of_clock(const struct task *t, const struct record *r)
 }
 static const double trifle = 1e-3; /* cost that is not worth saving, s */
 
-/* Returns a bound on the error of run a. Both a and its twin b must be
-   complete. */
+/* Returns a bound on the error of run a; a and its twin b are complete. */
 double twins_bound(const struct task *t, const struct record *a,
                    const struct record *b)
 {

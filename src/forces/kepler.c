@@ -1,5 +1,5 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 903942627 of the lines below */
+/* checksum 4183817133 of the lines below */
 /* Solves Kepler's equation and moves a body along its ellipse. */
 #include "forces/kepler.h"
 
@@ -70,10 +70,9 @@ void kepler_turn(double angle, double *cosine, double *sine)
 }
 
 /* Rotates x by an angle in the plane of the axes `from` and `to`. The minus
-   sign has its own variable because gcc 12 with -march=native would
-   otherwise make one of the two lines a fused multiply-add, despite
-   -ffp-contract=off. The bits of the scenes would then depend on the
-   build. */
+   sign has its own variable because gcc 12 with -march=native otherwise
+   uses a fused multiply-add despite -ffp-contract=off, so that the bits of
+   the scenes would depend on the build. */
 static void turn(double x[], int from, int to, double angle)
 {
     double c, s;

@@ -1,5 +1,5 @@
 /* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 3550833300 of the lines below */
+/* checksum 3547811235 of the lines below */
 /* Finds normal modes: Jacobi rotations diagonalise the stiffness matrix. */
 #include "forces/modes.h"
 
@@ -59,8 +59,7 @@ static void stiffness_of(const struct springs *p,
 }
 
 /* Adds the stiffness of one spring to the matrix. The row of coordinate c
-   is place[c] - 1. For a fixed coordinate, which has no row, place[c] is
-   0. */
+   is place[c] - 1; place[c] is 0 if the coordinate is fixed. */
 static void add_spring(const struct springs *p,
                        const struct scene_spring *s, const double x[],
                        const size_t place[], size_t size, double matrix[])
@@ -80,8 +79,7 @@ static void add_spring(const struct springs *p,
     }
 }
 
-/* Adds all springs to the matrix, which must contain zeros at first.
-   Returns false if memory runs out. */
+/* Adds all springs to a zero matrix. Returns false if memory runs out. */
 static bool assemble(const struct modes *m, const struct springs *p,
                      const double x[], double matrix[])
 {

@@ -1,5 +1,5 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 3854770013 of the lines below */
+/* checksum 676897934 of the lines below */
 /* Gravity between bodies: pair by pair, or on a block of sixteen bodies. */
 #ifndef PULL_H
 #define PULL_H
@@ -43,8 +43,7 @@ struct block {
 
 /* Adds the accelerations of a block due to a mass m at (x, y, z), without
    the factor k2. `least` is the squared softening. `self` is the index of
-   the attracting body in the block, or a number of at least BLOCK if that
-   body is in another block. */
+   that mass in the block, or at least BLOCK if it is in another block. */
 static inline void pull_by(double m, double x, double y, double z,
                            double least, size_t self, struct block *o)
 {

@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 2469000558 of the lines below */
+/* checksum 3764979606 of the lines below */
 /* The steps of the methods: kicks and drifts, leapfrog, Runge-Kutta. */
 #ifndef STEPS_H
 #define STEPS_H
@@ -168,8 +168,7 @@ static inline void leap(struct stepping *s, uint64_t steps)
     add(s->v, s->part->kick[0], s->acceleration, s->forces.size);
 }
 
-/* Takes a step of leapfrog under friction, with compensated sums if
-   s->compensated is true. */
+/* Takes a leapfrog step under friction, perhaps with compensated sums. */
 static inline void leap_carried(struct stepping *s)
 {
     const double h = s->part->kick[0];

@@ -1,5 +1,5 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 1587303732 of the lines below */
+/* checksum 2028952964 of the lines below */
 /* Sums gravity by a tree: a distant cell of bodies acts as one mass. */
 #include "forces/tree.h"
 
@@ -10,17 +10,15 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-/* A cubic cell: the mass and the centre of mass of its bodies, and its
-   side. */
+/* A cubic cell: mass and centre of mass of its bodies, and its side. */
 struct cell {
     double mass, x, y, z, side;
     size_t first, end; /* its bodies: first to end - 1 */
     size_t next;       /* cell to visit next if this cell is not opened */
 };
 
-/* A tree. Its bodies are sorted by cells, and body[] has the numbers that
-   the caller gave them. place[] has all values of x, then of y, z and the
-   mass. */
+/* A tree. Its bodies are sorted by cells. body[] has the caller's numbers;
+   place[] has all values of x, then of y, z and the mass. */
 struct tree {
     double theta2, least; /* theta squared; smallest side of a cell */
     size_t bodies, cells;
@@ -30,9 +28,8 @@ struct tree {
     double *place;
 };
 
-/* Sorts the bodies first to end - 1 into those whose coordinate x is below
-   `middle` and the rest. Returns the position of the first body of the
-   rest. */
+/* Moves those of bodies first to end - 1 with x below `middle` to the
+   front. Returns the position of the first of the others. */
 static size_t sort(struct tree *t, const double x[], size_t first,
                    size_t end, double middle)
 {
@@ -59,10 +56,9 @@ static struct cube eighth(struct cube c, int q)
     return c;
 }
 
-/* Sorts the bodies part[0] to part[8] - 1 into eighths of the cube. The
-   bodies of eighth q begin at part[q]. If one eighth contains all bodies,
-   divides that eighth instead. Returns false if the bodies cannot be
-   separated. */
+/* Sorts the bodies part[0] to part[8] - 1 into eighths of the cube: those
+   of eighth q begin at part[q]. If one eighth contains all bodies, divides
+   that instead. Returns false if the bodies cannot be separated. */
 static bool divide(struct tree *t, const double x[], size_t part[9],
                    struct cube *c)
 {

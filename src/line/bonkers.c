@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 1074793408 of the lines below */
+/* checksum 3158526686 of the lines below */
 /* Finds the next collision on a line, by one of four engines. */
 #include "line/bonkers.h"
 
@@ -43,8 +43,7 @@ static bool move_and_collide(struct bonkers *b, size_t i, double wait)
     return count_repeat(b, i, stands, approach);
 }
 
-/* For every collision, computes the times of all gaps and moves all
-   bodies. */
+/* For every collision, computes all times anew and moves all bodies. */
 static enum bonkers_stop run_naive(struct bonkers *b, double until,
                                    uint64_t limit)
 {
@@ -80,8 +79,7 @@ enum bonkers_stop engine_idle(struct bonkers *b, double until)
     return BONKERS_STILL;
 }
 
-/* For every collision, compares the stored times of all gaps and moves only
-   two bodies. */
+/* For every collision, compares all stored times and moves two bodies. */
 static enum bonkers_stop run_scan(struct bonkers *b, double until,
                                   uint64_t limit)
 {

@@ -1,5 +1,5 @@
 /* From chapters/06-room.nw: edit there, then run make tangle. */
-/* checksum 1577579981 of the lines below */
+/* checksum 2772493554 of the lines below */
 /* Prints the distance of two big disks among ideal small ones. */
 #include "toolbox/random.h"
 
@@ -23,8 +23,8 @@ static double distance(const double a[], const double b[])
     return sqrt(square);
 }
 
-/* Tries to move disk i: a big disk by a step, a small disk to a random
-   place. Returns whether the disk moved. */
+/* Tries to move disk i: a big one by a step, a small one to a random place.
+   Returns whether it moved. */
 static bool try_move(int i, struct random *dice)
 {
     double place[3] = {0};

@@ -1,13 +1,11 @@
 #!/bin/sh
 # The recipes of figures and runs: remade when their command changes and only
 # then; one command for one file; a run that ends otherwise than said fails.
-set -u
+. tests/programs/common
 root=$(pwd)
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
-mkdir -p "$scratch/chapters/press" "$scratch/plots" "$scratch/build/bin"
-cp chapters/press/recipes chapters/press/lines "$scratch/chapters/press/"
-cd "$scratch" || exit 1
+mkdir -p "$work/chapters/press" "$work/plots" "$work/build/bin"
+cp chapters/press/recipes chapters/press/lines "$work/chapters/press/"
+cd "$work" || exit 1
 cat >build/bin/walk <<'END'
 #!/bin/sh
 while [ $# -gt 0 ]; do
@@ -31,17 +29,10 @@ plot 'build/data/walk.dat'
 END
 }
 chapter() { printf '%s\n' '\chapter{X}' "$@" >chapters/01-x.nw; }
-is() { # name expected got
-    if [ "$2" = "$3" ]; then
-        echo "ok recipes: $1"
-    else
-        echo "not ok recipes: $1 - expected '$2', got '$3'"
-    fi
-}
 has() { # name needle haystack
     case $3 in
-    *"$2"*) echo "ok recipes: $1" ;;
-    *) echo "not ok recipes: $1 - no '$2' in '$3'" ;;
+    *"$2"*) ok "$1" ;;
+    *) not_ok "$1" "no '$2' in '$3'" ;;
     esac
 }
 

@@ -1,13 +1,10 @@
 #!/bin/sh
 # A number in the prose that leaves its range, or is not there, ends the build
 # with the file, the line, what was found and the range.
-set -u
-here=$(pwd)
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
-mkdir -p "$scratch/chapters/press" "$scratch/build/runs" "$scratch/plots/data"
-cp chapters/press/results "$scratch/chapters/press/"
-cd "$scratch" || exit 1
+. tests/programs/common
+mkdir -p "$work/chapters/press" "$work/build/runs" "$work/plots/data"
+cp chapters/press/results "$work/chapters/press/"
+cd "$work" || exit 1
 cat >build/runs/drift.summary <<'END'
 energy_error -5.1234e-13
 count 31415926
@@ -20,13 +17,6 @@ huge 12345678901234567891
 END
 printf '# form time cost\nsmaller 1.5 3.25\n' >plots/data/01-timing.dat
 
-is() { # name expected got
-    if [ "$2" = "$3" ]; then
-        echo "ok results: $1"
-    else
-        echo "not ok results: $1 - expected '$2', got '$3'"
-    fi
-}
 tex() { # the TeX that one \result gives
     printf '%s\n' "$1" >chapters/01-x.nw
     chapters/press/results out.tex 2>&1 && sed 's/^\\setresult{[^}]*}{\(.*\)}$/\1/' out.tex
@@ -36,7 +26,7 @@ refused() { # name text message
     rm -f out.tex
     said=$(chapters/press/results out.tex 2>&1)
     is "$1" "1 $3" "$? $said"
-    [ ! -e out.tex ] || echo "not ok results: $1 - wrote out.tex all the same"
+    [ ! -e out.tex ] || not_ok "$1" 'wrote out.tex all the same'
 }
 
 is 'two digits, unless told' '-5.1\times 10^{-13}' \
@@ -85,5 +75,4 @@ refused 'another count' '\result[=31428489]{drift}{count}' \
     'chapters/01-x.nw:3: \result{drift}{count} is 31415926, not 31428489'
 refused 'another word' '\result[0 to 1]{drift}{form}' \
     'chapters/01-x.nw:3: \result{drift}{form} is smaller, which is no number'
-cd "$here" || exit 1
 echo 1..20

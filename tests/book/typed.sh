@@ -147,9 +147,8 @@ unlisted() { # LIST FILE...
     }'
 }
 
-found=$(unlisted "$work/list" plots/[0-9]*.gp chapters/*.nw)
-holds 'no result is typed in a figure or its caption' \
-    sh -c "printf '%s\n' \"\$0\"; test -z \"\$0\"" "$found"
+none 'no result is typed in a figure or its caption' \
+    "$(unlisted "$work/list" plots/[0-9]*.gp chapters/*.nw)"
 
 # The test sees them.
 cat >"$work/planted.gp" <<'END'
@@ -181,7 +180,5 @@ planted.nw:3: 1.573
 listed and not there: plots/none.gp: 1.234'
 found=$(unlisted "$work/short" "$work/planted.gp" "$work/planted.nw" |
     sed "s|^$work/||")
-if [ "$found" = "$expected" ]; then ok 'planted ones are seen'; else
-    not_ok 'planted ones are seen' "$found"
-fi
+is 'planted ones are seen' "$expected" "$found"
 echo 1..2

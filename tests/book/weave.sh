@@ -1,27 +1,16 @@
 #!/bin/sh
 # Weaving: links across chapters, chunk names kept apart, mistakes refused.
-set -u
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
-mkdir -p "$scratch/chapters/press" "$scratch/src/unit" "$scratch/tests/exercises/01a" "$scratch/solutions"
+. tests/programs/common
+mkdir -p "$work/chapters/press" "$work/src/unit" "$work/tests/exercises/01a" "$work/solutions"
 cp chapters/press/weave chapters/press/keywords \
-    chapters/press/lines chapters/press/quote "$scratch/chapters/press/"
-cd "$scratch" || exit 1
+    chapters/press/lines chapters/press/quote "$work/chapters/press/"
+cd "$work" || exit 1
 has() { # name needle file
-    if grep -qF -- "$2" "$3"; then
-        echo "ok weave: $1"
-    else
-        printf '%s\n' "not ok weave: $1 - no '$2' in $3"
-    fi
+    holds "$1" grep -qF -- "$2" "$3"
 }
 refused() { # name message
     said=$(chapters/press/weave 2>&1)
-    status=$?
-    if [ "$status" -eq 1 ] && [ "$said" = "$2" ]; then
-        printf '%s\n' "ok weave: $1"
-    else
-        printf '%s\n' "not ok weave: $1 - status $status and '$said'"
-    fi
+    is "$1" "1 $2" "$? $said"
 }
 one='\chapter{One}
 \section{What [[hit_it]] does}
@@ -60,9 +49,7 @@ chapters/press/weave || echo 'not ok weave: two chapters - status 1'
 label=$(sed -n 's/.*sublabel{\(NW[^}]*\)}.*one\.h.*/\1/p' build/book/01-one.tex)
 has 'an identifier is linked to another chapter' \
     "\\nwlinkedidentc{hit_it}{$label}" build/book/02-two.tex
-grep -c 'linkedidentc' build/book/02-two.tex | grep -qx 1 &&
-    echo 'ok weave: but not in a comment' ||
-    echo 'not ok weave: but not in a comment - more than one link'
+is 'but not in a comment' 1 "$(grep -c 'linkedidentc' build/book/02-two.tex)"
 has 'chunks of two chapters stay apart' 'Includes~{' build/book/02-two.tex
 has 'the lines of a chunk are counted, a blank end left out' \
     '\nwcodelines{2}{}\nwbegincode{1}' build/book/01-one.tex
@@ -70,9 +57,8 @@ has 'a page ends in a long chunk best at a blank line' \
     '\nwcodelines{14}{-----082264---}\nwbegincode{2}' build/book/03-three.tex
 has 'and never in one of ten lines' \
     '\nwcodelines{10}{}\nwbegincode{1}' build/book/03-three.tex
-[ ! -e build/book/solutions-01.tex ] && [ ! -s build/book/edition.tex ] &&
-    echo 'ok weave: no solutions for students' ||
-    echo 'not ok weave: no solutions for students - there they are'
+holds 'no solutions for students' \
+    test ! -e build/book/solutions-01.tex -a ! -s build/book/edition.tex
 has 'the instructor has another edition' '\instructortrue' \
     build/book-instructor/edition.tex
 has 'solutions for instructors' '{\nwkeyword{}return} 0; {\nwcomment{}/* for */}' \
@@ -126,9 +112,7 @@ linked() { # CHAPTER: the names that are links in its last chunks, a q behind on
         tr '\n' ' '
 }
 for pair in '04-lamp=lamp dim shine shineq ' '05-other=lamp shine shineq '; do
-    got=$(linked "${pair%%=*}")
-    [ "$got" = "${pair#*=}" ] && echo "ok weave: the uses in ${pair%%=*}" ||
-        echo "not ok weave: the uses in ${pair%%=*} - '$got', not '${pair#*=}'"
+    is "the uses in ${pair%%=*}" "${pair#*=}" "$(linked "${pair%%=*}")"
 done
 rm chapters/04-lamp.nw chapters/05-other.nw
 
@@ -137,9 +121,9 @@ refused 'a chapter that the book leaves out' \
     'weave: chapters/02-two.nw: chapters/press/book.tex does not name it
 weave: chapters/03-three.nw: chapters/press/book.tex does not name it'
 rm chapters/press/book.tex
-cp chapters/01-one.nw "$scratch/kept"
-sed '2s/$/\r/' "$scratch/kept" >chapters/01-one.nw
+cp chapters/01-one.nw "$work/kept"
+sed '2s/$/\r/' "$work/kept" >chapters/01-one.nw
 refused 'a Windows line end' "weave: chapters/01-one.nw: Windows line ends (a carriage\
- return before the line feed) in 1 of its $(wc -l <"$scratch/kept") lines; save it with\
+ return before the line feed) in 1 of its $(wc -l <"$work/kept") lines; save it with\
  Unix line ends, or: sed -i 's/\\r\$//' chapters/01-one.nw"
 echo 1..15

@@ -2,24 +2,15 @@
 # A beginner waits for nothing that is not needed: what is compiled for the
 # first answer from a kit that has just been unpacked, and for the next.
 . tests/programs/common
-LC_ALL=C
-export LC_ALL
+export LC_ALL=C
 unset CPPFLAGS CFLAGS LDFLAGS EX V MAKEFLAGS MFLAGS
 make=${MAKE:-make}
-kit=$work/kit
-mkdir "$kit"
-tar cf - Makefile src tests exercises solutions plots chapters/press |
-    (cd "$kit" && tar xf -)
-cd "$kit" || exit 1
+copy_kit Makefile src tests exercises solutions plots chapters/press
 
 # made GOAL...: makes it, its words in said, and prints what was compiled.
 made() {
     $make "$@" >"$work/told" 2>&1
     echo $(sed -n 's/^  cc //p' "$work/told" | sort)
-}
-is() { # NAME EXPECTED GOT
-    if [ "$2" = "$3" ]; then ok "$1"; else
-        not_ok "$1" "expected '$2', got '$(echo "$3" | head -c 300)'"; fi
 }
 says() { grep -q -e "$1" "$work/told"; }
 suite() { echo tests/exercises/$1/suite.c; }

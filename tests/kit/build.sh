@@ -6,11 +6,7 @@
 make=${MAKE:-make}
 unset CPPFLAGS CFLAGS LDFLAGS EX SUBMISSIONS REPORT JOBS HIDDEN RESULTS TEXTS \
     SECONDS MAKEFLAGS MFLAGS
-kit=$work/kit
-mkdir "$kit"
-tar cf - Makefile src tests exercises solutions plots chapters |
-    (cd "$kit" && tar xf -)
-cd "$kit" || exit 1
+copy_kit Makefile src tests exercises solutions plots chapters
 
 # Every compilation of every kind of object.
 $make -n V=1 programs check grade-parts test-parts memcheck \

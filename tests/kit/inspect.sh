@@ -4,15 +4,11 @@
 # make chart: what bonk has tried, be it much or little.
 . tests/programs/common
 # As plots/show has it: gnuplot 6 has no degree sign in the C locale, and says so.
-LC_ALL=C.UTF-8
-export LC_ALL
+export LC_ALL=C.UTF-8
 make=${MAKE:-make}
-kit=$work/kit
-mkdir "$kit"
-tar cf - Makefile src plots | (cd "$kit" && tar xf -)
-mkdir -p "$kit/build/bin"
-cp build/bin/step build/bin/scene build/bin/bonk "$kit/build/bin/"
-cd "$kit" || exit 1
+copy_kit Makefile src plots
+mkdir -p build/bin
+cp "$OLDPWD"/build/bin/step "$OLDPWD"/build/bin/scene "$OLDPWD"/build/bin/bonk build/bin
 unset SCENE PRESET X Y UNTIL DT METHOD EVERY KEYS LIVE TOLERANCE OBSERVE output
 # What make would build is there already.
 inspect() { $make -s inspect -o build/bin/step -o build/bin/scene "$@"; }

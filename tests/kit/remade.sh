@@ -19,11 +19,6 @@ cd "$kit" || exit 1
 # made GOAL...: makes it and prints what was compiled and linked, "" if
 # nothing.
 made() { echo $($make "$@" 2>&1 | sed -n 's/^  \(cc\|link\) //p'); }
-# is NAME EXPECTED GOT
-is() {
-    if [ "$2" = "$3" ]; then ok "$1"; else
-        not_ok "$1" "expected '$2', got '$(echo "$3" | head -c 300)'"; fi
-}
 # Another time than before, and no other byte.
 later() { sleep 0.01; touch "$@"; }
 

@@ -360,11 +360,11 @@ static double relaxation(const struct search *h, const double velocity[])
     return sum * (double)(h->n + 2) / 3;
 }
 
-/* Takes the next sample and adds the work of moving every body to the time
-   of the sample. Returns false if the run ends. In a periodic box the
-   motion of the centre of mass is excluded. At equilibrium it has the
-   energy of one body, so the sum in (7.5, eq:virial) has the factor (N -
-   1)/N. */
+/* Takes the next sample, and counts the work of advancing all bodies to
+   its time. Returns false if the run ends. In a periodic box the motion of
+   the centre of mass is excluded. At equilibrium this motion has the
+   energy of one body, so the sum in (7.5, eq:virial) is multiplied by
+   (N - 1)/N. */
 static bool sample(struct measurement *w, double value[])
 {
     const struct search *h = w->h;
@@ -537,9 +537,9 @@ static bool go_on_until_sure(struct averages_found *f,
 }
 
 /* Writes why a run at equilibrium gives no answer. If `brief`, T is too
-   short; if not, the run is too expensive. Suggests the smallest error that
-   T and the budget allow. As predicted costs are rough, the suggestion
-   leaves a factor of three in cost. */
+   short; if not, the run is too expensive. Suggests the smallest error
+   that T and the budget allow. As predicted costs are rough, the
+   suggestion leaves a safety factor of three in cost. */
 static void refuse_settled(char *to, const struct measurement *w,
                            double price, bool brief)
 {

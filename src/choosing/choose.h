@@ -11,7 +11,8 @@ enum { CHOOSE_BUDGET = 60 }; /* default cost limit, s */
 enum { CHOOSE_MOST = STEPPING_MOST + 40, CHOOSE_POINTS = 400 };
 
 /* A request: a scene, a time, a tolerance, and the observables. Unless
-   watch is NULL, it is called after each run with the total cost so far. */
+   `watch` is NULL, it is called after each run with the total cost so
+   far. */
 struct choose_request {
     const struct scene *scene;
     const char *program;             /* name of the program, for messages */

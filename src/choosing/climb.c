@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 2355459712 of the lines below */
+/* checksum 1598700641 of the lines below */
 /* Tries finer and finer steps of one method while these may be cheaper. */
 #include "choosing/task.h"
 
@@ -60,8 +60,8 @@ static double excess(const struct task *t, const struct ladder *l)
     return log2(l->best.error / t->q->tolerance);
 }
 
-/* Returns the predicted cost (in s) of a run with steps 2^more times
-   finer. */
+/* Returns the predicted cost (in s) of a run whose steps are finer by the
+   factor 2^more. */
 static double price_of(const struct ladder *l, double more)
 {
     return l->best.cost * exp2(l->rise * more);

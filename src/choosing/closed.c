@@ -160,11 +160,12 @@ bool closed_relabel(double low, double high, size_t n, double x[],
 }
 
 /* Returns by how many whole turns the faster of two points on a circle is
-   ahead of the slower one. way and v are the differences of their positions
-   and velocities.
+   ahead of the slower one. `way` and v are the differences of their
+   positions and velocities.
 
-   If there are fewer than two walls, the line counts as an infinite circle:
-   the result is -1 while the faster point is behind, and 0 after that. */
+   If there are fewer than two walls, the line counts as an infinite
+   circle: the result is -1 while the faster point is behind, and 0 after
+   that. */
 static double turns_ahead(double way, double v, double circle)
 {
     if (v == 0)

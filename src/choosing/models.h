@@ -78,13 +78,13 @@ struct models_plan {
     unsigned cuts;
     uint64_t steps;   /* time steps per row; 0 for models without steps */
     double tolerance; /* step tolerance of an adaptive method */
-    /* Close passages limit the time steps, except those that move both
-       bodies by less than `negligible` (m) within `time_left` (s). */
+    /* A close passage limits the time step if it may move a body by more
+       than `negligible` (m) within `time_left` (s). */
     double negligible, time_left;
     double slack; /* steps are shorter than their upper limits by this
                      fraction */
     /* Contacts and near misses are recorded if the overlap or the gap is
-       less than this, m. */
+       less than this (in m). */
     double contact_margin;
     double start_limit; /* cost limit of `begin`, s; 0: none */
 };
@@ -113,12 +113,10 @@ struct models_model {
     enum models_end (*row)(struct models_run *r);
     /* Begins a run. Returns NULL, or why it fails. */
     const char *(*begin)(struct models_run *r);
+    void (*end)(struct models_run *r);
     /* Returns why the model cannot compute this scene, or NULL. Called only
        if the model supports all interactions. A NULL pointer means that
        nothing else needs a check. */
-    void (*end)(struct models_run *r);
-    /* Returns why the model cannot compute this scene, or NULL. `bears` is
-       checked before. The pointer is NULL if nothing else needs a check. */
     const char *(*refuses)(const struct scene *s,
                            const struct models_acts *a);
     bool approximate; /* not exact, even for scenes that it accepts */
@@ -136,9 +134,9 @@ struct models_run {
     struct models_acts acts;
     double start, every; /* s */
     double elapsed;      /* time from the start to the next row, s */
-    double clock; /* bound on the relative error of time that is the same in
-                     all units, or 0 */
-    uint64_t rows;       /* rows so far */
+    double clock;  /* bound on the relative error of time that all twins
+                      share, or 0 */
+    uint64_t rows; /* rows so far */
     uint64_t collisions; /* see models_collisions */
     double least;  /* gap of the narrowest miss or, if negative, of the
                       shallowest contact, m */
@@ -185,9 +183,9 @@ bool models_read(struct models_plan *p, const char *text,
 const char *models_refuse(const struct models_plan *p,
                           const struct scene *s);
 
-/* Copies the scene and prepares to compute rows at intervals of `every`, s.
-   On failure sets *why to a static text and returns false, with nothing to
-   free; r->work keeps the work done so far. */
+/* Copies the scene and prepares to compute rows at intervals of `every`
+   (s). On failure sets *why to a static text and returns false, with
+   nothing to free; r->work keeps the work done so far. */
 bool models_begin(struct models_run *r, const struct models_plan *p,
                   const struct scene *s, double every, const char **why);
 

@@ -102,8 +102,8 @@ size_t models_central_body(const struct scene *s, unsigned axes)
     return best;
 }
 
-/* Returns the square of the angular frequency, 1/s^2, of two bodies on a
-   circular orbit at their present distance. */
+/* Returns the square of the angular frequency (in 1/s^2) of two bodies on
+   a circular orbit at their present distance. */
 static double square_of_pair(const struct scene *s, size_t i, size_t j)
 {
     const double square =
@@ -162,10 +162,10 @@ static double stiffness(const struct scene *s, const struct scene_spring *p)
            (across > 1 && across < INFINITY ? across : 1);
 }
 
-/* Returns the stiffness, N/m, above which springs count as stiff: a hundred
-   times the smallest stiffness. If all stiffnesses are equal, returns 0:
-   all springs count as stiff, and the plan decides whether they become
-   rods. Returns INFINITY if no spring acts. */
+/* Returns the stiffness (in N/m) above which springs count as stiff: a
+   hundred times the smallest stiffness. If all stiffnesses are equal,
+   returns 0: all springs count as stiff, and the plan decides whether they
+   become rods. Returns INFINITY if no spring acts. */
 static double stiff_from(const struct scene *s)
 {
     double least = INFINITY, most = 0;

@@ -161,12 +161,12 @@ static const char *begin_disks(struct models_run *r)
 
    A collision of two disks requires new predictions for both of them, a
    collision with a wall only one. A prediction examines all disks or, with
-   cells, a neighbour list. A disk that has moved too far since its list was
-   made gets a new one.
+   cells, a neighbour list. A disk that has moved too far since its list
+   was made gets a new one.
 
-   The work of the start is included. Without cells it examines every pair
-   once for an overlap and twice for a collision. With cells it makes a list
-   for each disk and examines half of the entries. */
+   The work at the start is included. Without cells, every pair is examined
+   once for an overlap and twice for a collision. With cells, a list is
+   made for each disk and half of its entries are examined. */
 static void count_disks(struct models_run *r, const struct box_run *d)
 {
     const double met = (double)d->disks.collisions;
@@ -201,8 +201,8 @@ static bool is_endless(const struct models_run *r, struct box_run *d)
 }
 
 /* Runs to the next row. If the engine stops before AT_A_TIME collisions,
-   memory for longer lists has run out. Positions in a periodic box are not
-   folded back into the box, as in the models with time steps. */
+   memory for longer lists has run out. As in the models with time steps,
+   positions in a periodic box are not folded back into it. */
 static enum models_end row_disks(struct models_run *r)
 {
     struct box_run *d = r->engine;

@@ -19,7 +19,7 @@ struct row_of_bodies {
 /* Returns the row of bodies along the axis of motion or, if nothing moves,
    along the axis on which the bodies lie. A fixed body at an end counts as
    a wall. If a fixed body is between others, which the engine does not
-   allow, left is NaN. */
+   allow, `left` is NaN. */
 static struct row_of_bodies row_of(const struct scene *s,
                                    const struct models_acts *a)
 {

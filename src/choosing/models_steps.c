@@ -10,8 +10,8 @@
 #include <stdlib.h>
 
 /* Returns why no stepping method can compute the scene, or NULL. Rods and
-   friction exclude each other. Only leapfrog supports rods, and it would
-   need the velocity for the friction before it has computed it. */
+   friction exclude each other. Only leapfrog supports rods, and for
+   friction it would need a velocity that it has not yet computed. */
 static const char *refuse_steps(const struct scene *s,
                                 const struct models_acts *a)
 {
@@ -121,9 +121,9 @@ static bool passage_counts(const struct steps *t, const struct pair *p,
            t->plan.negligible * b * sqrt(p->v2);
 }
 
-/* Returns 1/T (in 1/s), where T is the shorter of two times. In the first,
-   two bodies at their present relative velocity move by 0.7 of their
-   distance. In the second, they approach each other by as much, with their
+/* Returns 1/T (in 1/s), where T is the shorter of two times: the time in
+   which two bodies at their present relative velocity move by 0.7 of their
+   distance, and the time in which they approach by as much with their
    present acceleration. */
 static double passage_rate(const struct pair *p, double a2)
 {
@@ -133,8 +133,8 @@ static double passage_rate(const struct pair *p, double a2)
            way;
 }
 
-/* Returns the longest time step (in s) that cannot miss a close passage to
-   which passage_counts applies. */
+/* Returns the longest time step (in s) that cannot miss a close passage
+   for which passage_counts is true. */
 static double longest_step(void *what, const double x[], const double v[],
                            const double a[])
 {

@@ -20,8 +20,8 @@ static inline void pair_add(struct pair *p, double r, double v)
     p->rv += r * v;
 }
 
-/* Returns the square of the smallest distance, m^2, if the paths are
-   straight (12.12, eq:pair-nearest), or 0 if rounding makes it negative. */
+/* Returns the square of the smallest distance (in m^2) on straight paths
+   (12.12, eq:pair-nearest), or 0 if rounding makes it negative. */
 static inline double pair_nearest2(const struct pair *p)
 {
     return fmax(p->r2 - p->rv * p->rv / p->v2, 0);

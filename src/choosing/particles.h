@@ -56,8 +56,8 @@ void particles_gather(const struct particles *l, const struct scene *s,
 void particles_to_jacobi(struct particles *l, const struct scene *s,
                          double x[], double v[]);
 
-/* Reverses particles_to_jacobi after the time t, s. Takes into account that
-   the centre of mass of all bodies has moved. */
+/* Reverses particles_to_jacobi after the time t (s). Takes into account
+   that the centre of mass of all bodies has moved. */
 void particles_from_jacobi(const struct particles *l, const struct scene *s,
                            double t, double x[], double v[]);
 

@@ -8,10 +8,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Returns the extent of the scene along axis k, m, without the body
+/* Returns the extent (in m) of the scene along axis k, without the body
    `without`. Walls count like bodies, since a gas may fill its box or only
-   a corner of it. Sets *near to the distance between the origin and this
-   extent, m. */
+   a corner of it. Sets *near to the distance (in m) between the origin and
+   this extent. */
 static double spread_of(const struct scene *s, size_t k, size_t without,
                         double *near)
 {
@@ -379,8 +379,8 @@ size_t record_agree(const struct record_view *v, const struct record *a,
 /* Writes a row of a run to r->value, in the units of the scene: positions
    and velocities, or the requested observables. `met` is the number of
    collisions so far. Stores the state of the run in v->scene. Observables
-   get the exact time of the row, which the sum of a method's steps may
-   miss. */
+   are computed for the exact time of the row, which the sum of a method's
+   steps may miss. */
 static void write_row(struct record *r, struct record_view *v,
                       const struct record_setup *o, const struct scene *now,
                       uint64_t met)

@@ -41,7 +41,7 @@ struct record {
     const char *why;     /* NULL, or why the run could not begin */
 };
 
-enum { RECORD_TWINS = 7 }; /* twins have numbers from 1 to this one */
+enum { RECORD_TWINS = 7 }; /* twins are numbered from 1 to this */
 
 /* The parameters of a run. */
 struct record_setup {
@@ -56,9 +56,9 @@ struct record_setup {
                       orientation, and the last bits */
 };
 
-/* Prepares to store a run of the duration `length`, s. `asked` must outlive
-   v. If memory runs out, prints an error that begins with `program`, and
-   returns false, with nothing to free. */
+/* Prepares to store a run of the duration `length` (s). `asked` must
+   outlive v. If memory runs out, prints an error that begins with
+   `program`, and returns false, with nothing to free. */
 bool record_view_create(struct record_view *v, const char *program,
                         const struct scene *s,
                         const struct observables *asked, double length);
@@ -71,7 +71,7 @@ void record_run(struct record *r, struct record_view *v,
 void record_free(struct record *r);
 
 /* Runs two plans side by side, until a row of one differs from that of the
-   other by more than `apart`, a fraction of the scale, or a run ends. The
+   other by more than `apart` (a fraction of the scale), or a run ends. The
    cost limit of oa applies to both runs together. */
 void record_both(struct record *a, struct record *b, struct record_view *v,
                  const struct record_setup *oa,
@@ -84,13 +84,13 @@ double record_difference(const struct record_view *v,
                          const struct record *a, const struct record *b,
                          size_t first, size_t last);
 
-/* Returns the size of the scene, m, without the body that enlarges it most.
-   Sets *far to the index of that body. */
+/* Returns the size of the scene (in m) without the body that enlarges it
+   most. Sets *far to the index of that body. */
 double record_scale_without(const struct scene *s, size_t *far);
 
-/* Returns the number of rows after the start in which two runs agree within
-   e, a fraction of the scale. Counting stops at the first row in which they
-   do not agree. */
+/* Returns the number of rows after the start in which two runs agree
+   within e (a fraction of the scale). Counting stops at the first row in
+   which they do not agree. */
 size_t record_agree(const struct record_view *v, const struct record *a,
                     const struct record *b, double e);
 

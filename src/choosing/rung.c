@@ -5,8 +5,8 @@
 #include <stdint.h>
 
 /* Returns plan n of a method, n >= 1, from a fixed list. Similar requests
-   thus get equal plans. The numbers of steps are 1 to 16, 18, 20 ... 32, 36
-   ..., which is eight for each factor of two. The tolerances of an adaptive
+   thus get equal plans. The numbers of steps are 1 to 16, 18, 20 ... 32,
+   36 ..., that is, eight per factor of two. The tolerances of an adaptive
    method are 1, 0.5, 0.2, 0.1 ... */
 static struct models_plan nth_rung(struct models_plan p, int n)
 {

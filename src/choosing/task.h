@@ -41,8 +41,8 @@ struct ladder {
 /* Fractions of the tolerance. Errors up to `negligible` do not matter, so
    if two adaptive reference runs differ by less, no bound is needed.
    `roughly` is the largest allowed difference of two reference runs with
-   equal steps, and the bound on the error at which no more twins are
-   run. */
+   equal steps. No more twins are run once they bound the error by
+   `roughly`. */
 static const double negligible = 0.05;
 static const double roughly = 0.2;
 
@@ -100,10 +100,10 @@ const char *task_ending(const struct record *r);
    none. */
 double task_best_cost(const struct task *t);
 
-/* Stores a run with its error as a point of the chart, and in its candidate
-   unless this has a better run. If the run is within the tolerance and the
-   cheapest so far, it becomes the answer; its rows are moved there, and *r
-   is left empty. */
+/* Stores a run with its error as a point of the chart, and in its
+   candidate unless the candidate has a better run. If the run is within
+   the tolerance and the cheapest so far, it becomes the answer; its rows
+   are moved there, and *r is left empty. */
 void task_consider(const struct task *t, struct choose_candidate *k,
                    struct record *r, double error);
 
@@ -153,10 +153,10 @@ struct choose_point rung_try(const struct task *t, const struct ladder *l,
    each k this bound fails with probability 6.7e-5. */
 enum { TWINS = 6 };
 extern const double twins_margin[TWINS];
-static const double last_margin = 2; /* the last twins_margin */
+static const double last_margin = 2; /* twins_margin[TWINS - 1] */
 
-/* Runs a plan and its twin side by side until a row differs. Returns
-   whether one does. Free both records. */
+/* Runs a plan and its twin side by side until they differ in a row.
+   Returns whether they do. Free both records. */
 bool twins_run(const struct task *t, struct record_setup one,
                struct record *a, struct record *b);
 

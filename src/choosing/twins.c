@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1759581284 of the lines below */
+/* checksum 1123523642 of the lines below */
 /* Bounds the rounding errors of a run by repeating it in other units. */
 #include "choosing/task.h"
 
@@ -39,8 +39,8 @@ double twins_add(const struct task *t, const struct record *r,
     record_free(&twin);
     return far;
 }
-/* Returns the error of a run that is caused by an error of time. All twins
-   share this error, so they do not reveal it (12.11, eq:choose-slip). */
+/* Returns the error that an error of time causes in a run. All twins share
+   this error, so they do not reveal it (12.11, eq:choose-slip). */
 static double error_of_clock(const struct task *t, const struct record *r)
 {
     const double late_by = 0x1p-40;

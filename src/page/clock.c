@@ -10,11 +10,11 @@
    the middle of the box; FIRST is the radius in bins. */
 enum { DISKS = 4, FIRST = 15, BINS = 35 };
 
-/* Parameters: the `offset` of the article's loop (box/loop.h), 0 for the
-   right one; the tick, s; the seed. The wrong loops of the hard-disk
-   article look right, even in films. So the script shows what reveals the
-   error: the density of positions compared with direct sampling, the
-   pressure, and how deeply the disks overlap. */
+/* Parameters: the `offset` of the article's loop (box/loop.h), or 0 for
+   the correct loop; the tick, s; the seed. The wrong loops of the
+   hard-disk article look right, even in films. So the script shows what
+   reveals the error: the density of positions compared with direct
+   sampling, the pressure, and how deeply the disks overlap. */
 double page_number[PAGE_NUMBERS];
 
 static struct loop loop;

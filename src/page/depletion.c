@@ -7,7 +7,7 @@
 
 enum { LARGE = 2, MOST = 400 };
 #define SIDE 5.0   /* side of the periodic box, m */
-#define SHELL 0.05 /* width of the contact shell, in small radii */
+#define SHELL 0.05 /* width of the contact shell / small radius */
 
 /* Parameters: the number of small disks; their radius, m; the step of the
    large disks (in m), or 0 to keep them in place; the seed; the x and y
@@ -36,8 +36,8 @@ bool page_begin(void)
     return sampling_start(&box, &dice);
 }
 
-/* Returns the gap between disks i and j, m, and sets `apart` to the vector
-   from i to j. */
+/* Returns the gap (in m) between disks i and j, and sets `apart` to the
+   vector from i to j. */
 static double gap(size_t i, size_t j, double apart[])
 {
     const struct disk *a = &box.disks.disk[i], *b = &box.disks.disk[j];
@@ -85,9 +85,9 @@ bool page_make(double which)
    surface is n kT, where n is the density at the surface. So each small
    disk within a shell of width d around a large disk pushes it with kT/d
    along the line between their centres. Only the component along the line
-   between the large disks counts. At contact the centres are `reach` apart.
-   If they are s apart, the shell is larger by s / reach, so the push is
-   multiplied by reach / s. */
+   between the large disks counts. At contact the centres are `reach`
+   apart. If they are s apart, the shell is larger by the factor s / reach,
+   so the push is multiplied by reach / s. */
 static double sample_force(void)
 {
     double line[DISKS_AXES], apart[DISKS_AXES], sum = 0;

@@ -8,9 +8,9 @@
 enum { METHODS = 2, OWN = 8 }; /* OWN: values shown for each method */
 
 /* Parameters: the step, s; the damping; the two methods, by their numbers
-   in page_word. The scene is oscillator of the gallery, run as the program
-   step runs it: `scene oscillator --damping 0 | step -` with the same
-   method and step gives the same positions. */
+   in page_word. The scene is `oscillator` from the gallery, run as the
+   program step runs it: `scene oscillator --damping 0 | step -` with the
+   same method and step gives the same positions. */
 double page_number[PAGE_NUMBERS];
 
 static struct swing {

@@ -174,10 +174,10 @@ struct reader {
     size_t line;            /* number of the line */
     struct piece first,     /* first word of the line */
         word[MOST_FIELDS];  /* the other words of the line */
-    size_t lines[LINES],    /* number of lines of each sort in the text */
-        read[LINES];        /* number of lines of each sort read so far */
-    unsigned char *seen;    /* [bodies + kinds] bit s is set if a line of
-                               sort s was read for the body or kind */
+    size_t lines[LINES],    /* number of lines of each type in the text */
+        read[LINES];        /* number of lines of each type read so far */
+    unsigned char *seen;    /* [bodies + kinds] bit t is set if a line of
+                               type t was read for the body or kind */
 };
 
 /* Returns whether c separates words. Files from Windows contain \r. */
@@ -232,10 +232,10 @@ static bool fail(struct reader *r, struct piece found, const char *format,
     return false;
 }
 
-/* Describes one sort of line in a scene file. `fields` names the values on
+/* Describes one type of line in a scene file. `fields` names the values on
    the line. A mark before a name gives its type: @ a body, & a kind of
-   spring, # a whole number, + not negative, > more than 0, % from 0 to 1, !
-   0 or 1, | the type of a wall, = the word axial. Values after a ; are
+   spring, # a whole number, + not negative, > more than 0, % from 0 to 1,
+   ! 0 or 1, | the type of a wall, = the word axial. Values after a ; are
    optional. */
 struct line {
     const char *word, *fields;
@@ -560,7 +560,8 @@ static const struct line forms[LINES] = {
     [BOX] = {"box", "xlow xhigh ylow yhigh zlow zhigh", 1, BY(store_box)},
     [WALLS] = {"walls", "|x |y |z", 2, BY(store_walls)}};
 
-/* Returns the sort of lines that begin with this word, or LINES if none. */
+/* Returns the type of line that begins with this word, or LINES if
+   none. */
 static size_t find_form(struct piece p)
 {
     size_t i = 0;
@@ -622,7 +623,8 @@ static bool read_values(struct reader *r, size_t sort)
     return true;
 }
 
-/* Reads a line if this pass reads lines of its sort; pass 0 only counts. */
+/* Reads a line if this pass reads lines of its type; pass 0 only
+   counts. */
 static bool read_line(struct reader *r, const char *start, const char *stop,
                       int pass)
 {

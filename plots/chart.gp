@@ -34,9 +34,7 @@ load 'plots/style.gp'
 if (live) { set output }
 stats file using 2 nooutput
 if (STATS_min == STATS_max) set xrange [STATS_min/2:STATS_max*2]
-set logscale xy
-set format x '10^{%T}'
-set format y '10^{%T}'
+eval powers
 set xlabel 'cost  (s by the price list)'
 set ylabel 'error  (share of the scale)' offset 1
 set title system(sprintf("sed -n 's/^# command: //p' '%s' | cut -c 1-90", file)) noenhanced font ',11'

@@ -94,10 +94,7 @@ right = left + box + edge
 pixel = (box + edge + 2 * wall) / 854
 decade = 10**floor(log10(vtop))
 step = decade * (vtop / decade > 5 ? 2 : vtop / decade > 2 ? 1 : 0.5)
-set lmargin at screen 0.095
-set rmargin at screen 0.985
-set bmargin at screen 0.14
-set tmargin at screen 0.9
+eval edges(0.095, 0.985, 0.14, 0.9)
 set tics nomirror
 set border 3
 unset key

@@ -45,10 +45,7 @@ thick = E[4] - E[3] > 16 * scale ? E[4] - E[3] : 16 * scale
 bottom = line ? thick - H * scale : (E[3] + E[4] - H * scale) / 2
 top = bottom + H * scale
 fall = H * scale - 1.5 * thick
-set lmargin at screen 20.0 / 960
-set rmargin at screen 940.0 / 960
-set bmargin at screen 56.0 / 540
-set tmargin at screen 496.0 / 540
+eval edges(20.0 / 960, 940.0 / 960, 56.0 / 540, 496.0 / 540)
 set xrange [left:right]
 set yrange [bottom:top]
 set size ratio -1

@@ -140,8 +140,8 @@ static const char *find_line(const char *text, const char *start,
     return NULL;
 }
 
-/* Returns how often word occurs in text. The word " error: " is searched
-   for with its blanks, so that a name ending in "error" is not counted. */
+/* Returns how often `word` occurs in `text`. The blanks in the word "
+   error: " exclude names that end in "error". */
 static int count(const char *text, const char *word)
 {
     int found = 0;
@@ -154,9 +154,9 @@ static int count(const char *text, const char *word)
    This is the first error in the student's file, since later errors often
    follow from it. A missing return is reported only if there is no other
    error: after another error, the compiler may not have read the function
-   to its end. Of the warnings, it is the first that has an explanation or,
-   if none has, the first: a warning about an unused variable, for example,
-   seldom helps a beginner. */
+   to its end. Among warnings, the first one with an explanation is
+   preferred; a warning about an unused variable, for example, seldom helps
+   a beginner. */
 static const char *find_first(const char *text, const char *source,
                               const char *word)
 {

@@ -26,25 +26,26 @@
    are compiled already. Exits with status 2 on failure. */
 void build_suite(const char *exercise);
 
-/* Compiles source and links it with the tests of `exercise`, such as "01a",
-   to the program folder/runner. If strict is true, warnings are errors.
-   Returns whether that succeeded; on failure, writes an explanation for the
-   student to story. Exits with status 2 if build/check/flags or the
-   compiler's messages cannot be read. */
+/* Compiles `source`, links it with the tests of `exercise`, such as "01a",
+   and writes the program folder/runner. If `strict` is true, warnings are
+   errors. Returns whether that succeeded; on failure, writes an explanation
+   for the student to `story`. Exits with status 2 if build/check/flags or
+   the compiler's messages cannot be read. */
 bool build_runner(const char *folder, const char *exercise,
                   const char *source, bool strict, FILE *story);
 
-/* Writes an explanation of the compiler's messages in text to story.
+/* Explains the compiler's messages `text` to the student, in `story`.
    `source` is the name of the student's file. The header file `types`
    declares the functions of the exercise and may be absent. */
 void build_tell(const char *text, const char *source, const char *types,
                 FILE *story);
 
-/* Writes one warning about source from the last build in `folder` to story:
-   the first warning that has an explanation or, if none has, the first. */
+/* Writes to `story` one warning about `source` from the last build in
+   `folder`: the first that has an explanation or, if none has, the very
+   first. */
 void build_warning(const char *folder, const char *source, FILE *story);
 
-/* Returns whether the last build in `folder` found an error in source. */
+/* Returns whether the last build in `folder` found an error in `source`. */
 bool build_blames(const char *folder, const char *source);
 
 /* Returns whether the compiler's command in build/check/flags turns on the

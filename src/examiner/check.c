@@ -134,7 +134,7 @@ static bool is_empty(double got)
     return is_mark(got, CHECK_EMPTY);
 }
 
-/* Returns whether this mistake explains the answer got. The tolerance is
+/* Returns whether this mistake explains the answer `got`. The tolerance is
    increased by 1e-9 of the mistake's value, because the suite and the
    student compute that value in different ways. A mistake that gives the
    expected value explains nothing: for example, squaring a radius of 1 by
@@ -152,10 +152,10 @@ static bool explains(const struct check_mistake *mistake, double got,
     return near(got, value, slack) && !near(value, c->expected, slack);
 }
 
-/* Returns the mistake that explains got, or NULL. If two mistakes have the
-   same value, returns neither, because the hint for the likelier mistake
-   would mislead everybody who made the other. Suites should choose inputs
-   that give all mistakes different values. */
+/* Returns the mistake that explains `got`, or NULL. If two mistakes have
+   the same value, returns neither, because the hint for the likelier
+   mistake would mislead everybody who made the other. Suites should choose
+   inputs that give all mistakes different values. */
 static const struct check_mistake *mistake_behind(double got,
                                                   const struct check *c)
 {
@@ -363,8 +363,8 @@ int __lsan_do_recoverable_leak_check(void) __attribute__((weak));
 #endif
 static bool leaks_wanted = true;
 
-/* Makes the sanitizer report memory that was leaked. This happens in a
-   child process, because the sanitizer ends its process if tracing is not
+/* Makes the sanitizer look for leaked memory. This happens in a child
+   process, because the sanitizer ends its process if tracing is not
    allowed. It happens after the verdict, because a leak costs no points. */
 static void look_for_leaks(void)
 {
@@ -417,9 +417,9 @@ static int run_test(const struct check_test *t)
 }
 
 #ifdef __linux__
-/* Gives up the rights that a judge does not need, and changes to this user.
-   Only the grader links this function; in other programs its address is
-   NULL. */
+/* Drops the privileges that a judge does not need, and changes to this
+   user. Only the grader links this function; in other programs its address
+   is NULL. */
 void judge_confine(long user) __attribute__((weak));
 #endif
 

@@ -39,7 +39,7 @@ struct check {
     const char *unit;     /* "m/s"; NULL or "" for a pure number */
     const char *input;    /* the arguments; NULL: those of check_about */
     double expected;
-    double tolerance;     /* largest |got - expected|; left out: exact */
+    double tolerance;     /* largest |got - expected|; 0: exact */
     const char *because;  /* reason for the tolerance */
     const char *equation; /* label in the book; NULL: that of the suite */
     const char *question; /* helps the student; NULL: that of check_ask */
@@ -89,7 +89,7 @@ struct check_overrun {
     int bytes;      /* number of bytes changed */
 };
 
-/* Compares got with c.expected. If they disagree, reports the failure and
+/* Compares `got` with c.expected. If they disagree, reports the failure and
    ends the test as failed, so what follows a check runs only if the check
    has passed. A NaN never agrees. An infinity agrees only with the same
    infinity. */
@@ -110,8 +110,8 @@ void check_near(double got, struct check c);
     }                                                                      \
     static void test##_case(int i __attribute__((unused)))
 
-/* Set the question and the input of all further checks of the test that
-   have none. check_about returns the input; NULL does not change it. */
+/* Set the default question and the default input for further checks of the
+   test. check_about returns the input; NULL does not change it. */
 void check_ask(const char *question);
 const char *check_about(const char *input);
 
@@ -119,16 +119,16 @@ const char *check_about(const char *input);
    20 calls. Longer texts are cut after 511 characters. */
 const char *check_text(const char *format, ...);
 
-/* Draws a random number from low to high and rounds it to four significant
-   digits, so that a student who types a number from a report gets exactly
-   the same double. Rounding may move it past low or high by half a unit of
-   the fourth digit. Each test has its own sequence, which depends only on
-   the seed and the test's number. At home all students get the same
-   numbers. A lecturer's seed gives other numbers, which no student can know
-   by heart. */
+/* Draws a random number from `low` to `high` and rounds it to four
+   significant digits, so that a student who types a number from a report
+   gets exactly the same double. Rounding may move it past `low` or `high`
+   by half a unit in the fourth digit. Each test has its own sequence, which
+   depends only on the seed and the test's number. At home all students get
+   the same numbers. A lecturer's seed gives other numbers, which no student
+   can know by heart. */
 double check_draw(double low, double high);
 
-/* Draws a random whole number from low to high, both included. */
+/* Draws a random whole number from `low` to `high`, both included. */
 int check_draw_whole(int low, int high);
 
 /* Puts the numbers 0 to count - 1 into order[] in random order. The order

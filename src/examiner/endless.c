@@ -153,13 +153,11 @@ static long milliseconds_of(struct timeval t)
 /* Returns whether the state of the process alone determines what it does
    next. The process must have no other threads, which it might be waiting
    for. It must have spent less than a fifth of its time in the kernel: a
-   larger share suggests a loop that asks the system until the answer
+   larger share suggests a loop that polls the system until something
    changes. */
 static bool is_alone(void)
 {
-    enum {
-        ONE_THREAD = 3
-    }; /* links of a folder that contains one folder */
+    enum { ONE_THREAD = 3 }; /* link count of a folder with one subfolder */
     struct rusage used;
     struct stat tasks;
     getrusage(RUSAGE_SELF, &used);

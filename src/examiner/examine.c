@@ -146,8 +146,8 @@ static void give_hint(struct course *course,
                names[0] ? names[0] : "Everything here");
 }
 
-/* Does what the command line asks. Returns false if an exercise that is
-   begun does not pass. Tasks without a verdict return true, because make
+/* Does what the command line asks. Returns false if any exercise begun so
+   far does not pass. Tasks without a verdict return true, because make
    would otherwise print "Error 1" below their output. */
 static bool do_task(struct course *course, const struct settings *s)
 {
@@ -171,8 +171,8 @@ static bool do_task(struct course *course, const struct settings *s)
     return true;
 }
 
-/* Returns 0 if all exercises that are begun pass (also if none is begun),
-   and 1 otherwise. Exits with status 2 if nothing could be checked. */
+/* Returns 0 if all exercises begun so far pass, or if none is begun, and 1
+   otherwise. Exits with status 2 if nothing could be checked. */
 int main(int argc, char **argv)
 {
     const struct settings s = read_settings(argc, argv);

@@ -205,8 +205,8 @@ static void make_folder(const char *path)
 
 /* Returns the prefix for the names of work folders. It is the same for all
    graders on this system, and differs between boots of the kernel and
-   between process namespaces: if several machines share the folder, a
-   process number alone is ambiguous. */
+   between PID namespaces: if several machines share the folder, a process
+   ID alone is ambiguous. */
 static const char *name_machine(void)
 {
     static char name[32];
@@ -220,7 +220,7 @@ static const char *name_machine(void)
 }
 
 /* Removes the work folders of graders that were killed. A work folder's
-   name contains the process number of its grader. */
+   name contains the process ID of its grader. */
 static void remove_abandoned(void)
 {
     glob_t found = {0};
@@ -299,7 +299,7 @@ static uint64_t draw_seed(void)
 }
 
 /* Writes the seed to path in one step, because other graders may read the
-   file. If anew is false and the file exists, keeps the old seed. Returns
+   file. If `anew` is false and the file exists, keeps the old seed. Returns
    whether the new seed was written. */
 static bool write_seed(const char *path, uint64_t seed, bool anew)
 {
@@ -528,7 +528,7 @@ static void take_pages(const struct batch *b, struct job *job)
 /* Grades a job in this child process, which then ends with _exit to skip
    the parent's clean-up. If the parent is killed, PR_SET_PDEATHSIG ends
    this process and with it the sandbox. If interrupted, writes nothing,
-   because half a grading is no result. */
+   because partial marks must not count. */
 static _Noreturn void work(const struct batch *b, const struct job *job)
 {
     struct marks marks = blank_marks(b, job);
@@ -856,8 +856,8 @@ static void publish_all(struct batch *b)
 
 /* Finds all submissions. Exercises are chosen later; otherwise answers to
    other exercises of the course would be reported as stray files. With
-   --job, reads only names that begin like the student's, because there may
-   be ten thousand students. */
+   --job, reads only names with the same beginning as the student's, because
+   there may be ten thousand students. */
 static void find_submissions(struct batch *b)
 {
     const char **usual = text_must(calloc(b->kit_count + 1, sizeof *usual));

@@ -101,7 +101,7 @@ size_t grading_kits(struct kit **kits)
 enum {
     MOST_LATE = 3,
     LATER_SECONDS = 1, /* time limit of a test after a time-out */
-    SLOW_MS = 200,     /* after such a test, the limit stays */
+    SLOW_MS = 200,     /* a test this slow rules out LATER_SECONDS */
     MOST_BUILDING = 60,
     PRINTS_KEPT = 4096,
     STORY_KEPT = 8192
@@ -118,9 +118,9 @@ struct job {
     struct sandbox sandbox;
     bool open;
     int prints;
-    int late, waited;   /* number of time-outs: all; wall clock */
+    int late, waited;   /* numbers of time-outs and wall-clock time-outs */
     bool slow;          /* a test took SLOW_MS or longer */
-    int crashed, named; /* number of crashes; of known mistakes */
+    int crashed, named; /* numbers of crashes and of known mistakes */
     int left;           /* number of tests that wrote outside an output */
     char mistake[64];   /* name of the first known mistake */
     char types[8192], judge[4096], name[256], header[64];
@@ -209,10 +209,10 @@ static char *read_kit(const struct job *job, const char *name, int line)
     return found;
 }
 
-/* Returns the time limit, in seconds, for the tests after a time-out; 0
-   means the usual limit. One second is enough, since these tests usually
-   run into the same endless loop. Projects and slow programs keep the usual
-   limit; otherwise tests that are merely slow would fail, too. */
+/* Returns the time limit (in s) for the tests after a time-out; 0 means the
+   usual limit. One second is enough, since these tests usually run into the
+   same endless loop. Projects and slow programs keep the usual limit;
+   otherwise tests that are merely slow would fail, too. */
 static int later_seconds(const struct job *job)
 {
     return *job->kit->exercise == 'P' || job->slow ? 0 : LATER_SECONDS;
@@ -311,11 +311,11 @@ static enum state run_test(struct job *job, const struct kit_test *test,
 }
 
 /* Runs test i, unless its result is known or too many tests have timed out.
-   In a second try (`before` is not NULL), a test that came to an end in the
-   first try keeps its mark. The others run again until one of them times
-   out again: then the load of the machine was not the cause. A test that an
-   empty function passes (`idle`) always runs again, because its points
-   depend on the other tests. */
+   In a second try (`before` is not NULL), a test that finished in the first
+   try keeps its mark. The others run again until one of them times out
+   again, which shows that the load on the machine was not the cause. A test
+   that an empty function passes (`idle`) always runs again, because its
+   points depend on the other tests. */
 static enum state try_test(struct job *job, int i, FILE *story)
 {
     const struct marks *before = job->grading->before;
@@ -409,10 +409,9 @@ static void keep_prints(struct marks *marks)
     fclose(file);
 }
 
-/* If only idle tests have passed, those that an empty function passes,
-   marks them as failed and adds the reason. If they stayed passed but
-   earned nothing, reports that count tests would disagree with reports that
-   count points. */
+/* If the only tests passed are idle ones, which an empty function passes,
+   marks them as failed and adds the reason. As passed tests without points,
+   they would make a count of tests disagree with a count of points. */
 static void settle_idle(const struct kit *kit, struct marks *marks)
 {
     static const char why[] = "  A function that does nothing passes this "

@@ -49,8 +49,8 @@ struct grading_page {
    exercises. Exits with status 2 if a list is damaged or none exists. */
 size_t grading_kits(struct kit **kits);
 
-/* Grades a student's file as an answer to the exercise `kit`. bytes is the
-   content of the file, or NULL if there is no file. Sets the state, the
+/* Grades a student's file as an answer to the exercise `kit`. `bytes` is
+   the content of the file, or NULL if there is none. Sets the state, the
    tests, the texts and the times of *marks. Changes the working folder, so
    it must be called in a process of its own. */
 void grading_run(const struct grading *grading, const struct kit *kit,

@@ -77,10 +77,10 @@ static void forbid_other_calls(void)
 
 void judge_confine(long user);
 
-/* Gives up the rights that a judge does not need. A judge knows the
+/* Drops the privileges that a judge does not need. A judge knows the
    expected values, reads data from a sandbox, and may have been started by
-   root. It keeps its rights if the kernel has no filters, or if a container
-   refuses this user id. */
+   root. It keeps its privileges if the kernel has no filters, or if a
+   container refuses this user ID. */
 void judge_confine(long user)
 {
     if (user > 0 && syscall(SYS_setgroups, 0, NULL) == 0 &&

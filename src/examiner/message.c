@@ -212,8 +212,8 @@ static void explain_stranger(FILE *story, const char *line)
     text_field(story, "means", text);
 }
 
-/* Writes the sentence `text`, with the first name that `line` quotes in
-   place of NAME. The table does not use %s, because compilers cannot check
+/* Writes the sentence `text`, replacing NAME with the first name that
+   `line` quotes. The table does not use %s, because compilers cannot check
    formats from a table. */
 static void explain_known(FILE *story, const char *text, const char *line)
 {

@@ -47,8 +47,8 @@ int process_signal(void)
 /* Lowers the soft limit of a resource to `most`. This guards only against
    accidents, since a program can raise the limit again. A process that
    exceeds its processor time gets SIGXCPU; one that exceeds a file size
-   gets SIGXFSZ. Memory is limited by its address space, because every Unix
-   has that limit. */
+   gets SIGXFSZ. Memory is limited through the address space, because every
+   Unix has that limit. */
 static void restrain(int resource, rlim_t most)
 {
     struct rlimit limit;
@@ -125,7 +125,7 @@ double process_clock(void)
 
 /* Returns whether a process has ended; a stopped process has not. Leaves
    the status to be collected later: until then no other process can get
-   this process number, and the process group can be killed safely. */
+   this process ID, and the process group can be killed safely. */
 static bool has_ended(pid_t pid)
 {
     siginfo_t about = {0};

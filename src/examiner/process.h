@@ -33,11 +33,11 @@ struct process_end {
     bool waited;    /* that limit was on wall-clock time */
 };
 
-/* Runs a command, a NULL-terminated list, in the given folder. Its first
-   word is looked up in PATH. The command gets a process group of its own,
-   an empty standard input, and these descriptors and limits; it makes no
-   core file. Returns when the command has ended and its process group has
-   been killed. Returns false if no process could be started; errno says
+/* Runs a command in the given folder. The command is a NULL-terminated list
+   whose first word is looked up in PATH. It gets a process group of its
+   own, an empty standard input, and these descriptors and limits; it makes
+   no core file. Returns when the command has ended and its process group
+   has been killed. Returns false if no process could be started; errno says
    why. */
 bool process_run(char *const command[], const char *folder,
                  const struct process_files *files,
@@ -54,10 +54,10 @@ bool process_start(char *const command[], const char *folder,
 
 /* Sends an order through the socket `orders` to a process started by
    process_start. That process forks a copy of itself and answers with the
-   copy's process number. The copy is a child of this process and has a
-   process group of its own. Waits for the copy to end. Kills it if it uses
-   more than memory_bytes, or after twice the given number of seconds.
-   Returns false if there was no copy. */
+   copy's process ID. The copy is a child of this process and has a process
+   group of its own. Waits for the copy to end. Kills it if it uses more
+   than memory_bytes, or after twice the given number of seconds. Returns
+   false if there was no copy. */
 bool process_copy(int orders, const void *order, size_t length, int seconds,
                   rlim_t memory_bytes, struct process_end *end);
 

@@ -1,4 +1,4 @@
-/* Draws inputs, checks tables and computes paths, to test projects. */
+/* Draws inputs, checks tables and computes trajectories for tests. */
 #ifndef PROJECT_H
 #define PROJECT_H
 
@@ -40,9 +40,9 @@ double project_remark(const struct run *run, const char *words,
 double project_cut(const char *format, double x);
 
 /* Solves x'' = a(x) for n coordinates x with velocities v over the time t,
-   up to rounding errors. `pull` computes a from x and `of`. The time is
-   divided into `parts` pieces; in each piece the path must be only slightly
-   curved. */
+   to within rounding errors. `pull` computes a from x and `of`. The time is
+   divided into `parts` intervals; in each, the trajectory must be only
+   slightly curved. */
 typedef void project_pull(const void *of, const long double x[],
                           long double a[]);
 enum { PROJECT_PLACES = 16 };

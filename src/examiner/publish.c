@@ -174,7 +174,7 @@ static void make_folder(const char *path)
 }
 
 /* Makes the path of a report. A path that is too long is an error, because
-   after a cut it would be the path of another file. */
+   a truncated path would name another file. */
 static void draft_name(struct draft *draft, const char *folder,
                        const char *name)
 {

@@ -5,10 +5,10 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Send count numbers from x or, on the receiving side, receive them into x.
-   Both sides must call the same functions in the same order; therefore each
-   exercise has one function for its arguments, which both sides call. If
-   the other side has ended, the program ends. An array that the student
+/* Send `count` numbers from x or, on the receiving side, receive them into
+   x. Both sides must call the same functions in the same order; therefore
+   each exercise has one function for its arguments, which both sides call.
+   If the other side has ended, the program ends. An array that the student
    should only write to is sent as well: the suite has filled it in order to
    see which values stay unchanged, and the sandbox needs the same
    values. */
@@ -23,7 +23,7 @@ void remote_bools(bool x[], size_t count);
    notices an access beyond its end. Ends the program if memory runs out. */
 void *remote_memory(size_t bytes);
 
-/* Returns memory as remote_memory does, for count elements of this size.
+/* Returns memory as remote_memory does, for `count` elements of this size.
    Ends the program if the product is too large, since the other side may
    send any count. */
 void *remote_array(size_t count, size_t size);
@@ -51,17 +51,17 @@ void remote_wait(void);
 
 /* Serves callback number `which` on the judge's side: receives the
    arguments, calls remote_callback_reply and sends the values of the
-   answer. Defined by an exercise whose function takes a function.
+   answer. Defined by an exercise whose function takes a callback.
 
    It may also send the answers to the calls that are likely to come next.
    In exercise 12b the next step begins where the last one ended; in 03a the
    function halves an interval repeatedly. A wrong guess costs no more than
-   the call. Guessing leaves four to thirty of every hundred round trips.
-   The calls of 05c cannot be guessed. Instead, the sandbox has a copy of
-   the disks and sends a list of all calls and results. The judge repeats
-   the calls with its own disks and checks the results. Grading a course of
-   25 students took 10 s of processor time with a round trip for each call,
-   and takes 2.5 s this way. */
+   the call. Guessing leaves only 4 to 30 percent of the round trips. The
+   calls of 05c cannot be guessed. Instead, the sandbox has a copy of the
+   disks and sends a list of all calls and results. The judge repeats the
+   calls with its own disks and checks the results. Grading a course of 25
+   students took 10 s of processor time with a round trip for each call, and
+   takes 2.5 s this way. */
 void remote_serve_callback(int which);
 
 /* Ends the arguments of a callback. Next, the caller must send the
@@ -78,8 +78,8 @@ void remote_serve(void);
    function writes outside this memory. */
 void *remote_output(const char *name, size_t bytes);
 
-/* Return memory as remote_output does, for count numbers, and receive their
-   initial values. */
+/* Return memory as remote_output does, for `count` numbers, and receive
+   their initial values. */
 double *remote_output_doubles(const char *name, size_t count);
 size_t *remote_output_sizes(const char *name, size_t count);
 int *remote_output_ints(const char *name, size_t count);

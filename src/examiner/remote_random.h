@@ -37,7 +37,7 @@ double uniform(void)
     return block.u[BLOCK - block.left--];
 }
 #else
-/* Copies the next count numbers of uniform() to u without drawing them.
+/* Copies the next `count` numbers of uniform() to u without drawing them.
    Defined by the suite. */
 void uniform_ahead(double u[], size_t count);
 

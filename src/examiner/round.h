@@ -6,8 +6,8 @@
 
 /* Judges the chosen exercises and prints a line for each. Then prints the
    report on the first failure or, if `named`, on every exercise that was
-   named. Returns whether all exercises that are begun pass. Exits with
-   status 2 after a signal. */
+   named. Returns whether all exercises begun so far pass. Exits with status
+   2 after a signal. */
 bool round_check(struct course *course, const struct verdict_rules *rules,
                  bool named);
 

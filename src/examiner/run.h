@@ -36,9 +36,8 @@ struct run_order {
     } files[RUN_FILES]; /* an unused entry has no name */
     int given;          /* number of the function to link */
     enum run_count count;
-    double constant;  /* constant of the law, if count is RUN_OUTSIDE */
-    double most;      /* maximum number of calls answered, if count is
-                         RUN_OUTSIDE */
+    double constant;  /* constant of the force law, for RUN_OUTSIDE */
+    double most;      /* maximum number of calls, for RUN_OUTSIDE */
     const char *late; /* question after a time-out */
 };
 
@@ -67,13 +66,13 @@ const struct run *run_program(const struct run_order *order);
    that a student can repeat a run that failed. */
 const char *run_text(const struct run_order *order);
 
-/* Finds the remark that begins with `words` and reads up to count numbers
+/* Finds the remark that begins with `words` and reads up to `count` numbers
    after them into x. Returns how many it has read. */
 int run_remark(const struct run *run, const char *words, double x[],
                int count);
 
 /* Sets f to the forces on n bodies with masses m and positions x, according
-   to law number `which` with this constant. A project whose calls are
+   to force law `which` with this constant. A project whose calls are
    counted outside the sandbox (RUN_OUTSIDE) defines this function, with
    REMOTE_SERVER. */
 void run_law(int which, double constant, int n, const double m[],

@@ -30,7 +30,7 @@ long syscall(long number, ...);
 #define MEMORY_KIB 524288     /* address space of each process, KiB */
 #define DISK_BYTES "33554432" /* size of the sandbox's folder, bytes */
 #define DISK_FILES "2000"     /* maximum number of files in it */
-#define OUTER_WORK "/mnt"     /* mount point of that folder outside */
+#define OUTER_WORK "/mnt"     /* its mount point outside the sandbox */
 
 enum {
     BUILD_MS = 45000, /* wall-clock time to compile and link */
@@ -75,7 +75,7 @@ static long free_user(long user)
 /* Returns the user id for the sandboxes of this process: an even number,
    since judges have odd ones. The kernel counts processes by user, so a
    fork bomb in one sandbox would keep other sandboxes of the same user from
-   forking. The id depends on our process number, so that two graders on one
+   forking. The id depends on our process ID, so that two graders on one
    machine use different ids. Only root can give a sandbox another user. For
    other users, Linux has counted the processes of each user namespace
    separately since version 5.14. */
@@ -99,7 +99,7 @@ static bool bounded; /* whether mount_disk works; set by sandbox_probe */
    took longer to start than bubblewrap itself. */
 static long new_user; /* user of the next sandbox; 0: our user */
 static bool new_view; /* make a new user namespace */
-static bool own_disk; /* mount a writable folder by mount_disk */
+static bool own_disk; /* mount a writable folder with mount_disk */
 
 static void give_up(const char *what)
 {
@@ -294,7 +294,7 @@ static const unsigned OUR_CALLS = AUDIT_ARCH_AARCH64;
 
 /* Returns a pipe that contains the filter of system calls, a BPF program.
    The filter compares the number of each call with the forbidden numbers.
-   x86 has three sets of call numbers; a call from another set than ours
+   x86 has three sets of call numbers; a call from a set other than ours
    ends the program. On processors other than x86-64 and ARM64 the filter is
    empty. */
 static int open_filter(bool sanitized)

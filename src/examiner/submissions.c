@@ -132,7 +132,7 @@ static bool is_exercise(const char *name)
 
 /* Returns where the name of an exercise begins in a file's name, or NULL.
    The name may be in capitals, as on Windows: 01A-SOMETHING.C. A platform
-   may have put a prefix before it that ends in _. */
+   may have put a prefix that ends in _ before it. */
 static const char *find_exercise(const char *name)
 {
     const char *found = is_exercise(name) ? name : NULL;
@@ -166,11 +166,11 @@ static const char canvas[] =
 /* The owner of a file, read from the name of the file or its folder. Moodle
    puts the student's name, a number and assignsubmission_file_ before the
    file's name, or makes a folder with such a name. Canvas puts the
-   student's name, LATE if the file was late, and the numbers of user and
-   file before it. If names are hidden, Canvas replaces the student's name
-   with anon and some letters. Any other text before the name of an exercise
-   is taken for the owner's name, with a note: one student too many is
-   better than one too few. */
+   student's name, LATE if the file was late, and the numbers of the user
+   and the file before it. If names are hidden, Canvas replaces the
+   student's name with anon and some letters. Any other text before the name
+   of an exercise is taken for the owner's name, with a note: one student
+   too many is better than one too few. */
 struct owner {
     char name[256]; /* the student's name, without LATE_ */
     bool late, guessed, canvas;
@@ -222,8 +222,8 @@ static long long read_date(const char *text)
     return ((year * 100LL + which) * 100 + day) * 10000 + clock;
 }
 
-/* Returns whether a name matches the regular expression `form`, and fills
-   in the places of its groups. */
+/* Returns whether a name matches the regular expression `form`, and stores
+   the positions of its groups in part[]. */
 static bool matches(const char *name, const char *form, regmatch_t part[5])
 {
     regex_t compiled;
@@ -439,8 +439,8 @@ static void walk(struct submission *s, const char *const usual[],
 }
 
 /* Returns the submission of a student, after adding it if it is new. There
-   is one student for each folder, and one for each owner in the name of a
-   file. If there are only files of exercises, they all belong to one
+   is one student for each folder, and one for each owner named in a file
+   name. If there are only files without an owner, they all belong to one
    student. */
 static struct submission *student(struct submissions *all,
                                   const char *entry, const char *name)
@@ -646,8 +646,8 @@ static const struct answer *choose(const struct submission *s,
     return best->rank >= MISNAMED || tie ? NULL : best;
 }
 
-/* Opens the file `path` below a folder. Opens one folder of the path after
-   the other, because none of the names may be a link. */
+/* Opens the file `path` below a folder. Opens the folders of the path one
+   by one, because none of the names may be a link. */
 static int open_below(const char *folder, const char *path)
 {
     int at = open_folder(AT_FDCWD, folder);

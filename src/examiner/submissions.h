@@ -31,7 +31,7 @@ struct submission {
    unpacked, a file 01a.txt, or a second answer would give zero points
    without any message. */
 struct submissions {
-    struct submission *list; /* students, in order of entry */
+    struct submission *list; /* students, sorted by `entry` */
     size_t count;
     struct submission nobody; /* notes on files that belong to no student */
 };

@@ -34,9 +34,8 @@ FILE *text_stream(char **text, size_t *size)
     return text_must(open_memstream(text, size ? size : &ignored));
 }
 
-/* Returns the length of the UTF-8 character at s, where `left` bytes are
-   left, or 0 if the bytes are not valid. Sets *code to the character's
-   number. */
+/* Returns the length of the UTF-8 character that begins the `left` bytes at
+   s, or 0 if they are not valid. Sets *code to its code point. */
 static size_t character(const unsigned char *s, size_t left,
                         unsigned long *code)
 {

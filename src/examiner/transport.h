@@ -25,7 +25,7 @@ enum {
     TRANSPORT_ENDED = 'e'       /* test ended; TRANSPORT_HOW ints follow */
 };
 /* The number of ints after TRANSPORT_ENDED: the status as waitpid gives it,
-   and the processor time used, in milliseconds. */
+   and the processor time used (in ms). */
 enum { TRANSPORT_HOW = 2 };
 
 /* Opens the transport, to receive from one descriptor and send to the

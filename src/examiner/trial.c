@@ -171,8 +171,8 @@ static bool start_runner(const struct trial *trial, const char *test,
 }
 
 /* Starts a runner that waits for orders and forks a copy of itself for each
-   test. A socket carries the orders and the process numbers of the copies;
-   the runner ends when our end of the socket is closed. Only Linux can make
+   test. A socket carries the orders and the process IDs of the copies; the
+   runner ends when our end of the socket is closed. Only Linux can make
    such copies. In the grader this runner is the judge, which gets the pipes
    to its sandbox when it starts. */
 void trial_open(const struct trial *trial)

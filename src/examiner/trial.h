@@ -49,7 +49,7 @@ void trial_open(const struct trial *trial);
 void trial_close(void);
 
 /* Returns whether the last test was stopped by the limit on wall-clock
-   time, perhaps because the machine had other work. */
+   time, perhaps because the machine was busy. */
 bool trial_waited(void);
 
 /* Returns whether a sanitizer ended the last test because it found a

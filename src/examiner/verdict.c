@@ -45,7 +45,7 @@ static bool repeatable(const enum state states[], int run)
 
 /* Reports memory that a passing answer has leaked. Returns whether there
    was a leak. One search for leaks per exercise is enough: the last test
-   makes it, if all others have passed. A pass with a leak is not stored. */
+   does it, if all others have passed. A pass with a leak is not stored. */
 static bool tell_leak(const struct exercise *e, const struct trial *trial,
                       FILE *story)
 {

@@ -35,7 +35,7 @@ static void take_terminal(void)
 }
 
 struct seen {
-    uint64_t judged, last; /* checksums when judged, when seen */
+    uint64_t judged, last; /* checksums as last judged and last seen */
 };
 
 /* Returns whether a file was saved and must be judged. Its checksum must

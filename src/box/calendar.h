@@ -17,7 +17,7 @@ struct calendar_event {
 };
 
 /* Events 0 to size - 1, with or without a time. The events of a day are in
-   a linked list, whose last `next` is size. All events after the last day
+   a linked list, whose last `next` is `size`. All events after the last day
    are in another list. */
 struct calendar {
     struct calendar_event *event;

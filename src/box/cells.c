@@ -25,11 +25,11 @@ static const float *place_of(const struct cells *c, uint32_t i)
 /* x + SHIFT - SHIFT is the whole number nearest to x (see image.h). */
 #define SHIFT 6755399441055744.0
 
-/* Fills way with the displacement of disk i from its anchor, m, and v with
-   its velocity, m/s. Repeats the code of disks_position and
-   disks_separation without their divisions, since every plan needs it: this
-   makes runs of 10 000 spheres 6 % faster. disks_position is called only
-   under gravity. */
+/* Fills `way` with the displacement of disk i from its anchor (in m), and v
+   with its velocity (in m/s). Repeats the code of disks_position and
+   disks_separation, but without divisions. This makes runs of 10 000
+   spheres 6 % faster, since every plan calls this function. disks_position
+   is called only under gravity. */
 static void from_anchor(const struct cells *c, uint32_t i, double way[],
                         double v[])
 {
@@ -166,7 +166,7 @@ VECTOR_AVX2 static inline v4 choose(v4 otherwise, v4 x, l4 chosen)
     return _mm256_blendv_pd(otherwise, x, (v4)chosen);
 }
 
-/* The earliest meeting in each lane: its time, s, and the partner. */
+/* The earliest meeting in each lane: its time (in s) and the partner. */
 struct lanes {
     v4 time;
     l4 who;
@@ -247,10 +247,10 @@ EIGHT void gather_eight(const struct disk *disk, const uint32_t *list,
     column[3] = _mm512_shuffle_f64x2(ba, dc, 0xdd);
 }
 
-/* The earliest meeting in each lane: its time, s, and the partner. ties
-   marks lanes in which two meetings had equal times. Such ties are very
-   rare, so they are left to scalar code. Resolving them in each lane would
-   cost 2 % of the time in a dense gas. */
+/* The earliest meeting in each lane: its time (in s) and the partner.
+   `ties` marks lanes in which two meetings had equal times. Such ties are
+   very rare, so they are left to scalar code. Resolving them in each lane
+   would cost 2 % of the time in a dense gas. */
 struct lanes_eight {
     v8 time;
     __m512i who;
@@ -372,9 +372,9 @@ static void meet_neighbours(const struct cells *c, uint32_t i,
 #define FETCHING static inline
 #endif
 
-/* Numbers of disks. Fewer than FETCH_EARLY disks fit into the cache and
-   need no prefetching. From FETCH_LATE disks on, neighbours are fetched
-   again right before they are needed. Below that number, look_ahead is
+/* Thresholds for the number of disks. Fewer than FETCH_EARLY fit into the
+   cache and need no prefetching. With FETCH_LATE disks or more, neighbours
+   are fetched again right before they are needed. With fewer, look_ahead is
    enough. */
 enum { FETCH_EARLY = 4000, FETCH_LATE = 50000 };
 enum { FETCHED = 12 }; /* entries fetched; no list has fewer */
@@ -433,10 +433,11 @@ FETCHING void fetch_day(const struct cells *c, size_t day, bool neighbours)
 }
 
 /* Prefetches data for the next days whenever the calendar starts a new day:
-   for the day in five days its first event, for the day in four its second
-   event, for the day in three its disks, and for tomorrow the neighbours of
-   its disks. Each step thus finds the data that an earlier step has loaded.
-   This saves a third of the time with 100 000 disks. */
+   the first event of the day five days ahead, the second event of the day
+   four days ahead, the disks of the day three days ahead, and the
+   neighbours of tomorrow's disks. Each step thus finds the data that an
+   earlier step has loaded. This saves a third of the time with 100 000
+   disks. */
 FETCHING void look_ahead(const struct cells *c, size_t today)
 {
     const struct calendar_event *event = c->calendar.event;
@@ -498,10 +499,10 @@ static bool add_neighbour(struct cells *c, uint32_t i, uint32_t other)
     return true;
 }
 
-/* Removes `other` from the list of disk i. The last neighbour takes its
-   entry, as the order of a list has no effect on events. The loop visits
-   all entries, four at a time. Stopping at the entry found would take
-   longer, since that branch is usually mispredicted. */
+/* Removes `other` from the list of disk i. The last neighbour moves to the
+   entry of `other`, as the order of a list has no effect on events. The
+   loop visits all entries, four at a time. Stopping at the entry found
+   would take longer, since that branch is usually mispredicted. */
 static void remove_neighbour(struct cells *c, uint32_t i, uint32_t other)
 {
     uint32_t *entry = c->neighbour + i * c->seats;
@@ -575,8 +576,8 @@ static void write_place(struct cells *c, size_t cell, size_t at, uint32_t i,
     c->anchor[i].spot = (uint16_t)at;
 }
 
-/* Removes the anchor of disk i from its cell. The last anchor of the cell
-   takes its entry. */
+/* Removes the anchor of disk i from its cell, and moves the last anchor of
+   the cell to the free entry. */
 static void leave_cell(struct cells *c, uint32_t i)
 {
     const struct cells_anchor a = c->anchor[i];
@@ -629,7 +630,7 @@ static struct beside beside(const struct cells *c, size_t g, size_t k)
 }
 
 /* Makes disks i and `other` neighbours if their anchors are close enough
-   (7.14, eq:neighbours). square is the square of the distance of the
+   (7.14, eq:neighbours). `square` is the squared distance between the
    anchors, m^2. Returns false if memory runs out. */
 static bool join_if_near(struct cells *c, uint32_t i, uint32_t other,
                          float square)
@@ -664,7 +665,7 @@ static bool join_all(struct cells *c, uint32_t i, struct near *near)
     return true;
 }
 
-/* Computes the distances of all anchors of a cell, at most 16, at once, and
+/* Computes the distances of all anchors of a cell (at most 16) at once, and
    appends the near anchors to *near. Entries written by unused lanes are
    overwritten by the next call. A dense gas of 10 000 spheres, in which
    every eleventh collision renews a list, runs 3 % faster. */
@@ -775,9 +776,9 @@ static bool renew(struct cells *c, uint32_t i)
     return enter_cell(c, i) && find_neighbours(c, i);
 }
 
-/* Wanted mean number of neighbours in the plane and in space. These numbers
-   were fastest for spheres at packing fractions from 0.3 to 0.5. Numbers 50
-   % larger would cost little time, but more memory. */
+/* Desired mean number of neighbours in the plane and in space. These values
+   were fastest for spheres at packing fractions from 0.3 to 0.5. Values
+   larger by 50 % would cost little time, but more memory. */
 enum { CROWD = 10, CROWD_3 = 11 };
 
 /* Returns the skin, m. A circle or sphere of radius 2 (r + skin) should
@@ -934,10 +935,10 @@ bool cells_fit(const struct cells *c, size_t *a, size_t *b)
     return !clash;
 }
 
-/* Handles the events that are not collisions: a disk has moved as far as
-   the skin of its neighbour list allows, or its plan is stale, since its
-   partner has collided after the plan was made. Makes a new plan. Returns
-   whether e is one. Sets *memory to false if memory runs out. */
+/* If event e is not a collision, makes a new plan and returns true. It is
+   not a collision if the disk has moved as far as the skin of its neighbour
+   list allows, or if its plan is stale, since its partner has collided
+   after the plan was made. Sets *memory to false if memory runs out. */
 static bool replan(struct cells *c, struct disks_event e, bool *memory)
 {
     struct disks *d = c->d;

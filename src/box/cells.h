@@ -19,8 +19,8 @@ struct cells_anchor {
 
 /* An engine for the disks of *d. Each anchor is surrounded by a skin. The
    list of a disk contains all disks that it can meet while both stay within
-   their skins (7.14, eq:neighbours). skin and the counts may be read. lanes
-   may be reduced to 4 or 1 between runs. */
+   their skins (7.14, eq:neighbours). `skin` and the counts may be read.
+   `lanes` may be reduced to 4 or 1 between runs. */
 struct cells {
     struct disks *d;
     struct calendar calendar; /* one event for each disk */

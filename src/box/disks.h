@@ -25,8 +25,8 @@ struct disk {
     double radius;               /* m */
 };
 
-/* The boundaries of a box. With DISKS_FLOOR it has walls across the second
-   axis and is periodic along the others. */
+/* The boundaries of a box. With DISKS_FLOOR it has a floor and a roof,
+   perpendicular to the second axis, and is periodic along the others. */
 enum disks_boundary {
     DISKS_WALLS,
     DISKS_PERIODIC,
@@ -43,9 +43,9 @@ enum disks_stop {
 };
 
 /* The next event of a disk, usually a collision with another disk or a
-   wall. A partner number count + axis means a wall across this axis. If a
-   disk is its own partner, it needs a new plan, since in a periodic box
-   plans have a limited range. */
+   wall. A partner number count + axis means a wall perpendicular to this
+   axis. If a disk is its own partner, it needs a new plan, since in a
+   periodic box plans have a limited range. */
 struct disks_event {
     double time; /* s; INFINITY: no event */
     uint32_t disk, partner;
@@ -64,7 +64,7 @@ struct disks {
     double now;   /* s */
     /* ---- written by the runs */
     uint64_t collisions, wall_collisions;
-    double impulse[DISKS_AXES]; /* on the walls across each axis, N s */
+    double impulse[DISKS_AXES]; /* on the two walls of each axis, N s */
     double virial;              /* sum of distance times impulse, J s */
     uint32_t *hits;          /* collisions of each disk, including walls */
     uint64_t standing;       /* collisions at the present time */
@@ -80,15 +80,15 @@ bool disks_create(struct disks *d, size_t dimensions, size_t count);
 void disks_free(struct disks *d);
 
 /* Returns the time (in s, at least 0) until a disk meets the wall toward
-   which it flies, at 0 or at length, m: its centre is then a radius away
-   from the wall (5.1, eq:wall-time). x is the position of the centre and v
-   its velocity. Returns INFINITY if v is 0. */
+   which it flies, at 0 or at `length` (in m). Its centre is then a radius
+   away from the wall (5.1, eq:wall-time). x is the position of the centre
+   and v its velocity. Returns INFINITY if v is 0. */
 double disks_wall_time(double x, double v, double radius, double length);
 
 /* Returns the time (in s, at least 0) until the centres of two disks are
-   at this distance, m (5.3, eq:pair-time). Returns 0 for two disks that
-   touch or overlap and approach each other, and INFINITY for two disks
-   that never meet. separation (m) and closing (m/s) are the position and
+   `distance` (in m) apart (5.3, eq:pair-time). Returns 0 for two disks that
+   touch or overlap and approach each other, and INFINITY for two disks that
+   never meet. separation (m) and closing (m/s) are the position and
    velocity of the second disk relative to the first, with DISKS_AXES
    components. */
 double disks_pair_time(const double separation[], const double closing[],
@@ -102,8 +102,8 @@ double disks_pair_time(const double separation[], const double closing[],
 double disks_meeting(const struct disks *d, size_t i, size_t j, double at);
 
 /* Returns the time (in s) at which disk i will meet its next wall, or
-   INFINITY if it meets no wall. Sets *axis to the axis across which this
-   wall is. */
+   INFINITY if it meets no wall. Sets *axis to the axis perpendicular to
+   this wall. */
 double disks_wall(const struct disks *d, size_t i, size_t *axis);
 
 /* Returns whether event a comes before b. Events at the same time are
@@ -159,12 +159,12 @@ bool disks_plan(struct disks *d);
 enum disks_stop disks_run(struct disks *d, double until,
                           uint64_t collisions);
 
-/* Fills place[DISKS_AXES] with the position of disk i at the time d->now, m
-   (5.4, eq:disk-clock). */
+/* Fills place[DISKS_AXES] with the position (in m) of disk i at the time
+   d->now (5.4, eq:disk-clock). */
 void disks_position(const struct disks *d, size_t i, double place[]);
 
-/* Fills velocity[DISKS_AXES] with the velocity of disk i at the time
-   d->now, m/s. Only gravity changes it between collisions. */
+/* Fills velocity[DISKS_AXES] with the velocity (in m/s) of disk i at the
+   time d->now. Only gravity changes it between collisions. */
 void disks_velocity(const struct disks *d, size_t i, double velocity[]);
 
 /* Returns the kinetic energy, J. Under gravity this includes the potential
@@ -178,8 +178,8 @@ double disks_energy(const struct disks *d);
    drift is a rounding error. */
 void disks_drift(const struct disks *d, double drift[]);
 
-/* Return the energy of the motion relative to the drift, J, and the
-   temperature kT, J. Under gravity the energy includes the potential
+/* Return the energy of the motion relative to the drift (in J), and the
+   temperature kT (in J). Under gravity the energy includes the potential
    energy. kT is 2 K / (D N - P), where K is the kinetic energy, D the
    number of dimensions and P the number of periodic axes: along each
    periodic axis N disks have only N - 1 independent relative velocities.
@@ -193,7 +193,7 @@ double disks_temperature(const struct disks *d);
 double disks_packing(const struct disks *d);
 
 /* Return whether the box is periodic along axis k, and whether it has walls
-   across axis k. An open box has neither. */
+   perpendicular to axis k. An open box has neither. */
 bool disks_wraps(const struct disks *d, size_t k);
 bool disks_walled(const struct disks *d, size_t k);
 
@@ -225,9 +225,9 @@ bool disks_clash(const struct disks *d, size_t a, size_t b);
 bool disks_place_lattice(struct disks *d);
 bool disks_place_random(struct disks *d, struct random *r);
 
-/* Give every disk the speed v in a random direction, or a random velocity
-   of the temperature kT. Then remove the total momentum along periodic axes
-   and restore the energy. */
+/* Give every disk the speed v in a random direction, or a random thermal
+   velocity at the temperature kT. Then remove the total momentum along
+   periodic axes and restore the energy. */
 void disks_set_speed(struct disks *d, double v, struct random *r);
 void disks_set_temperature(struct disks *d, double kT, struct random *r);
 

@@ -17,10 +17,10 @@ static inline void falling_move(const struct disks *d, double wait,
         velocity[1] -= d->gravity * wait;
 }
 
-/* Adds the effect of gravity to the separation x from disk a to disk b, m,
-   and to its rate of change v, m/s, at the later of the two times `since`.
-   Both disks fall alike, so only the difference between these times
-   matters. */
+/* Adds the effect of gravity to the separation x (in m) from disk a to disk
+   b, and to its rate of change v (in m/s), at the later of the two times
+   `since`. Both disks fall alike, so only the difference between these
+   times matters. */
 static inline void falling_between(const struct disks *d,
                                    const struct disk *a,
                                    const struct disk *b, double x[],

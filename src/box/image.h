@@ -1,5 +1,5 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 540884078 of the lines below */
+/* checksum 2802085566 of the lines below */
 /* Computes scalar products and nearest images of pairs. */
 #ifndef IMAGE_H
 #define IMAGE_H
@@ -26,7 +26,7 @@ static inline bool wraps(const struct disks *d, size_t k)
             (d->boundary == DISKS_FLOOR && k != 1));
 }
 
-/* Returns 1/box[k], 1/m, if the box is periodic along axis k, or 0. */
+/* Returns 1/box[k] (1/m), or 0 if the box is not periodic along axis k. */
 static inline double inverse(const struct disks *d, size_t k)
 {
     return wraps(d, k) ? 1 / d->box[k] : 0;

@@ -4,8 +4,8 @@
 
 #include "box/disks.h"
 
-/* A loop over ticks, as in the article that chapter 5 reviews, or
-   corrected. All disks are at the time t. At an event, t has already
+/* A loop over ticks, either that of the article that chapter 5 reviews or a
+   corrected one. All disks are at the time t. At an event, t has already
    advanced by a tick. The loop then moves the disks by the time from t to
    the event, which is negative, plus `offset` ticks. The correct offset is
    +1; the article has -1. */
@@ -19,13 +19,13 @@ struct loop {
 /* Carries out the next event, and finds the event after it. */
 void loop_event(struct loop *l);
 
-/* Runs one turn of the article's loop, which makes one record: moves the
-   disks to the next tick, `every` s later, or to the next event if this is
-   earlier. */
+/* Runs one iteration of the article's loop, which makes one record: moves
+   the disks to the next tick, `every` s later, or to the next event if this
+   is earlier. */
 void loop_turn(struct loop *l, double every);
 
-/* Carries out all events up to a tick, s, and sets the clock to the
-   tick. */
+/* Carries out all events up to the time `tick` (in s), and sets the clock
+   to it. */
 void loop_go_to(struct loop *l, double tick);
 
 /* Returns the deepest overlap (in m) of disks with each other or with the

@@ -1,5 +1,5 @@
 /* From chapters/06-room.nw: edit there, then run make tangle. */
-/* checksum 1714913877 of the lines below */
+/* checksum 1446073242 of the lines below */
 /* Samples hard disks directly, by a Markov chain, or by event chains. */
 #include "box/sampling.h"
 
@@ -15,7 +15,7 @@ enum {
     TRIES = 100000   /* attempts to place a small disk */
 };
 
-/* Returns the square of the distance of two positions, m^2. In a periodic
+/* Returns the squared distance between two positions, m^2. In a periodic
    box this is the distance of the nearest images. */
 static double squared(const struct sampling *s, const double a[],
                       const double b[])

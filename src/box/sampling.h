@@ -37,17 +37,17 @@ void sampling_free(struct sampling *s);
 size_t sampling_throw(struct sampling *s, struct random *r);
 
 /* Estimates the natural logarithm of the fraction of throws in which all
-   disks fit, from the given number of throws. If fewer than ten throws
-   reached a disk, its fraction is taken to be that of the last disk before
-   it, which overestimates the result at low densities. */
+   disks fit, from the given number of throws. The result is a sum over the
+   disks. If a disk fitted in fewer than ten throws, the term of the last
+   disk before it is used instead, which overestimates the result at low
+   densities. */
 double sampling_log_acceptance(struct sampling *s, uint64_t throws,
                                struct random *r);
 
-/* Return estimates from one configuration, whose means over a run are the
-   densities: the density of large disk i at the two walls across axis k,
-   1/m, and the density of pair distances at contact, 1/m, from sliding disk
-   i away from disk j (6.6, eq:slide). Require positions without
-   overlaps. */
+/* Return estimates from one configuration, whose means over a run are
+   densities (in 1/m): that of large disk i at the two walls perpendicular
+   to axis k, and that of pair distances at contact, found by sliding disk i
+   away from disk j (6.6, eq:slide). Require positions without overlaps. */
 double sampling_wall_density(const struct sampling *s, size_t i, size_t k);
 double sampling_pair_density(const struct sampling *s, size_t i, size_t j);
 

@@ -1,6 +1,6 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 720854544 of the lines below */
-/* Averages both laws over bins, with the same results on every machine. */
+/* checksum 1972643245 of the lines below */
+/* Averages speed distributions over bins, alike on every machine. */
 #include "box/speeds.h"
 
 #include <math.h>
@@ -20,7 +20,7 @@ struct speeds_law speeds_maxwell(size_t dimensions, bool component)
 {
     return (struct speeds_law){component ? 0 : dimensions - 1, 0, 0};
 }
-/* Returns x to the power halves / 2. */
+/* Returns x^(halves / 2). */
 static double half_power(double x, size_t halves)
 {
     double root = sqrt(x), power = 1;

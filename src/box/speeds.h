@@ -1,4 +1,4 @@
-/* Computes the speed distribution of N disks, and that of Maxwell. */
+/* Computes the speed distribution of N disks, and Maxwell's. */
 #ifndef SPEEDS_H
 #define SPEEDS_H
 

@@ -80,22 +80,22 @@ bool disks_fit(const struct disks *d, size_t *a, size_t *b)
 }
 
 /* A close-packed lattice, stretched over the box. It has `cells` cells of
-   width `step` (in m) along each axis, beginning at `from` (in m) with
+   width `step` (in m) along each axis, beginning at `from` (in m), and
    `basis` sites in each cell. In the plane it is triangular, with every
    other row shifted by half a step, so a rectangular cell has two sites: a
    corner and the centre. In space it is face-centred cubic. */
 struct lattice {
     size_t cells[DISKS_AXES], basis;
     double from[DISKS_AXES], step[DISKS_AXES];
-    double nearest; /* smallest distance of two sites, m */
+    double nearest; /* smallest distance between sites, m */
 };
 
 /* The sites of a cell, as fractions of its width. */
 static const double sites[4][DISKS_AXES] = {
     {0, 0, 0}, {.5, .5, 0}, {.5, 0, .5}, {0, .5, .5}};
 
-/* Returns the smallest distance of two sites, m. They are in the same cell
-   or in adjacent cells. */
+/* Returns the smallest distance between two sites, m. They are in the same
+   cell or in adjacent cells. */
 static double nearest_site(const struct lattice *l, size_t dimensions)
 {
     double least = INFINITY;
@@ -197,8 +197,8 @@ static size_t odd_one_out(const struct disks *d, double *r)
     return d->disk[big].radius > *r ? big : d->count;
 }
 
-/* Returns whether the large disk in the middle overlaps a disk of radius r,
-   m, at this position. */
+/* Returns whether the large disk in the middle overlaps a disk of radius r
+   (in m) at this position. */
 static bool covered(const struct disks *d, size_t big, double r,
                     const double place[])
 {
@@ -248,8 +248,8 @@ static void fill_lattice(struct disks *d, const struct lattice *l,
     }
 }
 
-/* If too few sites are uncovered, requests a lattice with more sites, by
-   the missing number, and tries again. */
+/* If too few sites are uncovered, adds the missing number to the number of
+   sites requested, and tries again. */
 bool disks_place_lattice(struct disks *d)
 {
     double r;

@@ -165,9 +165,10 @@ static size_t *cells_of(size_t n, const double x[], size_t cells)
     return sorted ? cell : NULL;
 }
 
-/* Computes chi-square and its degrees of freedom from a table with `cells`
-   rows and columns. If the two series are independent, all entries of the
-   table have the same expected count. Returns false if memory runs out. */
+/* Computes chi-square and its degrees of freedom from a contingency table
+   with `cells` rows and columns. If the two series are independent, all
+   entries of the table have the same expected count. Returns false if
+   memory runs out. */
 static bool count_table(size_t n, const double x[], const double y[],
                         size_t cells, struct statistics_dependence *d)
 {

@@ -9,8 +9,8 @@
    is infinite. */
 double fall_to_floor(double x, double v, double g);
 
-/* Returns the time (in s) until the body reaches a roof at the distance x,
-   m, above it (5.14, eq:fall-roof). Returns INFINITY if the body only
+/* Returns the time (in s) until the body reaches a roof at the distance x
+   (in m) above it (5.14, eq:fall-roof). Returns INFINITY if the body only
    touches the roof or does not reach it. */
 double fall_to_roof(double x, double v, double g);
 

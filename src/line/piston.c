@@ -1,5 +1,5 @@
 /* From chapters/04-piston.nw: edit there, then run make tangle. */
-/* checksum 1734956142 of the lines below */
+/* checksum 1275280690 of the lines below */
 /* Moves the piston in steps, and computes its period and frequency. */
 #include "line/piston.h"
 
@@ -148,7 +148,7 @@ static double wave_force(const struct piston_gas *gas, double length,
     return gas->mass / length * c / tan(frequency * length / c);
 }
 
-/* Returns the lowest frequency above 0, 1/s, at which wave_force is
+/* Returns the lowest positive frequency (in 1/s) at which wave_force is
    infinite. */
 static double wave_pole(const struct piston_gas *gas, double length)
 {

@@ -58,7 +58,7 @@ double piston_energy(const struct piston *p, const struct piston_state *s);
 double piston_rest(const struct piston *p);
 
 /* Returns the angular frequency (1/s) of small oscillations about the
-   position of rest. Source: (4.7, eq:piston-small), with M from
+   equilibrium position. Source: (4.7, eq:piston-small), with M from
    piston_inertia. */
 double piston_frequency(const struct piston *p);
 

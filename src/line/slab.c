@@ -194,12 +194,12 @@ static void renew_due(struct bonkers *b, size_t i, double end)
     }
 }
 
-/* Returns whether an island of gaps first to last would leave the range of
-   gaps that only slab s may change. The island reads bodies up to last + 2,
-   which slab s - 1 must have finished. It changes the time of gap first -
-   1, which slab s + 1 must not have read. Within this range every island
-   runs as if the slabs ran one after another, and the proof of chapter 2
-   applies to each slab. */
+/* Returns whether an island of gaps `first` to `last` would leave the range
+   of gaps that only slab s may change. The island reads bodies up to last +
+   2, which slab s - 1 must have finished. It changes the time of gap
+   `first` - 1, which slab s + 1 must not have read. Within this range every
+   island runs as if the slabs ran one after another, and the proof of
+   chapter 2 applies to each slab. */
 static bool leaves_its_slab(const struct slab *s, size_t first, size_t last)
 {
     const struct slab *before = s - 1, *behind = s + 1;
@@ -278,7 +278,7 @@ static bool run_island(struct bonkers *b, struct slab *s, size_t *first,
     }
 }
 
-/* Runs the island that begins at gap first. Returns the first gap after it
+/* Runs the island that begins at gap `first`. Returns the next gap after it
    that may begin another island, or 0 if the slabs have failed. If the
    island comes too close to islands on its left, the collisions of all
    these islands are undone and run again as a single larger island. That
@@ -311,7 +311,7 @@ static size_t add_island(struct bonkers *b, struct slab *s, size_t first)
     return last + 3;
 }
 
-/* Saves the bodies and the counters of the gaps from..to-1, which also
+/* Saves the bodies and the counters of gaps `from` to `to` - 1, which also
    loads them into the cache. Prefetches the next block. With a compiler
    without __builtin_prefetch, large lines are slower. */
 static void save(struct bonkers *b, size_t from, size_t to)
@@ -377,7 +377,7 @@ static void drop_safe_entries(struct slab *s)
         s->island[k].start -= start;
 }
 
-/* Runs the islands of slab s that begin in the gaps from..to-1. Returns
+/* Runs the islands of slab s that begin in gaps `from` to `to` - 1. Returns
    false if the slabs have failed and must all be undone. The list of due
    gaps is made without a branch, which would be mispredicted at every
    island. Each gap is written to the list, but the index advances only if
@@ -522,7 +522,7 @@ static bool holds_the_end(const struct bonkers *b, uint64_t collisions,
     return b->slab->collapse || collisions >= limit - b->collisions;
 }
 
-/* Runs up to `end` by the heap engine. This engine counts collisions in
+/* Runs up to `end` with the heap engine. This engine counts collisions in
    order of time and can handle any number of simultaneous collisions, as
    when a thousand touching balls are struck. The heap needs room for every
    gap. It uses the memory of the saved bodies, which have already been

@@ -171,10 +171,10 @@ struct statistics_scatter statistics_scatter(size_t blocks, size_t cells,
 
 /* Compares x with y, which are measured at the same times. Computes their
    correlation, with an error from blocking if `serial`, and chi-square of a
-   table with cells x cells entries, which have equal expected counts if x
-   and y are independent. Chi-square is not divided by an inefficiency.
-   Returns false if memory runs out, or if x or y is constant. Requires n >=
-   2, cells >= 2. */
+   contingency table of cells x cells entries, which have equal expected
+   counts if x and y are independent. Chi-square is not divided by an
+   inefficiency. Returns false if memory runs out, or if x or y is constant.
+   Requires n >= 2, cells >= 2. */
 bool statistics_dependence(size_t n, const double x[], const double y[],
                            size_t cells, bool serial,
                            struct statistics_dependence *d);

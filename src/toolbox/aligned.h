@@ -1,7 +1,8 @@
 /* Memory aligned to cache lines. */
 /* A vector of eight doubles that crosses the border of a cache line is
    loaded and stored in two pieces, which is slower. malloc aligns memory to
-   16 bytes only. Springs read four aligned arrays in every step. */
+   16 bytes only. The code for springs reads four such arrays in every
+   step. */
 #ifndef TOOLBOX_ALIGNED_H
 #define TOOLBOX_ALIGNED_H
 

@@ -64,8 +64,8 @@ static uint64_t five_to(int k)
     return power;
 }
 
-/* Splits size, a normal number, into an integer b and an exponent: size = b
-   2^(*e - 53). Returns b. */
+/* Splits a normal number: size = b 2^(*e - 53) with an integer b. Returns
+   b. */
 static uint64_t take_apart(double size, int *e)
 {
     uint64_t bits;

@@ -18,9 +18,9 @@ void program_apart(struct options *o, const char *output,
 struct table *program_table(const char *path);
 
 /* Opens the table at output (NULL: standard output) and the summary with
-   these keys, and sets *out and *results. From then on signals only ask the
-   program to end (toolbox/progress.h). If the table or the summary cannot
-   be opened, ends the process like program_table and leaves no empty
+   these keys, and sets *out and *results. After that, a signal only asks
+   the program to end (toolbox/progress.h). If the table or the summary
+   cannot be opened, ends the process like program_table and leaves no empty
    file. */
 void program_open(const char *output, const char *summary,
                   const struct table_key keys[], struct table **out,
@@ -47,8 +47,8 @@ _Noreturn void program_refuse(const char *format, ...);
 _Noreturn void program_give_up(const char *format, ...);
 
 /* If `wrong' is not NULL, prints it and ends the process like
-   program_give_up. Use this for functions that return NULL or the reason of
-   their failure. */
+   program_give_up. Use this for functions that return NULL or the reason
+   for their failure. */
 void program_check(const char *wrong);
 
 /* If `got' is false, ends the process with the message "no memory". `what'

@@ -56,8 +56,8 @@ void progress_update(struct progress *p, uint64_t done, uint64_t events)
     print_progress(p, now - p->start, events);
 }
 
-/* Time that a run has to end after a signal, s. Some loops seldom check for
-   signals, and a program that waits for input does not check at all. */
+/* Time allowed for a run to end after a signal, s. Some loops seldom check
+   for signals, and a program that waits for input does not check at all. */
 enum { SECONDS_TO_END = 10 };
 static volatile sig_atomic_t signal_seen;
 

@@ -142,8 +142,8 @@ int replace_begin(const char *path, mode_t mode, char **temporary)
     return -1;
 }
 
-/* For only_new, link fails if path exists, where rename would replace the
-   file. */
+/* If only_new is true, calls link(), which fails if `path' exists. rename()
+   would replace the file. */
 bool replace_finish(char *temporary, const char *path, bool only_new)
 {
     const bool done = only_new ? link(temporary, path) == 0

@@ -136,8 +136,8 @@ static char *resolve_new(const char *path)
    same file.
 
    - fstat notices a closed standard output before a long run, not after.
-   - If this process already writes the file, the descriptor is copied. Both
-     descriptors share one position, so nothing is overwritten.
+   - If this process is already writing to the file, the descriptor is
+     duplicated. Both copies share one position, so nothing is overwritten.
    - A device or pipe is opened with O_APPEND, which keeps earlier output,
      and without O_CREAT: the mistyped /dev/nul must be an error and not a
      new file.

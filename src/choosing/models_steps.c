@@ -213,7 +213,7 @@ static const char *begin_steps(struct models_run *r)
         g->source = t->particles.order;
         g->sources = t->particles.heavy;
         g->factor = t->particles.factor;
-        /* 5: for sorting and for the Jacobi coordinates */
+        /* sorting and the Jacobi coordinates cost as much as 5 sorts */
         models_count_sorting(r, s->bodies, 5);
     }
     if (count > 0) {

@@ -25,7 +25,7 @@ struct record_setup task_setup(const struct task *t,
     plan.negligible = negligible * t->q->tolerance * t->view->length * less;
     plan.time_left = (double)t->c->rows * t->q->every;
     plan.start_limit =
-        fmax(task_budget(t) / 2, 1e-9); /* half, since a twin starts, too */
+        fmax(task_budget(t) / 2, 1e-9); /* half, since a twin also starts */
     plan.contact_margin =
         plan.tolerance > 0 ? t->q->tolerance * t->view->length : 0;
     return (struct record_setup){.scene = t->q->scene,

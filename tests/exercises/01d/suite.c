@@ -267,9 +267,9 @@ const struct check_suite check_suite = {
     .minutes = 40,
     .equation = "eq:impulse",
     .tests =
-        {{"a disk that only grazes goes straight on", test_graze, 1, 0},
+        {{"equal disks leave at a right angle", test_equal_masses, 1, 0},
+         {"a disk that only grazes goes straight on", test_graze, 1, 0},
          {"a target that nothing moves is a mirror", test_fixed, 1, 0},
-         {"equal disks leave at a right angle", test_equal_masses, 1, 0},
          {"a light disk leaves as worked out by hand", test_right_angle, 1,
           0},
          {"the blow turns the disk by the wanted angle", test_blow, 1, 0},

@@ -132,6 +132,7 @@ static size_t passed(const struct job *j, size_t k)
 
 static void check_next(const struct job *j, double got, size_t next)
 {
+    const size_t crosswise = earliest(j, crossed);
     CHECK_NEAR(
         got, .quantity = "number of the next event", .input = input(j),
         .expected = (double)next, .because = "a place in an array is exact",
@@ -151,7 +152,7 @@ static void check_next(const struct job *j, double got, size_t next)
              "A stale event was left by way of its earlier child, and only "
              "that. What if this child is stale as well: who says that the "
              "best is below it, and not on the other side?"},
-            {"counters-crossed", (double)earliest(j, crossed),
+            {"counters-crossed", crosswise < j->n ? (double)crosswise : NAN,
              "The counters of the event and those of the bodies were "
              "compared crosswise. Whose counter is count_i, and whose "
              "count_j?"},
@@ -204,10 +205,12 @@ static void check_both(const struct job *j)
 
 static void test_good_top(void)
 {
-    static const struct job all_good = {
-        3,
-        {{1.0, 0, 1, 3, 5}, {2.0, 2, 3, 2, 7}, {1.5, 1, 2, 5, 2}},
-        {3, 5, 2, 7}};
+    static const struct job all_good = {4,
+                                        {{1.0, 0, 1, 3, 5},
+                                         {2.0, 2, 3, 5, 7},
+                                         {1.5, 1, 2, 5, 5},
+                                         {3.0, 0, 1, 3, 5}},
+                                        {3, 5, 5, 7}};
     static const struct job alone = {1, {{4.5, 2, 0, 8, 1}}, {1, 0, 8, 0}};
     check_ask("All counters agree, so nothing is stale here. Where does a "
               "heap keep its earliest event?");

@@ -239,7 +239,8 @@ static void check_step(const struct grid *g)
                            : 2.0 / corner,
              "This belongs to the mode with the most waves along x and y. "
              "Where the springs push, do more waves make it faster?"},
-            {"lowest-for-the-highest", 2.0 / lowest,
+            {"lowest-for-the-highest",
+             lowest < INFINITY ? 2.0 / lowest : NAN,
              "This belongs to the slowest mode. Which of them is the first "
              "to blow up when the step gets longer?"},
             {"half-the-step", 1.0 / highest,
@@ -294,15 +295,13 @@ CHECK_TIMES(3, test_tension, i)
     check_modes(&g, 1);
 }
 
-/* With springs at rest nothing pulls back, and no step is too long. */
+/* With springs at rest nothing pulls back. */
 static void test_slack(void)
 {
     const struct grid g = {5, 4, 1.0, 50.0, 0.25, 0.5, 0.25, 0.5};
     check_ask("No spring pulls while the grid lies flat. What is left for "
               "small motions?");
     check_modes(&g, 1);
-    check_ask("Nothing swings. Which step is too long?");
-    check_step(&g);
 }
 
 static void test_pressed(void)
@@ -352,12 +351,15 @@ static void test_step(void)
     const struct grid many = {8, 6, 1.0, 50.0, 0.25, 0.5, 0.2, 0.3};
     const struct grid pushed = {7, 5, 1.0, 10.0, 1.0, 1.0, 1.25, 0.5};
     const struct grid grows = {4, 4, 1.0, 10.0, 1.0, 1.0, 1.5, 1.25};
+    const struct grid slack = {5, 4, 1.0, 50.0, 0.25, 0.5, 0.25, 0.5};
     const struct grid soft = {4, 5, 9.0, 0.125, 1.0, 1.0, 0.5, 0.25};
     check_step(&one);
     check_step(&many);
     check_step(&pushed);
     check_step(&grows);
     check_step(&soft);
+    check_ask("Nothing swings. Which step is too long?");
+    check_step(&slack);
 }
 
 /* The place behind the last mode is somebody else's. */

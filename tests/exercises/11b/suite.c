@@ -244,13 +244,14 @@ static void check_velocity(const struct row *r, size_t i,
 #undef EXPLAINED
 }
 
-static void check_count(size_t got, size_t expected)
+/* Of two balls no rounding makes a second collision. */
+static void check_count(size_t balls, size_t got, size_t expected)
 {
     CHECK_NEAR((double)got, .quantity = "number of collisions",
                .expected = (double)expected, .because = "a number is exact",
                .mistakes = {
                    {"rounding-counted",
-                    got > expected ? (double)got : (double)expected,
+                    balls > 2 && got > expected ? (double)got : NAN,
                     "More than there are. Two of them may be as fast as "
                     "each other, but for a rounding: do they approach?"}});
 }
@@ -260,7 +261,7 @@ static void check_end(const struct row *r, const struct end *expected)
     const struct end e = answer(r);
     for (size_t i = 0; i < r->n; ++i)
         check_velocity(r, i, &e, expected);
-    check_count(e.collisions, expected->collisions);
+    check_count(r->n, e.collisions, expected->collisions);
     CHECK_NEAR(
         e.v[r->n], .quantity = "what stands behind the last velocity",
         .expected = -99.0, .because = "it does not belong to the row",
@@ -296,11 +297,12 @@ static void check_two(double m0, double m1, double v0, double v1, double u0,
                           "two velocities changes more: that of the heavy "
                           "ball or of the light one?"}});
     check_ask("Two balls meet once, and part. How often is that?");
-    check_count(e.collisions, 1);
+    check_count(2, e.collisions, 1);
 }
 
 static void test_two(void)
 {
+    check_two(2.0, 3.0, 7.5, -2.5, -4.5, 5.5);
     check_two(1.0, 3.0, 2.0, 0.0, -1.0, 1.0);
     check_two(3.0, 1.0, 1.0, -1.0, 0.0, 2.0);
     check_two(0.5, 1.5, 1.0, -3.0, -5.0, -1.0);

@@ -13,13 +13,13 @@ enum { STAGES = 7, MOST_ROUNDS = 12 };
 
 /* Weights computed from a method's coefficients, for a step of length 1. */
 struct adaptive_weights {
-    /* For an embedded pair: c[i] is the sum of row i of the matrix a. a2,
+    /* For an embedded pair: c[i] is the sum of row i of a[], and a2,
        error2 and dense2 are the products of a, error and dense with a. */
     double c[STAGES], a2[STAGES][STAGES];
     double error2[STAGES], dense2[STAGES];
     /* For Radau's method: what the coefficient g_(k+1) = 1 contributes at
-       node i + 1, whose time is c. The displacement is c^2 x[i][k], the
-       change of velocity c v[i][k]. */
+       node i + 1, whose time is c. The displacement is c^2 x[i][k], and
+       the change of velocity is c v[i][k]. */
     double x[STAGES][STAGES], v[STAGES][STAGES];
     double gap[STAGES][STAGES]; /* 1 / (c_(i+1) - c_j) */
     double last[STAGES];        /* 1 / (1 - c_(j+1)) */
@@ -95,9 +95,9 @@ static void add(double *restrict to, double *restrict owed,
     }
 }
 
-/* Computes the end of a trial step from the changes in place[] and speed[].
-   Writes it over s->from, which is the beginning of the last step and no
-   longer needed, because the requested time is after that step. */
+/* Computes the end of a trial step, s->to plus the changes place[] and
+   speed[]. Writes it over s->from, the beginning of the last step, which
+   is no longer needed because the requested time is after that step. */
 static void arrive(struct adaptive *s)
 {
     const size_t n = s->forces.size;
@@ -297,9 +297,9 @@ static inline double way(double part, double v, double a, double change)
 }
 
 /* Computes the displacements and the changes of velocity in a part of a
-   step from the coefficients g. Scalar code spent nine tenths of the run of
-   an 81-node membrane in these sums. Vector code more than halves the time
-   of a step. */
+   step from the coefficients g. With scalar code, an 81-node membrane
+   spent nine tenths of its run in these sums. Vector code more than halves
+   the time of a step. */
 VECTOR_LOOP static void lead(double *restrict place, double *restrict speed,
                              const double *restrict g,
                              const struct adaptive_state *start,
@@ -366,8 +366,8 @@ static double correct_node(struct adaptive *s, size_t i)
     return most;
 }
 
-/* Sets `to` to coefficient m of a polynomial in a new basis: the sum, over
-   all k >= m, of the old coefficient k times by[k][m]. */
+/* Writes into to[] coefficient m of a polynomial in a new basis: the sum,
+   over all k >= m, of the old coefficient k times by[k][m]. */
 VECTOR_LOOP static void turn_one(double *restrict to,
                                  const double *restrict from,
                                  double by[STAGES][STAGES], size_t m,
@@ -732,19 +732,19 @@ size_t adaptive_notes(const struct adaptive *s)
     return NOTED + (8 + lists * s->method->stages) * s->forces.size;
 }
 
-/* Copies n numbers from own to note or, if back is true, from note to own.
-   Returns the address after these numbers in note. */
+/* Copies n numbers from own[] to note[] or, if `back` is true, from note[]
+   to own[]. Returns the address after these numbers in note[]. */
 static double *pass(double *note, double *own, size_t n, bool back)
 {
     memcpy(back ? own : note, back ? note : own, n * sizeof *note);
     return note + n;
 }
 
-/* Copies the arrays of the state to note or, if back is true, from note.
-   Both ends of the last step are copied, since the next requested time may
-   lie within this step. An embedded pair also needs its stages. Radau's
-   method also needs its polynomial and the last guess of it, from which it
-   guesses the next polynomial. */
+/* Copies the arrays of the state to note[] or, if `back` is true, from
+   note[]. Both ends of the last step are copied, since the next requested
+   time may lie within this step. An embedded pair also needs its stages.
+   Radau's method also needs its polynomial and the last guess of it, from
+   which it guesses the next polynomial. */
 static void pass_lists(const struct adaptive *s, double *note, bool back)
 {
     const size_t n = s->forces.size, all = n * s->method->stages;

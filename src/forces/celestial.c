@@ -313,7 +313,7 @@ static double elliptic_difference(double q)
 }
 
 /* Returns the inward acceleration, with k2 = 1, at the radius r due to a
-   disk of radius a with mass 1 per unit area: (9.13, eq:disk-field). */
+   disk of radius a and unit surface density: (9.13, eq:disk-field). */
 static double disk_pull(double a, double r)
 {
     if (r == 0)

@@ -290,7 +290,7 @@ bool checkpoint_write(struct checkpoint *c, struct motion *m,
     return table_close(t);
 }
 
-enum { COUNTS = 3 }; /* the lines length, sum and end */
+enum { COUNTS = 3 }; /* the lines `length`, `sum` and `end` */
 
 /* The contents of the lines "#= KEY VALUE" of a checkpoint. All of them are
    checked, so an edited file is refused. */
@@ -376,9 +376,9 @@ static bool take_line(struct checkpoint *c, struct head *h,
     return h->end = value && take_count(h, value, &own) && own == h->own;
 }
 
-/* Reads the head up to its last line, whose key is end, and skips the lines
-   of the scene. Returns false, after an error message, if a line is missing
-   or wrong. */
+/* Reads the head up to its last line, whose key is `end`, and skips the
+   lines of the scene. Returns false, after an error message, if a line is
+   missing or wrong. */
 static bool read_head(struct checkpoint *c, struct head *h,
                       struct checkpoint_numbers *n)
 {
@@ -423,8 +423,8 @@ static uint64_t read_rows(struct checkpoint *c, uint64_t length)
     return done;
 }
 
-/* Checks that the file has all rows that the checkpoint counts, unchanged.
-   Removes later rows, which will be computed again. */
+/* Checks that all rows counted by the checkpoint are in the file,
+   unchanged. Removes later rows, which will be computed again. */
 static bool open_rows(struct checkpoint *c, const struct head *h)
 {
     if (read_rows(c, h->length) < h->length)

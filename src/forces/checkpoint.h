@@ -1,4 +1,4 @@
-/* Checkpoints let a killed run continue as if it was not interrupted. */
+/* Checkpoints let a killed run continue as if never interrupted. */
 #ifndef CHECKPOINT_H
 #define CHECKPOINT_H
 
@@ -25,9 +25,9 @@ struct checkpoint_numbers {
     double scene;  /* checkpoint_sum of the scene's file */
 };
 
-/* A run that can be resumed. FILE, in the following, is the name of its
-   output. FILE.rows has the rows of the unfinished table, and
-   FILE.checkpoint has the state. All members are private. */
+/* A run that can be resumed. Below, FILE is the name of its output file.
+   FILE.rows contains the rows of the unfinished table, and FILE.checkpoint
+   contains the state. All members are private. */
 struct checkpoint {
     const char *program, *command;
     char *path, *rows_path;
@@ -49,10 +49,10 @@ bool checkpoint_possible(const char *output);
    0 if the file is not a regular one or cannot be read. */
 double checkpoint_sum(const char *path);
 
-/* Begins a run with no rows. Returns false, after an error message and with
-   nothing to free, if FILE.rows cannot be written, or if FILE.rows or
+/* Begins a run with no rows. Returns false, after an error message and
+   with nothing to free, if FILE.rows cannot be written, or if FILE.rows or
    FILE.checkpoint belongs to another run or program. In the second case
-   c->locked is true. The pointers program and command are kept. */
+   c->locked is true. The pointers `program` and `command` are kept. */
 bool checkpoint_begin(struct checkpoint *c, const char *program,
                       const char *command, const char *output);
 

@@ -5,8 +5,8 @@
 
 static const char no_memory[] = "there is no memory";
 
-/* Returns NULL if `made`. Otherwise frees the scene and returns the
-   reason. */
+/* Returns NULL if `made` is true. Otherwise frees the scene and returns
+   the reason. */
 static const char *finish(struct scene *s, bool made)
 {
     if (!made)
@@ -95,8 +95,8 @@ static void hang(struct scene *s, size_t i, double mass, double x, double z)
     s->freedom[s->bodies + i] = 0;
 }
 
-/* Builds a double pendulum in the plane of x and z. The springs get exactly
-   the lengths asked for as their rest lengths. Lengths computed from the
+/* Builds a double pendulum in the plane of x and z. The rest lengths of
+   the springs are exactly the requested lengths. Lengths computed from the
    positions would contain rounding errors. */
 static const char *double_pendulum(struct scene *s, const double value[])
 {
@@ -133,8 +133,8 @@ static void lay_out(struct scene *s, size_t nx, size_t ny, double x0,
 }
 
 /* Joins each body of the grid to the body `right` columns to the right and
-   `up` rows above, if any, by a spring of this rest length. right may be
-   -1. Returns false if memory runs out. */
+   `up` rows above, if there is one, by a spring of this rest length.
+   `right` may be -1. Returns false if memory runs out. */
 static bool join(struct scene *s, size_t nx, size_t ny, int right, int up,
                  double rest)
 {
@@ -185,7 +185,7 @@ const char *elastic_membrane(struct scene *s,
                          join(s, m->nx, m->ny, 0, 1, rest));
 }
 
-/* The keys of the scene have the order of the struct. */
+/* The keys of the scene are in the order of the struct's members. */
 static const char *membrane(struct scene *s, const double value[])
 {
     const struct elastic_membrane m = {

@@ -11,7 +11,7 @@ enum { ELASTIC_SIDE = 2048 }; /* largest side of a grid, in bodies */
 
 /* The parameters of a membrane. */
 struct elastic_membrane {
-    size_t nx, ny;    /* numbers of bodies along x, y, with the rim */
+    size_t nx, ny;    /* numbers of bodies along x, y, including the rim */
     double mass;      /* kg */
     double stiffness; /* N/m */
     double damping;   /* of the dashpots, kg/s */

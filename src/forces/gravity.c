@@ -44,8 +44,8 @@ VECTOR_LOOP static void add_portable(const struct gravity *g,
     }
 }
 
-/* Adds the accelerations of bodies first to last - 1 due to body j. Body j
-   is not one of them, so the loop has no branch and can be vectorised. */
+/* Adds the accelerations of bodies `first` to last - 1 due to body j. They
+   exclude body j, so the loop has no branch and can be vectorised. */
 static void add_source(const struct gravity *g, const double x[],
                        double a[], size_t j, size_t first, size_t last)
 {
@@ -114,9 +114,9 @@ VECTOR_AVX512 static inline void pull8(const struct gravity *g,
     f->c = _mm512_fmadd_pd(w, dz, f->c);
 }
 
-/* Adds the accelerations of eight bodies from number i on. Each body has
-   its own lane, so the order of its sum is unchanged. Lanes beyond the last
-   body are masked. For the pull of a body on itself, 1 replaces the squared
+/* Adds the accelerations of eight bodies from body i on. Each has its own
+   lane, so the order of its sum is unchanged. Lanes beyond the last body
+   are masked. For the pull of a body on itself, 1 replaces the squared
    softening, which may be 0: the result is then 0 instead of 0/0. */
 VECTOR_AVX512 static void add_avx512(const struct gravity *g,
                                      const double x[], double a[], size_t i)
@@ -190,8 +190,8 @@ enum gravity_kernel gravity_fastest(void)
     return gravity_can(GRAVITY_AVX512) ? GRAVITY_AVX512 : GRAVITY_PORTABLE;
 }
 
-/* A function that adds the accelerations of `width` bodies, from number i
-   on, due to all bodies. */
+/* A function that adds the accelerations, due to all bodies, of `width`
+   bodies beginning with body i. */
 struct kernel {
     size_t width;
     void (*add)(const struct gravity *g, const double x[], double a[],
@@ -264,7 +264,7 @@ struct stepping_forces gravity_forces(struct gravity *g)
     return (struct stepping_forces){3 * g->bodies, false, accelerate, g};
 }
 
-/* Sums over all pairs, even if the kernel is the tree, to be an independent
+/* Sums over all pairs, even if the kernel is the tree, as an independent
    check of the tree. For the ring of chapter 9 with theta 0.5, the forces
    of the tree conserve the energy to 1e-8. An energy computed by the tree
    itself had an error of 2e-4, different in each row of the table. */

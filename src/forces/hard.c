@@ -74,9 +74,9 @@ static void place_in_a_row(struct scene *s, const double value[])
 static const double cradle_stiffness = 1e5, cradle_gravity = 9.81;
 
 /* Hangs each ball on a string: a stiff spring from a fixed body above it.
-   If a ball has a velocity, pulls it aside instead, so that it starts at
-   rest. The rest length is shorter than the string by the stretch due to
-   the ball's weight, so a ball hanging straight down is in equilibrium.
+   A ball that has a velocity is pulled aside instead and starts at rest.
+   The rest length is shorter than the string by the stretch due to the
+   ball's weight, so a ball hanging straight down is in equilibrium.
    Returns false if memory runs out. */
 static bool hang(struct scene *s, size_t balls, double length)
 {
@@ -442,7 +442,7 @@ static bool is_deep(const struct scene *s)
 }
 
 /* The engine of chapter 5 also simulates spheres, so a scene that is not
-   plane is given three axes. */
+   planar is given three axes. */
 bool hard_disks(struct disks *d, const struct scene *s)
 {
     const size_t n = s->bodies;

@@ -10,10 +10,10 @@
    four-disks, thermal, piston and galperin. */
 
 /* Converts a scene into disks for the engine of chapter 5, or into spheres
-   if the scene is not plane. The box must have hard walls along both or all
-   three axes, or be periodic along all of them. The lower corner of the box
-   becomes the origin. Returns false, with nothing to free, if memory runs
-   out. */
+   if the scene is not planar. The box must have hard walls along both or
+   all three axes, or be periodic along all of them. The lower corner of
+   the box becomes the origin. Returns false, with nothing to free, if
+   memory runs out. */
 bool hard_disks(struct disks *d, const struct scene *s);
 
 /* Converts a scene into a start on a line. The bodies must be free along x

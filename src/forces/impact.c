@@ -278,11 +278,11 @@ static bool sinks(const double q[], size_t m, double below)
     return root_first(q, m, -below, ROOT_HALVINGS) <= 1;
 }
 
-/* Updates p->least, the minimal width of a gap that is nearest to 0. If it
-   is small, an error of a path may have made or prevented a contact. Only
-   curves with a minimum inside the part count. `unit` is the change of the
-   curve per change of the width. A minimum that is below 0 only by a
-   rounding error counts as 0. */
+/* Updates p->least: of all local minima of the widths of gaps, the one
+   nearest to 0. If it is small, an error of a path may have caused or
+   prevented a contact. Only curves with a minimum inside the part count.
+   `unit` is the change of the curve per change of the width. A minimum
+   that is below 0 only by a rounding error counts as 0. */
 static void notice(struct impact *p, const double q[], size_t m,
                    double unit, double rounding)
 {

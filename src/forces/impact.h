@@ -50,10 +50,10 @@ struct impact {
     bool waiting; /* the last adaptive step ended at a contact */
 };
 
-/* Prepares *i to find the contacts of *p in the steps of *s, which must not
-   have begun. *p, *s and the scene must outlive *i and keep their
-   addresses. From then on walls cancel forces on bodies that rest on them.
-   Returns false, with nothing to free, if memory runs out. */
+/* Prepares *i to find the contacts of *p in the steps of *s, which must
+   not have begun. *p, *s and the scene must outlive *i and keep their
+   addresses. From then on, walls cancel forces on bodies that rest on
+   them. Returns false, with nothing to free, if memory runs out. */
 bool impact_create(struct impact *i, struct spheres *p, struct stepping *s);
 void impact_free(struct impact *i);
 

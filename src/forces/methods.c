@@ -10,7 +10,7 @@ static const double leapfrog[] = {1};
 static const double symplectic_euler_drift[] = {1};
 static const double symplectic_euler_kick[] = {1, 0};
 
-/* 1 / (2 - cbrt(2)), and 1 minus twice that number, (8.8,
+/* 1 / (2 - cbrt(2)), and 1 minus twice that number: (8.8,
    eq:triple-jump). */
 static const double yoshida4[] = {1.3512071919596576340476878,
                                   -1.7024143839193152680953756,

@@ -26,9 +26,9 @@ bool modes_find(struct modes *m, const struct springs *p, const double x[]);
 /* Frees the modes and makes *m empty. */
 void modes_free(struct modes *m);
 
-/* Computes the static displacements u (in m) due to the accelerations a (in
-   m/s^2) in linear theory. Omits modes whose squared frequency is below
-   `least`. u and a are arranged as x. */
+/* Computes the static displacements u (in m) due to the accelerations a
+   (in m/s^2) in linear theory. Omits modes whose squared frequency is
+   below `least`. u and a are arranged like x in modes_find. */
 void modes_deflection(const struct modes *m, double least, const double a[],
                       double u[]);
 

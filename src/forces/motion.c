@@ -100,10 +100,10 @@ static bool hold_coordinates(struct motion *m)
    friction uses it; all other methods need only positions and velocities.
 
    The earlier run computed the acceleration for a velocity predicted over
-   its own step, which is dt of the scene. A run with another step must not
-   use it, since each such run would begin with an error proportional to dt.
-   Halving dt repeatedly, always from the same saved scene, would then only
-   halve the error each time instead of dividing it by four. */
+   its own step, which is the scene's dt. A run with another step must not
+   use it, since each such run would begin with an error proportional to
+   dt. Halving dt repeatedly, always from the same saved scene, would then
+   only halve the error each time instead of dividing it by four. */
 static const double *find_kept(const struct motion *m)
 {
     const bool same_step = m->stepping.dt == m->scene->dt;

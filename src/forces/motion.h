@@ -21,12 +21,12 @@ struct motion {
     struct scene *scene; /* its positions and velocities are stepped */
     double dt;           /* length of the first steps, s */
     struct stepping stepping;
-    struct gravity gravity; /* used if attracts */
-    struct springs springs; /* used if bound */
-    struct spheres spheres; /* used if collides */
-    struct jacobi jacobi;   /* used if orbits: drifts along ellipses */
-    struct impact impact;   /* used if located: finds times of contacts */
-    struct soft soft;       /* used if is_soft: contacts as springs */
+    struct gravity gravity; /* used if `attracts` */
+    struct springs springs; /* used if `bound` */
+    struct spheres spheres; /* used if `collides` */
+    struct jacobi jacobi;   /* used if `orbits`: drifts along ellipses */
+    struct impact impact;   /* used if `located`: finds times of contacts */
+    struct soft soft;       /* used if `is_soft`: contacts as springs */
     bool attracts, bound, collides, orbits, located, is_soft;
     uint64_t collisions; /* so far, between bodies and with walls */
     size_t *held, fixed; /* held[fixed] lists the fixed coordinates */
@@ -37,8 +37,8 @@ struct motion {
     void *with;
 };
 
-/* The parts of the energy, in the units of the scene: kinetic, mutual
-   gravity, springs with soft contacts, and uniform gravity (weight). */
+/* The parts of the energy, in the scene's units: kinetic, mutual gravity,
+   springs (including soft contacts), and uniform gravity (weight). */
 struct motion_energy {
     double kinetic, gravity, springs, weight;
 };

@@ -31,9 +31,9 @@ static bool prepare(struct stepping *s)
     return w->matrix && w->pivot;
 }
 
-/* Exchanges row k with the row, from k on, that has the largest absolute
-   value in column k, so that elimination never divides by a needlessly
-   small number. Returns the index of that row. */
+/* Exchanges row k with the row at or below it that has the largest
+   absolute value in column k, so that elimination never divides by a
+   needlessly small number. Returns the index of that row. */
 static size_t fetch_pivot(double m[], size_t n, size_t k)
 {
     size_t best = k;

@@ -114,8 +114,8 @@ static void read_places(struct spheres *p, const double x[])
     }
 }
 
-/* Computes p->furthest, the largest possible approach of two bodies in a
-   step, m. */
+/* Computes p->furthest, the largest distance (in m) by which two bodies
+   can approach each other in a step. */
 static void set_furthest(struct spheres *p, const double v[])
 {
     const size_t n = p->scene->bodies;
@@ -182,9 +182,9 @@ static size_t longest_axis(const struct spheres *p)
     return longest;
 }
 
-/* Sorts the edges. The first time qsort is used, since insertion would take
-   a time proportional to the square of the number of bodies. Later the
-   edges are nearly sorted, and insertion is faster. */
+/* Sorts the edges. Uses qsort the first time, since insertion would take a
+   time proportional to the square of the number of bodies. Later the edges
+   are nearly sorted, and insertion is faster. */
 static void sort_edges(struct spheres *p)
 {
     static int (*const along[SPHERES_AXES])(const void *, const void *) = {
@@ -199,10 +199,10 @@ static void sort_edges(struct spheres *p)
     p->sorted = true;
 }
 
-/* Tests each body with the bodies that follow it along the axis, within its
-   own radius plus the largest radius and the margin. Along a periodic axis
-   the last body is followed by the first, shifted by the side of the box.
-   In a box of only a few diameters a pair may be found twice. */
+/* Tests each body with those that follow it along the axis within its own
+   radius plus the largest radius and the margin. Along a periodic axis the
+   last body is followed by the first, shifted by the side of the box. In a
+   box of only a few diameters a pair may be found twice. */
 static void sweep(struct spheres *p)
 {
     const size_t n = p->scene->bodies, k = p->axis;

@@ -9,9 +9,9 @@
 bool pairs_begin(struct spheres *p);
 void pairs_end(struct spheres *p);
 
-/* Lists pairs in p->pair and their number in p->pairs: those that overlap
-   after a step or may overlap when their turn comes, each once and in
-   p->order. Counts in p->passed the pairs that moved through each other in
+/* Lists in p->pair the pairs that overlap after a step or may overlap when
+   their turn comes, each once and in p->order. Sets p->pairs to their
+   number. Counts in p->passed the pairs that moved through each other in
    the step. If memory runs out, the remaining pairs are left to the next
    step. */
 void pairs_find(struct spheres *p, const double x[], const double v[]);

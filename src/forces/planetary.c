@@ -4,9 +4,9 @@
 
 #include <math.h>
 
-/* Returns whether fixed coordinates along this axis change the motion. This
-   is not so if all bodies are fixed in one plane, since they would not
-   leave it anyway. */
+/* Returns whether fixed coordinates along this axis change the motion.
+   They do not if they confine all bodies to one plane, since nothing would
+   pull the bodies out of it. */
 static bool is_held(const struct scene *s, size_t axis)
 {
     const size_t n = s->bodies, from = axis * n;

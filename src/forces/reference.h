@@ -17,10 +17,10 @@ struct reference {
 extern const bool reference_available;
 
 /* Prepares r. In each step the method keeps the error of every coordinate
-   below `tolerance` times the largest coordinate at the call of
-   reference_step, and likewise for velocities. Returns false if memory runs
-   out or the library is missing. Prevents the library from ending the
-   program on errors. */
+   below `tolerance` times the largest coordinate when reference_step is
+   called, and likewise for velocities. Returns false if memory runs out or
+   the library is missing. Prevents the library from ending the program on
+   errors. */
 bool reference_begin(struct reference *r, struct stepping_forces f,
                      double tolerance);
 

@@ -175,9 +175,9 @@ static void kick(const struct rods *p, double h, double v[])
 }
 
 /* Takes a step: kick, drift, correct lengths, kick, correct velocities.
-   Lengths are corrected once, since only the drift changes them. Velocities
-   are corrected also at the beginning, as needed in the first step and
-   after contacts. */
+   Lengths are corrected once, since only the drift changes them.
+   Velocities are also corrected at the beginning, which is necessary in
+   the first step and after contacts. */
 bool rods_step(void *rods, double dt, double x[], double v[])
 {
     struct rods *p = rods;

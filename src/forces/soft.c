@@ -61,7 +61,7 @@ static void push_apart(const struct scene *s, size_t i, size_t j,
 }
 
 /* Returns the depth (in m) by which body i overlaps the lower wall (side
-   -1) or the upper wall (side 1) across axis k. */
+   -1) or the upper wall (side 1) normal to axis k. */
 static double wall_depth(const struct scene *s, const double x[], size_t i,
                          size_t k, int side)
 {
@@ -97,7 +97,7 @@ void soft_add(struct soft *t, const double x[], const double v[],
         push_apart(s, t->near->pair[j].a, t->near->pair[j].b, x, v, a);
 }
 
-/* Returns the elastic energy of an overlap, J: the integral of the
+/* Returns the elastic energy of an overlap (in J), the integral of the
    force. */
 static double stored(const struct scene *s, double depth)
 {

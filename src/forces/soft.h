@@ -17,9 +17,9 @@ struct soft {
 bool soft_create(struct soft *t, const struct scene *s);
 void soft_free(struct soft *t);
 
-/* Adds to a (in m/s^2) the accelerations of bodies that overlap each other
-   or a wall: (11.11, eq:touch). The positions x are in m, the velocities v
-   in m/s. */
+/* Adds to a[] the accelerations (in m/s^2) of bodies that overlap each
+   other or a wall: (11.11, eq:touch). The positions x are in m, the
+   velocities v in m/s. */
 void soft_add(struct soft *t, const double x[], const double v[],
               double a[]);
 

@@ -1,5 +1,5 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 3942812728 of the lines below */
+/* checksum 21831634 of the lines below */
 /* Reflects spheres that overlap after a step, and moves them apart. */
 #include "forces/spheres.h"
 
@@ -109,8 +109,8 @@ static void kick(const struct spheres *p, const struct contact *c, size_t i,
         v[k * n + i] += J * c->normal[k] * p->inverse[k * n + i];
 }
 
-/* Returns the inverse mass of body i along the normal, times the squared
-   distance, m^2/kg. */
+/* Returns the inverse mass of body i along the normal times the squared
+   distance (in m^2/kg). */
 static double inverse_along(const struct spheres *p,
                             const struct contact *c, size_t i)
 {

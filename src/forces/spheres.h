@@ -1,4 +1,4 @@
-/* Collides spheres that overlap after a step, and moves them apart. */
+/* Resolves collisions of spheres that overlap after a step. */
 #ifndef SPHERES_H
 #define SPHERES_H
 
@@ -107,7 +107,7 @@ void spheres_free(struct spheres *p);
 uint64_t spheres_resolve(struct spheres *p, double x[], double v[]);
 
 /* Reflect two bodies that touch and approach each other, or one body at a
-   wall across axis k. Only velocities and counts change. */
+   wall normal to axis k. Only velocities and counts change. */
 void spheres_reflect(struct spheres *p, size_t a, size_t b,
                      const double x[], double v[]);
 void spheres_bounce(struct spheres *p, size_t i, size_t k, double v[]);

@@ -433,10 +433,10 @@ static void sum_axis(const struct springs *p, size_t from, size_t n,
     }
 }
 
-/* Compute the accelerations a of n coordinates from the forces in three
-   ways: added to a, written, or written with gravity and friction. The
-   first two read only the arrays that they need, since memory limits the
-   speed for large grids. */
+/* Compute the accelerations of n coordinates from the forces. The first
+   function adds them to a[], the second writes them into a[], and the
+   third also includes gravity and friction. The first two read only the
+   arrays that they need, since memory limits the speed for large grids. */
 VECTOR_LOOP static void add_scaled(double *restrict a,
                                    const double *restrict inverse,
                                    const double *restrict force, size_t n)
@@ -466,8 +466,8 @@ VECTOR_LOOP static void write_all(double *restrict a,
                inverse[i] * force[i];
 }
 
-/* A task is to compute the accelerations at x and v. They are added to a
-   or, if `writes` is true, written into a together with gravity and
+/* A task is to compute the accelerations at x and v. They are added to a[]
+   or, if `writes` is true, written into a[] together with gravity and
    friction. */
 struct task {
     const double *x, *v;

@@ -21,8 +21,8 @@ enum springs_engine {
     SPRINGS_SCATTER /* springs one after another */
 };
 
-/* A band: springs of one kind that join body i to body i + stride. There is
-   one for at least half of the bodies i from first to end - 1. */
+/* A band: springs of one kind that join body i to body i + stride. There
+   is one for at least half of the bodies i from `first` to end - 1. */
 struct springs_band {
     size_t stride, first, end;
     double stiffness, damping;
@@ -57,19 +57,19 @@ struct springs {
    Returns false, with nothing to free, if memory runs out. */
 bool springs_create(struct springs *p, const struct scene *s);
 
-/* Frees all and makes *p empty. */
+/* Frees everything and makes *p empty. */
 void springs_free(struct springs *p);
 
-/* Adds to a the accelerations (in m/s^2) due to springs and dashpots. x, v
-   and a are arranged axis by axis, as in struct scene. For fixed
-   coordinates a does not change. Neither the engine nor the number of
+/* Adds to a[] the accelerations (in m/s^2) due to springs and dashpots. x,
+   v and a are arranged axis by axis, as in struct scene. a[] does not
+   change for fixed coordinates. Neither the engine nor the number of
    threads affects the bits. Source: (10.1, eq:spring-force), and (10.3,
    eq:axial-dashpot) if the scene has axial dashpots. */
 void springs_add(struct springs *p, const double x[], const double v[],
                  double a[]);
 
-/* Writes into a the accelerations due to springs, the scene's gravity and
-   its friction, for a scene without other forces. */
+/* Writes into a[] the accelerations due to springs, the scene's gravity
+   and its friction, for a scene without other forces. */
 void springs_accelerate(void *springs, const double x[], const double v[],
                         double a[]);
 

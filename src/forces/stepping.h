@@ -11,8 +11,8 @@ enum {
     STEPPING_MOST = 64   /* largest number of methods in the table */
 };
 
-/* Forces on `size` coordinates. accelerate writes all accelerations a,
-   m/s^2. `damped` says whether they depend on v. */
+/* Forces on `size` coordinates. `accelerate` writes all accelerations (in
+   m/s^2) into a[]. `damped` says whether they depend on v. */
 struct stepping_forces {
     size_t size;
     bool damped;
@@ -21,7 +21,7 @@ struct stepping_forces {
     void *what;
 };
 
-/* ready moves n coordinates, from index `from` on, to the positions at
+/* `ready` moves n coordinates, from index `from` on, to the positions at
    which the next step needs the forces. If `owing` is true, it first does
    the second half of the last step's kick. */
 struct stepping_ahead {
@@ -36,15 +36,15 @@ struct stepping_ahead {
    forces need them.
 
    In each step the function calls ahead->ready once for each coordinate,
-   before it reads x and v or writes a there. In the first step owing is
+   before it reads x and v or writes a there. In the first step `owing` is
    false. The calls may come from any thread, in any order. */
 typedef void stepping_sweep(void *what, const double x[], const double v[],
                             double a[], const struct stepping_ahead *ahead,
                             uint64_t steps);
 
-/* Moves x and v by the time dt (in s), along the part of the motion that is
-   known in closed form. dt may be negative. accelerate computes only the
-   other forces. */
+/* Moves x and v by the time dt (in s), along the part of the motion that
+   is known in closed form. dt may be negative. `accelerate` computes only
+   the other forces. */
 typedef void stepping_flow(void *what, double dt, double x[], double v[]);
 
 enum stepping_family {
@@ -135,10 +135,10 @@ bool stepping_begin(struct stepping *s, const struct stepping_method *m,
                     double v[]);
 
 /* Continues a run after `steps` steps in another program. Must be called
-   before the first step, with the x and v of that run. carry is the carry
-   of that run if it was compensated, otherwise NULL. acceleration is its
-   acceleration if stepping_keeps, otherwise NULL. All bits then equal those
-   of an uninterrupted run. */
+   before the first step, with the x and v of that run. `carry` is that
+   run's carry if it was compensated, otherwise NULL. `acceleration` is its
+   acceleration if stepping_keeps is true, otherwise NULL. All bits then
+   equal those of an uninterrupted run. */
 void stepping_resume(struct stepping *s, uint64_t steps,
                      const double carry[], const double acceleration[]);
 
@@ -166,10 +166,10 @@ void stepping_free(struct stepping *s);
 void stepping_note(const struct stepping *s, double note[]);
 void stepping_recall(struct stepping *s, const double note[]);
 
-/* Takes a part of a step, of length h (in s), without counting it in steps.
-   When the parts add up to a step, the caller adds 1 to steps. A part of
-   length dt equals a step to the last bit. Checks whether all numbers are
-   finite. */
+/* Takes a part of a step, of length h (in s), without counting it in
+   s->steps. When the parts add up to a step, the caller adds 1 to
+   s->steps. A part of length dt equals a step to the last bit. Checks
+   whether all numbers are finite. */
 enum stepping_end stepping_part(struct stepping *s, double h);
 
 /* Starts the adaptive method of s at x and v if it has not begun, or if the

@@ -1,5 +1,5 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 2028952964 of the lines below */
+/* checksum 3955932742 of the lines below */
 /* Sums gravity by a tree: a distant cell of bodies acts as one mass. */
 #include "forces/tree.h"
 
@@ -13,7 +13,7 @@
 /* A cubic cell: mass and centre of mass of its bodies, and its side. */
 struct cell {
     double mass, x, y, z, side;
-    size_t first, end; /* its bodies: first to end - 1 */
+    size_t first, end; /* its bodies: `first` to end - 1 */
     size_t next;       /* cell to visit next if this cell is not opened */
 };
 
@@ -28,7 +28,7 @@ struct tree {
     double *place;
 };
 
-/* Moves those of bodies first to end - 1 with x below `middle` to the
+/* Moves the bodies from `first` to end - 1 with x below `middle` to the
    front. Returns the position of the first of the others. */
 static size_t sort(struct tree *t, const double x[], size_t first,
                    size_t end, double middle)
@@ -90,7 +90,7 @@ static void copy_bodies(struct tree *t, const double x[], size_t first,
     }
 }
 
-/* Returns the cell of bodies first to end - 1, with their mass and their
+/* Returns the cell of bodies `first` to end - 1, with their mass and their
    centre of mass. */
 static struct cell weigh(const struct tree *t, size_t first, size_t end,
                          double side)
@@ -111,7 +111,7 @@ static struct cell weigh(const struct tree *t, size_t first, size_t end,
     return c;
 }
 
-/* Creates the cell of bodies first to end - 1, and the cells inside it. */
+/* Creates the cell of bodies `first` to end - 1 and the cells in it. */
 static void grow(struct tree *t, const double x[], size_t first, size_t end,
                  struct cube c)
 {

@@ -7,9 +7,9 @@
 
 /* A pair of adjacent numbers, one for each body, such as a coordinate. The
    operations and their order are those of the loops for many bodies, but
-   here the numbers stay in registers. Passing them through memory takes a
-   sixth of the time of a step, since a step of two bodies is little more
-   than a square root and a division, one after the other. */
+   here the numbers stay in registers. Passing them through memory would
+   take a sixth of the time of a step, since a step of two bodies is little
+   more than a square root and a division, one after the other. */
 typedef double pair __attribute__((vector_size(16), aligned(8), may_alias));
 
 /* The motion of both bodies along one axis: coordinates, velocities,

@@ -88,8 +88,8 @@ static void set_rows(struct run *r)
 }
 
 /* Reads the averages of --observe: mean:NAME,mean:NAME... Refuses a mixture
-   of averages and values, because only averages can be predicted beyond the
-   horizon. */
+   of averages and values, because averages can be predicted for longer
+   times than values. */
 static void read_means(struct run *r)
 {
     char message[AVERAGES_TEXT], name[64];
@@ -344,7 +344,7 @@ static void write_chart(const struct run *r, const char *refusal)
     write_point(r, taken->plan, taken->error, taken->cost, 1);
 }
 
-/* Writes the summary. After a refusal the horizon is the most useful
+/* Writes the summary. After a refusal `horizon` is the most useful
    result. Only `seconds`, the last line, depends on the machine. */
 static void summarise(const struct run *r, const char *refusal)
 {

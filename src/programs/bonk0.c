@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1516281495 of the lines below */
+/* checksum 2051662579 of the lines below */
 /* Finds the cheaper of two models within a tolerance. */
 #include "forces/jacobi.h"
 
@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* The Sun, Jupiter and Saturn. Arrays have all x, then all y, then all z.
+/* The Sun, Jupiter and Saturn. Arrays list all x, then all y, then all z.
    Units: solar mass, AU, year. */
 enum { N = 3, SIZE = 3 * N, ROWS = 16 };
 static const struct bodies {

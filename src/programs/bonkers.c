@@ -264,10 +264,10 @@ struct run {
     struct progress *progress; /* or NULL */
 };
 
-/* Begins a run. The run ends at the start's default time unless the command
-   sets a limit. The clock is read only if there is a summary: reading it
-   takes as long as several collisions, and an ensemble may have ten million
-   rows. */
+/* Begins a run. The run ends at the default end time of its start unless
+   the command sets a limit. The clock is read only if there is a summary:
+   reading it takes as long as several collisions, and an ensemble may have
+   ten million rows. */
 static void begin_run(struct run *r, uint64_t seed)
 {
     double usual;

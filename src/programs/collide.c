@@ -384,8 +384,8 @@ static bool run_tests(struct table *out, struct table *summary)
 }
 
 /* Collides the pair given on the command line. Prints a note if the bodies
-   move apart along the normal. They have a result (with e = 1 the state
-   before their last collision), but probably not the intended one.
+   move apart along the normal. The formula gives a result (with e = 1 the
+   state before their last collision), but probably not the intended one.
 
    Prints a warning if an error exceeds 16 machine epsilons, because
    rounding cannot explain it: the largest error in a million random

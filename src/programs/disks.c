@@ -122,8 +122,8 @@ static void read_kinds(struct mixture *m, const char *path)
 }
 
 /* Returns the side of a square of area `size` or of a cube of volume
-   `size`. Uses Newton's method instead of cbrt(), because its rounded
-   result is the same on all machines. It starts above the root and ends
+   `size`. Uses Newton's method, whose rounded result, unlike that of
+   cbrt(), is the same on all machines. It starts above the root and ends
    when it no longer descends. */
 static double side_of(double size, size_t dimensions)
 {
@@ -280,10 +280,10 @@ struct run {
     double kT, energy;         /* initial values, J */
     double common[DISKS_AXES]; /* velocity of the centre of mass, m/s */
     double begin;              /* start of the run, s */
-    double piece;              /* initial length of the parts averaged, s */
+    double piece;              /* initial averaging interval, s */
     double until;              /* end of the run, s */
     struct blocks pressure;
-    double impulse[DISKS_AXES], virial; /* before the current piece */
+    double impulse[DISKS_AXES], virial; /* before this interval */
     uint64_t row, rows; /* index of the sampling time; samples taken */
     double seconds;
     enum disks_stop stop;
@@ -339,9 +339,9 @@ static double shortest(const struct disks *d)
     return least;
 }
 
-/* Returns the initial length (in s) of the pieces of time over which the
-   pressure is averaged: about the time between two collisions in the box.
-   The pieces become longer when blocks are joined. */
+/* Returns the initial averaging interval (in s) for the pressure: about the
+   time between two collisions in the box. The intervals become longer when
+   blocks are joined. */
 static double first_piece(const struct disks *d)
 {
     double mass = 0;
@@ -351,11 +351,11 @@ static double first_piece(const struct disks *d)
     return shortest(d) / speed / (double)d->count;
 }
 
-/* Returns the time at which the current piece ends, s. The division into
-   pieces does not affect the results. If disks lose energy, no pressure is
-   measured, and their pieces become longer as the disks slow down, because
-   the interval between collisions may double each time. If the disks are at
-   rest, the piece is infinitely long. */
+/* Returns the time (in s) at which the current averaging interval ends. The
+   division into intervals does not affect the results. If disks lose
+   energy, no pressure is measured, and the intervals become longer as the
+   disks slow down, because the time between collisions may double each
+   time. If the disks are at rest, the interval is infinite. */
 static double end_of_piece(const struct run *r)
 {
     const size_t per = r->pressure.per;
@@ -365,10 +365,11 @@ static double end_of_piece(const struct run *r)
     return r->d.now + (double)(1000 + r->d.count) * first_piece(&r->d);
 }
 
-/* Runs until `until` or `collisions`, piece by piece. At the end of each
-   piece, appends two results to the blocks: the momentum transferred to the
-   walls along each axis, and the virial. Progress is shown as a fraction of
-   the time or, if there is no time limit, of the collisions. */
+/* Runs until `until` or `collisions`, one averaging interval at a time. At
+   the end of each, appends two results to the blocks: the momentum
+   transferred to the walls along each axis, and the virial. Progress is
+   shown as a fraction of the time or, if there is no time limit, of the
+   collisions. */
 static void run_to(struct run *r, double until, uint64_t collisions)
 {
     const double start = bench_seconds();
@@ -459,8 +460,8 @@ static void begin_run(struct run *r)
     r->piece = first_piece(&r->d);
 }
 
-/* Returns P V/(N kT) from the impulse on the two walls across axis k during
-   `time`. Each wall has the area (or, in the plane, the length) V/L. */
+/* Returns P V/(N kT) from the impulse on the two walls normal to axis k
+   during `time`. Each has the area (or, in the plane, the length) V/L. */
 static double Z_wall(const struct run *r, size_t k, double impulse,
                      double time)
 {
@@ -582,9 +583,9 @@ static double scaled_speed(const struct run *r, size_t i, double parts[])
     return sqrt(square);
 }
 
-/* Begins the table of speeds. A sample consists of the density of the
-   scaled speed u, the density of a component's absolute value, and the
-   means of u and u^4. */
+/* Begins the table of speeds. A sample consists of the distributions of the
+   scaled speed u and of a component's absolute value, and the means of u
+   and u^4. */
 static void begin_speeds(struct run *r)
 {
     make_sums(&counted, 2 * SPEEDS + 2);
@@ -641,7 +642,7 @@ static double chi_square(const double density[], size_t *bins)
     return sum;
 }
 
-/* Writes the measured densities and the densities of both laws. The summary
+/* Writes the measured distributions and those of both laws. The summary
    gets the means. */
 static void end_speeds(struct run *r, struct table *summary)
 {
@@ -846,10 +847,10 @@ static struct blocks_average first_slope(const struct run *r, double x[])
 }
 
 /* Writes the correlation and the mean square displacement for lags that
-   grow by a seventh. The initial decay can be compared with theory, which
-   needs only the measured collision rate. With walls no theoretical value
-   is written, because the rate would include collisions with walls, which
-   have another reduced mass. */
+   grow by a seventh each time. The initial decay can be compared with
+   theory, which needs only the measured collision rate. With walls no
+   theoretical value is written, because the rate would include collisions
+   with walls, which have another reduced mass. */
 static void end_brownian(struct run *r, struct table *summary)
 {
     const size_t D = r->d.dimensions;

@@ -1,6 +1,6 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 3871075122 of the lines below */
-/* Simulates four hard disks in a box. Prints t and positions every TC. */
+/* checksum 2255702593 of the lines below */
+/* Simulates four hard disks in a box and prints positions every TC. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -44,7 +44,7 @@ static void between(int i, int j, double separation[], double closing[])
     }
 }
 
-/* After `wait`, s, disk i hits disk j, or the wall across axis j - N. */
+/* After `wait` (in s) disk i hits disk j or a wall normal to axis j - N. */
 struct event {
     double wait;
     int i, j;

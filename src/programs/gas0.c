@@ -1,5 +1,5 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 2011494126 of the lines below */
+/* checksum 1406650457 of the lines below */
 /* Prints the speed distribution of a gas, its error, and two theories. */
 #include "box/disks.h"
 #include "box/speeds.h"
@@ -35,7 +35,7 @@ static bool begin(struct disks *d, size_t count, double a, double b)
     return disks_plan(d);
 }
 
-/* Adds the density of speeds, in units of sqrt(2kT/m), to bin[k * n]. */
+/* Adds the speed distribution (in units of sqrt(2kT/m)) to bin[k * n]. */
 static void count_speeds(const struct disks *d, double *bin, size_t n)
 {
     const double unit = sqrt(2 * disks_temperature(d));

@@ -545,10 +545,10 @@ static void test_law(const struct columns *c, size_t i,
 
 enum { CELLS = 5 }; /* cells along each axis */
 
-/* Tests by chi-square over cells whether a column is independent of the
-   column of --against. The samples may be correlated in time, so chi-square
-   is divided by the larger of the statistical inefficiencies of the two
-   columns. */
+/* Tests by chi-square of a contingency table whether a column is
+   independent of the column of --against. The samples may be correlated in
+   time, so chi-square is divided by the larger of the statistical
+   inefficiencies of the two columns. */
 static void compare(const struct columns *c, size_t i,
                     const struct statistics_description *d)
 {

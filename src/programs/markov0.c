@@ -1,6 +1,6 @@
 /* From chapters/06-room.nw: edit there, then run make tangle. */
-/* checksum 2772493554 of the lines below */
-/* Prints the distance of two big disks among ideal small ones. */
+/* checksum 1296477690 of the lines below */
+/* Samples the distance between two big disks among ideal small ones. */
 #include "toolbox/random.h"
 
 #include <math.h>

@@ -1,17 +1,17 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 1148750644 of the lines below */
+/* checksum 1474263890 of the lines below */
 /* Steps a planet around the sun by one of three methods. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Position, AU, and velocity, AU per year. The sun rests at the origin. */
+/* Position (in AU) and velocity (in AU/year). The sun is at the origin. */
 struct planet {
     double x, y, vx, vy;
 };
 
-/* GM of the sun, AU^3 per year^2: an orbit of radius 1 AU takes a year. */
+/* GM of the sun (in AU^3/year^2): an orbit of radius 1 AU takes a year. */
 static const double sun = 39.478417604357434;
 
 static void drift(struct planet *p, double dt)

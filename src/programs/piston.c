@@ -173,7 +173,7 @@ static const char *const way_names[WAYS] = {"leapfrog", "rk4", "quadrature",
                                             "small", "acoustic"};
 
 /* Returns the period, computed by the given method. `number` is the time
-   step of leapfrog and rk4, s, or the number of quadrature points. The
+   step (in s) of leapfrog and rk4, or the number of quadrature points. The
    formulas ignore it. */
 static double period_by(enum way way, const struct piston *p, double number)
 {
@@ -186,7 +186,7 @@ static double period_by(enum way way, const struct piston *p, double number)
     }
 }
 
-/* Returns the processor time for computing one period, s: the median of
+/* Returns the processor time for computing one period (in s): the median of
    five rounds after a discarded warm-up round. A formula takes less time
    than the clock resolves, so each round repeats it for 10 ms. Reading the
    clock takes longer than evaluating a formula, so the times of the two

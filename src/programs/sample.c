@@ -251,7 +251,7 @@ enum number {
     ACCEPTANCE, /* fraction of moves accepted; throws per sample if direct
                  */
     MEAN_X,     /* x of disk 1, m */
-    WALL,       /* density at the walls across each axis, 1/m */
+    WALL,       /* density at the walls normal to each axis, 1/m */
     PAIR = WALL + DISKS_AXES, /* density of pair distances at contact,
                                  1/m */
     GAIN,                     /* Z - 1 from event chains, see next_chain */
@@ -344,8 +344,8 @@ static bool next_markov(struct run *run)
 
 /* Makes an event chain along a random axis, with a random length. If all
    chains were five diameters long, eight disks in a box four diameters wide
-   would never leave the squares of the chessboard on which they start. No
-   move is ever rejected, so the acceptance is 1. */
+   would never leave the sites of the lattice on which they start. No move
+   is ever rejected, so the acceptance is 1. */
 static bool next_chain(struct run *run)
 {
     const size_t axis = random_below(&run->r, given.dimensions);

@@ -1,6 +1,6 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 4268440873 of the lines below */
-/* Simulates a billiard break in steps, moving balls back to contacts. */
+/* checksum 495174128 of the lines below */
+/* Simulates a billiard break in steps, moving overlapping balls back. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -53,7 +53,7 @@ static void collide(int i, int j)
     const double back = time_back(d, u);
     for (int k = 0; k <= 1; ++k)
         n[k] = d[k] - back * u[k];
-    const double change = -dot(u, n) / dot(n, n); /* over n, for e = 1 */
+    const double change = -dot(u, n) / dot(n, n); /* factor of n if e = 1 */
     for (int k = 0; k < 2; ++k) {
         v[i][k] -= change * n[k];
         v[j][k] += change * n[k];

@@ -221,7 +221,7 @@ static uint64_t steps_in(double time, double dt, bool *whole)
 /* Sets the numbers of steps in the run and between rows. The default is a
    thousand steps and as many rows as can be drawn. Because of rounding, a
    scene saved at the end of a run may be slightly before or after --until.
-   Such a scene is accepted, but makes no step. */
+   Such a scene is accepted, but the run makes no step. */
 static void set_rows(struct run *r, double start)
 {
     const double dt = r->motion.stepping.dt;
@@ -427,10 +427,10 @@ static double omega_squared(const struct scene *s,
 
 /* Returns the product of the step and the highest angular frequency of a
    spring between two bodies (see omega_squared). If no spring is
-   compressed, the fastest motion of the scene is at least as fast, so
-   every step that is reported as too long is too long. The fastest motion
-   of a chain is faster by a factor of up to sqrt(2), so a step may be too
-   long without being reported. Then only the energy reveals it. */
+   compressed, the fastest motion of the scene is at least as fast, so no
+   step is wrongly reported as too long. In a chain the fastest motion is
+   faster by a factor of up to sqrt(2), so a step may be too long without
+   being reported. Then only the energy reveals it. */
 static double stiffest_omega_dt(const struct run *r)
 {
     const struct scene *s = &r->scene;

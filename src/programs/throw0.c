@@ -1,6 +1,6 @@
 /* From chapters/06-room.nw: edit there, then run make tangle. */
-/* checksum 1735747489 of the lines below */
-/* Places four disks at random. Prints the density of x and its error. */
+/* checksum 612290495 of the lines below */
+/* Places four disks at random and prints the density of x, with errors. */
 #include "toolbox/random.h"
 
 #include <math.h>

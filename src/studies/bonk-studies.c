@@ -647,9 +647,9 @@ static bool is_luck(const struct map *m, const struct point *p,
     return false;
 }
 
-/* Returns the cheapest point that meets the tolerance, and not only by
-   luck, or NULL. If plan is not NULL, considers only points with its model
-   and cuts. Ignores points of the model `without`. */
+/* Returns the cheapest point that meets the tolerance, and not by luck, or
+   NULL if there is none. If plan is not NULL, considers only points with
+   its model and cuts. Ignores points of the model `without`. */
 static const struct point *cheapest_of(const struct map *m,
                                        const struct models_plan *plan,
                                        const struct models_model *without,
@@ -912,10 +912,10 @@ struct price_run {
    Each scene does much of one kind of work. The choreography has 276 pairs.
    Most springs of a short beam do not form bands. In a row of a hundred
    balls hardly any pair comes close; in a gas many do. The paths of radau15
-   are polynomials of degree nine, and sixty disks need many of these
-   curves; on a line most curves have a root. Two balls have one gap and
-   thirty have 29. A collision of four disks examines few pairs and a
-   collision of ninety examines many. */
+   are polynomials of degree nine: sixty disks need many of them, and on a
+   line most of them have a root. Two balls have one gap and thirty have 29.
+   A collision of four disks examines few pairs and a collision of ninety
+   examines many. */
 static const struct price_run price_runs[MODELS_UNITS] = {
     [MODELS_EVALUATION] = {"sun-earth", NULL, 0, "kahan-li8:1000", 10, 10},
     [MODELS_BODY] = {"ring", "particles", 500, "kahan-li8:40", 1, 10},
@@ -937,8 +937,8 @@ static const struct price_run price_runs[MODELS_UNITS] = {
     [MODELS_ORDER] = {"cradle", "balls", 1000, "relabel", 1, 50},
     [MODELS_MODE] = {"cantilever", "nx", 12, "modes", 1, 2},
     [MODELS_ROW] = {"cradle", "balls", 2, "relabel", 1, 20000}};
-/* Performs the run. Returns its processor time, s, and sets work[] to the
-   number of units of each kind. Includes the time for starting, which
+/* Performs the run. Returns its processor time (in s) and sets work[] to
+   the number of units of each kind. Includes the time for starting, which
    accounts for most of the work of `modes`. If `alone`, gravity is off, so
    the bodies of a ring move freely. */
 static double time_run(const struct price_run *b, bool alone,
@@ -1040,8 +1040,8 @@ static int judge(struct map *m, const struct pick *p, double tolerance)
 
 /* Maps all scenes, or only the scene given by --scene, so that several
    machines can share the work. For each scene, writes its picks and then
-   all its points. `make atlas` joins the tables so that the bytes are the
-   same as from a single run: it adds the counts of the last lines and takes
+   all its points. `make atlas` joins the tables into one that is identical
+   to that of a single run: it adds the counts of the last lines and takes
    the largest error of the truth. */
 static void study_atlas(struct study *s)
 {

@@ -388,8 +388,9 @@ static double line_miss(enum line_kind kind, uint64_t n)
     return worst;
 }
 
-/* Measures how far from its initial state a reversed run ends. struct line
-   is slow, because it rounds every operation, and runs fewer collisions. */
+/* Measures how far from its initial state a reversed run ends. A struct
+   line is slow, because it rounds every operation, so it runs fewer
+   collisions. */
 static void study_reverse(struct study *s)
 {
     progress_begin(&s->progress, PROGRAM, own.most, "collisions");
@@ -568,7 +569,7 @@ static void study_collapse(struct study *s)
 
 static const double pull = 9.81, long_run = 900; /* m/s^2; s */
 
-/* Returns the state at the time long_run of a ball dropped from 1 m,
+/* Returns the state at the time `long_run` of a ball dropped from 1 m,
    computed with `steps` leapfrog steps. Leapfrog is exact for a falling
    body. The only error is that the bounce takes place at the end of a
    step. */
@@ -749,7 +750,7 @@ static void study_row(struct study *s)
 enum { SHOWN = 60, EVENTS = 32 };
 
 /* The positions of a body at the start, at its collisions and at the end.
-   Points beyond EVENTS are dropped, which does not harm the figure. */
+   Points beyond EVENTS are dropped; the figure does not need them. */
 struct trail {
     size_t count;
     double x[EVENTS], t[EVENTS];

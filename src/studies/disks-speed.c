@@ -295,8 +295,8 @@ static bool grow(struct engines *e)
     return whole;
 }
 
-/* Runs until the initial state has no influence. Uses the engine with cells
-   for both engines, because their results are bit-identical and the
+/* Runs until the initial state has no influence. Only the engine with cells
+   runs here, because the results of both are bit-identical and the
    all-pairs engine would take an hour.
 
    Small disks alternately grow and move. When they reach full size, they

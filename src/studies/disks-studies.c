@@ -182,8 +182,8 @@ static double miss(struct disks *d, double t, double *collisions)
     return worst;
 }
 
-/* Returns the median result of `miss`, m, over many starts of four disks
-   with total energy e. Sets *collisions to the mean number of
+/* Returns the median (in m) of the results of `miss` for many starts of
+   four disks with total energy e. Sets *collisions to the mean number of
    collisions. */
 static double median_miss(const struct study *s, double e, double t,
                           double *collisions)

@@ -237,10 +237,10 @@ static void study_eccentric(struct study *s)
 }
 
 /* Moves a massless planet from 1 AU past the Sun and back to 1 AU, on an
-   ellipse of semi-major axis 1 AU and perihelion distance q, AU. Sets
+   ellipse of semi-major axis 1 AU and perihelion distance q (in AU). Sets
    *energy to the relative error of the energy, which includes the
-   softening. Sets *place to the position error, AU, compared with the orbit
-   without softening. */
+   softening. Sets *place to the position error (in AU) relative to the
+   orbit without softening. */
 static void fly_by(double q, const char *method, double dt,
                    double softening, double *energy, double *place)
 {
@@ -366,7 +366,7 @@ static void study_planets(struct study *s)
 }
 
 /* Writes the daily positions of the two stars and of a planet. The planet
-   starts at `distance`, AU. */
+   starts at `distance` (in AU). */
 static void write_paths(struct study *s, double distance, double days)
 {
     struct sky k;
@@ -402,8 +402,8 @@ static void study_circumbinary(struct study *s)
     end_sky(&k);
 }
 
-/* The distance between the stars of Kepler-16, AU, and their period,
-   days. */
+/* The distance between the stars of Kepler-16 (in AU) and their period (in
+   days). */
 static const double binary = 0.2243, binary_period = 41.0808939256;
 
 /* Returns how many of 8 massless planets survive for `periods` periods of
@@ -458,8 +458,8 @@ static void study_survival(struct study *s)
 
 /* Sets *energy to the largest relative energy error in `periods` periods of
    the stars, with `evaluations` evaluations per period. Sets *place to the
-   planet's position error after 400 days, AU, compared with a computation
-   in quadruple precision. */
+   planet's position error (in AU) after 400 days, compared with a
+   computation in quadruple precision. */
 static void precision(const char *method, double evaluations,
                       double periods, double *energy, double *place)
 {
@@ -850,10 +850,10 @@ static void study_ring(struct study *s)
     end_sky(&k);
 }
 
-/* Returns the angle (in rad) by which softening turns an ellipse of
-   eccentricity e in one orbit. Stops after the first step beyond aphelion,
-   where r . v changes sign. The path is nearly straight there, so the
-   position at aphelion is extrapolated back along the velocity. */
+/* Returns the precession (in rad) due to softening in one orbit of
+   eccentricity e. Stops after the first step beyond aphelion, where r . v
+   changes sign. The path is nearly straight there, so the position at
+   aphelion is extrapolated back along the velocity. */
 static double precession(double e, double softening)
 {
     struct sky k;
@@ -1194,7 +1194,7 @@ static double kernel_error(struct gravity *g, const double x[], double a[])
 }
 
 /* Runs the simplest leapfrog for two bodies, to measure the overhead of the
-   module stepping. Returns a coordinate, which keeps the compiler from
+   stepping module. Returns a coordinate, which keeps the compiler from
    removing the loop. */
 static double step_by_hand(double x[6], double v[6], const double m[2],
                            double k2, double h, uint64_t steps)
@@ -1214,8 +1214,8 @@ static double step_by_hand(double x[6], double v[6], const double m[2],
     return x[1];
 }
 
-/* Returns the time of a leapfrog step of the Sun and the Earth, ns, with
-   step_by_hand or with the module stepping. */
+/* Returns the time of a leapfrog step of the Sun and the Earth (in ns),
+   with step_by_hand or with the stepping module. */
 static double measure_two(bool by_hand)
 {
     const uint64_t steps = 2000000;
@@ -1320,8 +1320,8 @@ static void study_threads(struct study *s)
 
 enum { DIRECT, LANES, NARROW, WIDE, WAYS };
 
-/* Computes all accelerations in a[]. Returns the time, ms, including the
-   construction of a tree. */
+/* Computes all accelerations in a[]. Returns the time (in ms), including
+   the construction of a tree. */
 static double time_forces(struct sky *k, int way, double a[])
 {
     struct gravity *g = &k->gravity;

@@ -315,7 +315,7 @@ static void count_pairs(const struct disks *d, double shell[])
 }
 
 /* Runs an event-driven simulation of a gas. Ten times per second, counts
-   the pairs in the shells of distance, which takes longer than the run
+   the pairs in each distance shell, which takes longer than the run
    itself. Returns Z - 1 from the virial. */
 static double fill_shells(const struct study *s, double shell[])
 {
@@ -506,8 +506,8 @@ static double centre(const struct scene *s, const double x[])
     return sum / mass;
 }
 
-/* Returns by how much the centre of mass deviates along x from uniform
-   motion, after 2 s in a periodic box, in radii of a light disk. */
+/* Returns the deviation of the centre of mass from uniform motion along x
+   after 2 s in a periodic box, in units of a light disk's radius. */
 static double moved_centre(uint64_t seed, int way, double dt)
 {
     struct run r;
@@ -547,7 +547,7 @@ static double lost_spin(uint64_t seed, int way, double dt)
     return lost / sqrt(collisions) / 0.2;
 }
 
-/* Returns the median distance, in diameters, of the disks from their
+/* Returns the median distance (in diameters) of the disks from their
    initial positions after 0.2 s forwards and 0.2 s with reversed
    velocities. */
 static double missed_way_back(uint64_t seed, int way, double dt)
@@ -675,8 +675,8 @@ static uint64_t row_by_events(int row, double gap, double until, double x[],
     return collisions;
 }
 
-/* How a row is stepped: its initial gap, m, and its step, s, and the way
-   and the order in which overlaps are resolved. */
+/* How a row is stepped: its initial gap (in m), its step (in s), and the
+   way and the order in which overlaps are resolved. */
 struct stepped {
     int way;
     enum spheres_order order;

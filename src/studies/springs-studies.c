@@ -248,7 +248,7 @@ static void study_path(struct study *s)
     tidy_up(&r);
 }
 
-/* The coordinates x1, z1, x2, z2 of the double pendulum after 10 s, m,
+/* The coordinates x1, z1, x2, z2 (in m) of the double pendulum after 10 s,
    computed by another program in quadruple precision. */
 static const double after_10[4] = {-.156264701442401, .0112096197458345,
                                    -.921375731195946, -1.25031461636596};
@@ -441,9 +441,9 @@ static bool rod_swing(uint64_t n, double place[4])
     return isfinite(place[0] + place[1] + place[2] + place[3]);
 }
 
-/* Sets place[] to the coordinates, after 10 s, of a double pendulum whose
-   upper spring has the given stiffness, N/m. A stiffer spring is computed
-   with shorter steps. */
+/* Sets place[] to the coordinates after 10 s of a double pendulum whose
+   upper spring has the given stiffness (in N/m). A stiffer spring is
+   computed with shorter steps. */
 static void spring_swing(double stiffness, double place[4])
 {
     const uint64_t n = (uint64_t)(10 * 100 * sqrt(stiffness / 100)) + 1000;
@@ -780,7 +780,7 @@ static double ten_halves(struct run *r, size_t at, double home)
     }
 }
 
-/* Returns the measured angular frequency, rad/s, of mode (r, half) of a
+/* Returns the measured angular frequency (in rad/s) of mode (r, half) of a
    taut n x n membrane with small displacements along `axis`. */
 static double measured(size_t n, size_t r, size_t half, size_t axis)
 {
@@ -818,7 +818,7 @@ static void study_dispersion(struct study *s)
     table_real(s->summary, "worst", worst);
 }
 
-/* Returns the sag, m, at the middle of a membrane without tension after
+/* Returns the sag (in m) at the middle of a membrane without tension after
    friction has brought it to rest under the gravity g. Copies the scene to
    *s if s is not NULL. */
 static double sag(struct scene *s, double g)
@@ -874,7 +874,7 @@ static void settle(struct run *r)
 }
 
 /* Steps r until the velocity of `body` along y changes sign. Returns the
-   time of this turning point, s, interpolated linearly. */
+   time (in s) of this turning point, interpolated linearly. */
 static double fall(struct run *r, size_t body)
 {
     const double *const v = r->scene.velocity + r->scene.bodies + body;
@@ -926,8 +926,8 @@ static void study_shapes(struct study *s)
 }
 
 /* A beam: the choices that make it different from the default beam, and its
-   results. `linear`, `still` and `lowest` are deflections, m, and `time` is
-   in s. */
+   results. `linear`, `still` and `lowest` are deflections (in m), and
+   `time` is in s. */
 struct beam {
     const char *name;
     struct gallery_choice choice[3];
@@ -1021,7 +1021,7 @@ static void study_beams(struct study *s)
 
 /* Adds to f[] the forces of a band's springs on the bodies at one end of
    each spring: the end with the larger index if side is 1, otherwise the
-   other end. Dashpots are as printed by MPPhys. This is the method that the
+   other end. Dashpots act as printed in MPPhys. This is the method that the
    bands replaced: each body looks up all its neighbours, so every spring
    force is computed twice. */
 VECTOR_LOOP static void look_up(const struct springs *p,

@@ -426,8 +426,8 @@ static double half_trace(const struct stepping_method *m, double step)
 
 /* Writes the values of omega dt, up to 6, at which half the trace leaves
    the interval from -1 to 1, returns to it, and leaves it again. Also
-   writes by how much its modulus exceeds 1 at most between the first two
-   values. */
+   writes the largest amount by which its modulus exceeds 1 between the
+   first two values. */
 static void find_edges(const struct study *s,
                        const struct stepping_method *m)
 {

@@ -576,7 +576,7 @@ static void show_progress(const struct batch *b)
 
 /* Waits until a worker has ended. Polls, because a signal that comes just
    before an unlimited wait would not end that wait. After a signal, stops
-   the workers and, five seconds later, kills those that still run. A worker
+   the workers and, five seconds later, kills those still running. A worker
    that failed has written no result and is counted in b->failed. If the
    command is repeated, it grades that job again. */
 static void wait_for_one(struct batch *b)
@@ -606,9 +606,8 @@ static void wait_for_one(struct batch *b)
     show_progress(b);
 }
 
-/* Prints a word in quotation marks for the shell. Refuses a line break,
-   which would split the command. Students' names are encoded and have
-   none. */
+/* Prints a word, quoted for the shell. Refuses a line break, which would
+   split the command. Students' names are encoded and have none. */
 static void put_word(const char *word)
 {
     if (strchr(word, '\n'))

@@ -1,4 +1,4 @@
-/* Explains compiler messages by a table of their usual meanings. */
+/* Explains compiler messages, using a table of their usual meanings. */
 #include "examiner/message.h"
 #include "examiner/text.h"
 

@@ -8,7 +8,7 @@
 enum { MESSAGE_NAME = 64 };
 
 /* Copies the first quoted name, or "" if there is none. The quotation marks
-   are ASCII, because the compiler runs in the locale C. */
+   are ASCII, because the compiler runs in the C locale. */
 void message_quoted(char name[MESSAGE_NAME], const char *from);
 
 /* Returns whether this line of a compiler's messages can be explained. */

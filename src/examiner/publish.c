@@ -426,8 +426,8 @@ static void put_row(FILE *out, const struct course *c, size_t s)
 }
 
 /* Writes the marks as comma-separated values (RFC 4180), in UTF-8 without a
-   byte-order mark: programs that follow the standard would read the mark as
-   part of the first column's name. Numbers have no quotes. The cell of an
+   byte-order mark: programs that follow the standard would read it as part
+   of the first column's name. Numbers have no quotes. The cell of an
    exercise that was not graded is empty. */
 static void report_csv(const struct course *c, const char *folder)
 {

@@ -56,12 +56,12 @@ void remote_wait(void);
    It may also send the answers to the calls that are likely to come next.
    In exercise 12b the next step begins where the last one ended; in 03a the
    function halves an interval repeatedly. A wrong guess costs no more than
-   the call. Guessing leaves only 4 to 30 percent of the round trips. The
-   calls of 05c cannot be guessed. Instead, the sandbox has a copy of the
-   disks and sends a list of all calls and results. The judge repeats the
-   calls with its own disks and checks the results. Grading a course of 25
-   students took 10 s of processor time with a round trip for each call, and
-   takes 2.5 s this way. */
+   the usual round trip. Guessing leaves only 4 to 30 percent of the round
+   trips. The calls of 05c cannot be guessed. Instead, the sandbox has a
+   copy of the disks and sends a list of all calls and results. The judge
+   repeats the calls with its own disks and checks the results. Grading a
+   course of 25 students took 10 s of processor time with a round trip for
+   each call, and takes 2.5 s this way. */
 void remote_serve_callback(int which);
 
 /* Ends the arguments of a callback. Next, the caller must send the

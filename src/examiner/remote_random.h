@@ -17,10 +17,9 @@ static struct {
     size_t left;
 } block;
 
-/* Receives a block of numbers that the judge has copied but not yet drawn
-   from its generator. With its answer the sandbox sends how many numbers of
-   the last block are left; the judge then draws the numbers that were
-   used. */
+/* Receives a block of numbers, which the judge has copied without advancing
+   its generator. The sandbox's answer says how many numbers of the last
+   block are left; the judge then draws those that were used. */
 static void take_block(void)
 {
     remote_doubles(block.u, BLOCK);
@@ -37,8 +36,8 @@ double uniform(void)
     return block.u[BLOCK - block.left--];
 }
 #else
-/* Copies the next `count` numbers of uniform() to u without drawing them.
-   Defined by the suite. */
+/* Copies the next `count` numbers of uniform() to u without advancing the
+   generator. Defined by the suite. */
 void uniform_ahead(double u[], size_t count);
 
 static void give_block(void)

@@ -19,7 +19,7 @@ static const char *colour(enum state state)
 }
 
 /* Flushes the output, so that a long round shows its progress. The kit's
-   tests rely on these columns. */
+   tests rely on the columns of this line. */
 void round_line(const struct exercise *e)
 {
     const char *code = colour(e->state);

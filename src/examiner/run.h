@@ -73,8 +73,8 @@ int run_remark(const struct run *run, const char *words, double x[],
 
 /* Sets f to the forces on n bodies with masses m and positions x, according
    to force law `which` with this constant. A project whose calls are
-   counted outside the sandbox (RUN_OUTSIDE) defines this function, with
-   REMOTE_SERVER. */
+   counted outside the sandbox (RUN_OUTSIDE) defines this function if
+   compiled with REMOTE_SERVER. */
 void run_law(int which, double constant, int n, const double m[],
              const double x[], double f[]);
 

@@ -56,7 +56,7 @@ static void write_file(const char *name, const char *text)
 struct order {
     int given;
     enum run_count how;
-    double of_law[2]; /* constant of the law; maximum number of calls */
+    double of_law[2]; /* force law's constant; maximum number of calls */
 };
 
 /* Receives an order and writes its files into a new folder. Stores the

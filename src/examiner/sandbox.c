@@ -63,8 +63,8 @@ static const char *number(struct words *w, long long x)
     return text;
 }
 
-/* Returns the first of the user ids user, user + 2, user + 4, ... that
-   belongs to no account. */
+/* Returns the first of the user IDs `user`, `user` + 2, `user` + 4, ...
+   that belongs to no account. */
 static long free_user(long user)
 {
     while (getpwuid((uid_t)user))
@@ -72,11 +72,11 @@ static long free_user(long user)
     return user;
 }
 
-/* Returns the user id for the sandboxes of this process: an even number,
+/* Returns the user ID for the sandboxes of this process: an even number,
    since judges have odd ones. The kernel counts processes by user, so a
    fork bomb in one sandbox would keep other sandboxes of the same user from
-   forking. The id depends on our process ID, so that two graders on one
-   machine use different ids. Only root can give a sandbox another user. For
+   forking. The ID depends on our process ID, so that two graders on one
+   machine use different IDs. Only root can give a sandbox another user. For
    other users, Linux has counted the processes of each user namespace
    separately since version 5.14. */
 static long sandbox_user(void)

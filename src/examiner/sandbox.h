@@ -61,8 +61,8 @@ enum sandbox_stage {
    it. */
 enum sandbox_kind sandbox_probe(const char *compiler);
 
-/* Returns an unused user id for the judges of this process, or 0 if we are
-   not root. With 0 the judges keep our user id. */
+/* Returns an unused user ID for the judges of this process, or 0 if we are
+   not root. With 0 the judges keep our user ID. */
 long sandbox_judge(void);
 
 /* Returns a description of a kind, for the lecturer. */

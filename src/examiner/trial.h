@@ -24,7 +24,7 @@ struct trial {
     int seconds;        /* limit on processor time, s; wall clock: twice */
     const char *runner; /* path of the runner, relative to folder/desk */
     const char *seed;   /* seed of the inputs; NULL: the usual seed */
-    long user;          /* user id for the judge, or 0 */
+    long user;          /* user ID for the judge, or 0 */
     int sandbox[2];     /* pipes to a program in a sandbox, or zeros */
     int later;          /* time limit after a time-out, s; 0: unchanged */
     const char *prints; /* output of a program in a sandbox, or NULL */

@@ -175,8 +175,8 @@ void verdict_from_cache(struct exercise *e,
 /* Judges in the cheapest possible way: comparing with the stub takes
    microseconds, reading a stored verdict a fraction of a millisecond, and
    building and running a quarter of a second. The key is computed before
-   the compiler starts. If the key has changed at the end, the file was
-   saved meanwhile, and the verdict is not stored. */
+   the compiler starts. If the key has changed by the end, the file was
+   saved in the meantime, and the verdict is not stored. */
 void verdict_reach(struct exercise *e, const struct verdict_rules *rules)
 {
     verdict_from_cache(e, rules);

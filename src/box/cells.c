@@ -957,8 +957,8 @@ static bool replan(struct cells *c, struct disks_event e, bool *memory)
     return true;
 }
 
-/* Like disks_run, and also uses disks_collide, but takes the next event
-   from the calendar and plans events only with neighbours. */
+/* Like disks_run, but takes the next event from the calendar and plans
+   events only with neighbours. disks_collide is the same. */
 enum disks_stop cells_run(struct cells *c, double until,
                           uint64_t collisions)
 {

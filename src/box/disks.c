@@ -1,6 +1,6 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 3529783127 of the lines below */
-/* Runs disks from event to event, over all pairs or by plans per disk. */
+/* checksum 329716501 of the lines below */
+/* Runs disks from event to event, over all pairs or by a plan per disk. */
 #include "box/disks.h"
 
 #include "box/falling.h"

@@ -124,11 +124,11 @@ bool disks_collapsed(const struct disks *d);
 /* Returns whether all disks are too slow for double precision, though some
    move. With v the speed of the fastest disk, each of v^2, m v^2 and (v
    times the largest radius)^2 must be at least 2^-900; the last one is
-   needed for the time of a contact. Even squares as small as 2^-970 still
-   have full precision. They belong to speeds 3e10 times lower, at which
-   disks meet 3e10 times later. With radii and masses of 1 the slowest speed
-   is 3.5e-136 m/s. A colder gas ends as in a collapse. Under gravity no
-   speed is too slow. */
+   needed for the time of a contact. Squares keep full precision down to
+   2^-970, that is for speeds 3e10 times lower, at which disks meet 3e10
+   times later. With radii and masses of 1 the slowest speed is 3.5e-136
+   m/s. A colder gas ends as in a collapse. Under gravity no speed is too
+   slow. */
 bool disks_cold(const struct disks *d);
 
 /* Returns, after a collision of disk i, whether the run must end because of

@@ -304,8 +304,8 @@ static bool throw_disk(const struct disks *d, struct disk *a,
 /* Gives up after 10 000 tries for a disk, since earlier disks are not moved
    aside. This works up to a packing fraction of about a half in the plane.
    Not all allowed states are equally likely, as the first disks have more
-   choice. So the result can start a run, which forgets it, but is not a
-   sample (see chapter 6). */
+   choice. So the result can start a run, which forgets its start, but is
+   not a sample (see chapter 6). */
 bool disks_place_random(struct disks *d, struct random *r)
 {
     enum { TRIES = 10000 };

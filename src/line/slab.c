@@ -195,10 +195,10 @@ static void renew_due(struct bonkers *b, size_t i, double end)
 }
 
 /* Returns whether an island of gaps `first` to `last` would leave the range
-   of gaps that only slab s may change. The island reads bodies up to last +
-   2, which slab s - 1 must have finished. It changes the time of gap
-   `first` - 1, which slab s + 1 must not have read. Within this range every
-   island runs as if the slabs ran one after another, and the proof of
+   of gaps that only slab s may change. The island reads bodies up to
+   `last` + 2, which slab s - 1 must have finished. It changes the time of
+   gap `first` - 1, which slab s + 1 must not have read. Within this range
+   every island runs as if the slabs ran one after another, and the proof of
    chapter 2 applies to each slab. */
 static bool leaves_its_slab(const struct slab *s, size_t first, size_t last)
 {

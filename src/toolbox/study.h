@@ -18,7 +18,7 @@
 struct study {
     struct table *out, *summary; /* open; out has its first lines */
     uint64_t seed;
-    struct random random;     /* begun with the seed */
+    struct random random;     /* seeded with `seed` */
     struct progress progress; /* begun, without a total */
     bool broken;              /* set by a study that has failed */
 };
@@ -52,7 +52,7 @@ struct study_program {
        because nobody should start a run of minutes by mistake. */
     const char *usual;
     uint64_t seeds;      /* largest value of --seed; 0: no such option */
-    const char *drawing; /* heading of --seed; NULL: all draw numbers */
+    const char *drawing; /* heading of --seed; NULL: all studies use it */
     /* The program's own options, or NULL. `take' stores the value of an
        option in a static variable, where the studies read it. `take' may
        call options_fail. */

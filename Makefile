@@ -18,7 +18,7 @@ PORTABLE = -O2 -ffp-contract=off -fno-math-errno
 SANITIZED = -g -O0 -ffp-contract=off $(sanitizers)
 
 # Variables that users set, as in `make check EX=01a'. Recipes read them from the
-# environment, as "$$EX", so that neither make nor a shell takes a value for a command.
+# environment, as "$$EX", so that neither make nor a shell runs any of a value.
 given = EX SUBMISSIONS REPORT JOBS HIDDEN RESULTS SECONDS TEXTS PRESET SCENE \
 	KEYS UNTIL EVERY VIEW FPS LIVE DT METHOD KERNEL TOLERANCE OBSERVE X Y \
 	EDITION WITH_CHAPTERS COMMANDS SEED FIRST SYSTEMS
@@ -122,7 +122,7 @@ help:
 	@echo 'make clean        remove build/'
 
 # Stamps (see src/compile.mk). Each file depends on its stamp through an empty recipe, which
-# + runs even under make -n. If a file is missing, its stamp is deleted, so both are rebuilt.
+# runs even under make -n (+). If a file is missing, its stamp is deleted: both are rebuilt.
 $(kept): build/%: build/made/%
 	@+:
 lost := $(filter-out $(wildcard $(kept)),$(kept))

@@ -1,4 +1,4 @@
-# Figures, films and the atlas. They need gnuplot, and films ffmpeg.
+# Figures, films and the atlas. All need gnuplot; films also need ffmpeg.
 
 .PHONY: figures has-gnuplot has-gsl
 # build/recipes/rules.mk has the rules for the data of figures and transcripts, extracted
@@ -21,14 +21,14 @@ has-gsl:
 	$(if $(gsl),,@echo 'make: GSL is missing; install it with: apt-get install\
  --no-install-recommends libgsl-dev' >&2; exit 1)
 
-# With QUALITY=lecture, takes the longer runs that the figures' scripts name, and draws
-# slides, too.
+# With QUALITY=lecture, uses the longer runs that the figures' scripts specify, and also
+# draws slides.
 figures: has-gnuplot has-gsl programs $(FIGURES_PDF) $(FIGURES_SVG) \
 		$(if $(filter lecture,$(QUALITY)),$(FIGURES_LECTURE))
 	@echo 'Figures: build/figures/' \
 		$(if $(filter lecture,$(QUALITY)),'and build/lecture/')
 
-# Lists the commands that make the missing tables, from what make -n would run.
+# Lists the commands that make the missing tables, taken from the output of make -n.
 .PHONY: jobs-figures
 jobs-figures: has-gsl programs build/check/examine $(CHECK_BUILT)
 	$(call list,$(MAKE) -n --no-print-directory $(FIGURES_DATA) \
@@ -71,7 +71,7 @@ chart: has-gnuplot build/bin/bonk build/bin/scene
 maps = at=build/atlas/$$(cksum <build/bin/bonk-studies | tr ' ' -) && \
 	mkdir -p $$at && scenes=$$(build/bin/bonk-studies --study scenes | \
 	sed '/^\#/d')
-# Each job writes to a name with its process number, then renames the file.
+# Each job writes to a file with its process ID in the name, and then renames the file.
 maps_missing = for scene in $$scenes; do map=$$at/$$scene; [ -e $$map ] || \
 	echo "[ -e $$map ] || { build/bin/bonk-studies --study atlas" \
 	"--scene $$scene -o $$map.\$$\$$ && mv $$map.\$$\$$ $$map; }"; done

@@ -30,8 +30,8 @@ begin = @mkdir -p $(@D) $(dir $(made))
 reads = -MMD -MP -MT $@ -MF $@.new
 take = if cmp -s $(made).new $(made); then rm $(made).new && touch $@; \
 	else mv $(made).new $(made) && touch -r $(made) $@; fi
-# Each source gets a rule without a recipe, as -MP gives one to each header: then make
-# does not stop because a file that was read the last time has been deleted since.
+# Gives each source a rule without a recipe, just as -MP does for headers, so that make
+# does not stop if a file that the previous build read has been deleted.
 take_compiled = @{ cat $@.new*; printf '%s:\n' $(filter %.c,$^); } >$@.d && \
 	rm $@.new* && $(take)
 
@@ -41,9 +41,9 @@ ifneq ($(filter tangle clean reset,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
 endif
 
-# make -n, -q and -t run only recipe lines that contain $(MAKE), so that the inner make
-# can print what it would do. A line that does anything else as well begins with
-# $(unless_dry), which ends the line under these options.
+# Under -n, -q and -t make still runs recipe lines that contain $(MAKE), so that the
+# inner make can print what it would do. If such a line does other things, too, it begins
+# with $(unless_dry), which skips the rest of the line under these options.
 unless_dry = $(if $(strip $(foreach f,n q t,$(findstring $f,$(filter-out -%,\
 	$(firstword $(MAKEFLAGS)))))),exit; )
 
@@ -100,7 +100,7 @@ gsl_libs = $(if $(gsl),$(if $(filter $(1),$(gsl_files) $(gsl_users)),\
 	$(GSL_LIBS)))
 
 # Files that are compiled with OpenMP, by base name. WITH_GSL tells reference.c
-# that there is GSL.
+# that GSL is available.
 parallel := bonkers springs gravity
 flags_of = $(if $(filter $(parallel),$(notdir $*)),$(OPENMP)) \
 	$(if $(gsl),$(if $(filter reference,$(notdir $*)),-DWITH_GSL))

@@ -84,7 +84,8 @@ build/bonkers.pdf build/bonkers-instructor.pdf: build/woven $(FIGURES_PDF) $(FIG
 
 # ---- the course for students
 
-# The book of the course has no solutions. WITH_CHAPTERS=1 adds the chapters.
+# The students' book has no solutions. With WITH_CHAPTERS=1 the archive also contains the
+# sources of the chapters.
 ifneq ($(and $(EDITION),$(filter handout,$(MAKECMDGOALS))),)
 $(error handout: EDITION: students get the book without solutions; leave it out)
 endif

@@ -15,8 +15,8 @@ GRADE_BUILT = build/grade/grade build/grade/flags \
 	$(patsubst %,build/grade/%.types.h,$(filter-out P%,$(graded)))
 
 .PHONY: grade grade-parts grade-bench has-submissions hostile-programs jobs-grade
-# Runs each hostile submission of the tests in the form of a project, too: its code is
-# called from the main function of a right answer.
+# Also makes a project of each hostile submission in the tests, and runs it: the main
+# function of a correct solution calls the hostile code.
 hostile-programs: grade-parts
 	@ALL=1 tests/grader/programs.sh
 grade-bench: grade-parts
@@ -137,10 +137,10 @@ build/made/grade/%.inside.o: $(patsubst %,build/grade/obj/examiner/%.o,sandboxed
 	@ld -r -S -o $(made).new build/grade/obj/remote/$*.o $(filter %.o,$^)
 	$(take_compiled)
 $(projects:%=build/made/grade/%.judge): build/made/check/year
-# For a project EX.inside.o is an archive. It contains the program that runs the
+# For a project EX.inside.o is an archive. It contains the driver, which runs the
 # student's program in the sandbox, and the functions that the student's program is
-# linked with. The main of the former is renamed, because the student's program has one,
-# too; its time() is a local symbol.
+# linked with. The driver's main is renamed, because the student's program has its own.
+# The driver's time() (see endless.c) is made local, so that it replaces no other.
 $(foreach e,$(projects),$(eval build/made/grade/$(e).inside.o: \
 	build/check/$(e).given.o))
 build/made/grade/P%.inside.o: tests/exercises/P%/remote.c $(patsubst %,\

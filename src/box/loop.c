@@ -1,4 +1,4 @@
-/* Moves disks from tick to tick, and measures how deep they overlap. */
+/* Moves disks from tick to tick, and measures how deeply they overlap. */
 #include "box/loop.h"
 
 #include <math.h>

@@ -11,8 +11,8 @@ enum { MEANS_BLOCKS = 128 }; /* even; a long run fills at least half */
 /* Sums of quantities over blocks of samples. When all blocks are full,
    neighbours are joined, and each block is then twice as long. So an error
    is computed from 64 to 127 blocks, however long the run, and its own
-   uncertainty is 6 to 9 %. (box/blocks.h adds whole samples. Here a sample
-   changes only a few of hundreds of bins.) */
+   uncertainty is 6 to 9 %. (Unlike box/blocks.h, which adds all quantities
+   of a sample, this updates only the few bins that a sample changes.) */
 struct means {
     size_t quantities, blocks; /* blocks: number of full blocks */
     uint64_t length, filled;   /* samples in a full block; samples in the

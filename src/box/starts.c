@@ -248,8 +248,8 @@ static void fill_lattice(struct disks *d, const struct lattice *l,
     }
 }
 
-/* If too few sites are uncovered, adds the missing number to the number of
-   sites requested, and tries again. */
+/* If the large disk leaves too few sites free, requests as many more sites
+   as are missing, and tries again. */
 bool disks_place_lattice(struct disks *d)
 {
     double r;

@@ -260,9 +260,9 @@ static bool is_near_floor(const struct task *t)
 }
 
 /* Compares all candidates with the reference. If rounding errors may be
-   near the tolerance, bounds the error of the reference by further twins.
-   If this larger bound puts the chosen run outside the tolerance, compares
-   all candidates again. */
+   near the tolerance, runs more twins of the reference to obtain a safer,
+   larger bound on its error. If the chosen run is outside the tolerance
+   with this bound, compares all candidates again. */
 static void compare_surely(const struct task *t)
 {
     struct choose_choice *c = t->c;

@@ -140,7 +140,7 @@ void models_write(const struct models_plan *p, char text[MODELS_TEXT])
                                      models_cut_names[k]);
 }
 
-/* Returns the k-th name of a simplification (if `cuts`) or of a model (if
+/* Returns the name of the k-th simplification (if `cuts`) or model (if
    not), or NULL after the last. */
 static const char *name_of(size_t k, bool cuts)
 {

@@ -78,8 +78,9 @@ struct models_plan {
     unsigned cuts;
     uint64_t steps;   /* time steps per row; 0 for models without steps */
     double tolerance; /* step tolerance of an adaptive method */
-    /* A close passage limits the time step if it may move a body by more
-       than `negligible` (m) within `time_left` (s). */
+    /* A close encounter limits the time step only if it could change the
+       position of a body by more than `negligible` (m) within `time_left`
+       (s). */
     double negligible, time_left;
     double slack; /* steps are shorter than their upper limits by this
                      fraction */

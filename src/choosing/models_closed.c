@@ -269,9 +269,10 @@ static double approach_rest(struct vibration *w, struct models_run *r)
     return largest(still, n);
 }
 
-/* Returns whether computing the modes once more would exceed the cost limit
-   of the start. Each computation costs 20 times the cube of the number of
-   free coordinates, and up to MOST_TRIES may be needed. */
+/* Returns whether computing the modes once more would exceed the limit on
+   the cost of starting the run. Each computation costs 20 times the cube
+   of the number of free coordinates, and up to MOST_TRIES may be
+   needed. */
 static bool is_start_dear(const struct models_run *r)
 {
     double work[MODELS_UNITS], size = 0;

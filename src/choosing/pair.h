@@ -1,4 +1,4 @@
-/* Computes the relative motion of two bodies and their nearest distance. */
+/* Computes the relative motion of two bodies and their closest approach. */
 #ifndef PAIR_H
 #define PAIR_H
 

@@ -1,4 +1,4 @@
-/* Runs models, also in other units, and compares the rows. */
+/* Runs models, if asked in rescaled units, and compares their rows. */
 #include "choosing/record.h"
 
 #include "toolbox/bench.h"

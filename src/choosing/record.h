@@ -77,9 +77,9 @@ void record_both(struct record *a, struct record *b, struct record_view *v,
                  const struct record_setup *oa,
                  const struct record_setup *ob, double apart);
 
-/* Returns the largest difference of two records in the rows from `first` to
-   `last`, as a fraction of the scale, or INFINITY if a record has fewer
-   rows. */
+/* Returns the largest difference between two records in the rows from
+   `first` to `last`, as a fraction of the scale, or INFINITY if a record
+   has fewer rows. */
 double record_difference(const struct record_view *v,
                          const struct record *a, const struct record *b,
                          size_t first, size_t last);

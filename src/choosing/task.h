@@ -71,8 +71,8 @@ void task_run(const struct task *t, struct record *r,
 /* Returns whether a run has all its rows, and so can be compared. */
 bool task_complete(const struct task *t, const struct record *r);
 
-/* Returns the largest difference of two runs, as a fraction of the scale,
-   in all rows after the start. */
+/* Returns the largest difference between two runs, as a fraction of the
+   scale, in all rows after the start. */
 double task_difference(const struct task *t, const struct record *a,
                        const struct record *b);
 
@@ -85,8 +85,8 @@ void task_note_horizon(const struct task *t, size_t held, double every);
 void task_note_parting(const struct task *t, const struct record *a,
                        const struct record *b, double most);
 
-/* Returns the candidate with the model and cuts of a plan. Adds it if it is
-   new. */
+/* Returns the candidate with the model and the simplifications (cuts) of a
+   plan. Adds it if it is new. */
 struct choose_candidate *task_candidate(const struct task *t,
                                         struct models_plan plan);
 

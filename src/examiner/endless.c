@@ -118,8 +118,8 @@ static bool add_memory(void)
 
 /* Adds the registers to the checksum. context->uc_mcontext has 23 words and
    the address of the floating-point registers, which take 464 bytes. On
-   processors with longer registers, a list of the kinds in use follows at
-   LIST, and the rest of the registers at NEW. */
+   processors with wider registers, a list of the register sets in use
+   follows at LIST, and the rest of the registers at NEW. */
 static void add_registers(const ucontext_t *context)
 {
     enum { WORDS = 23, OLD = 464, LIST = 512, NEW = 576 };

@@ -410,8 +410,8 @@ static void keep_prints(struct marks *marks)
 }
 
 /* If the only tests passed are idle ones, which an empty function passes,
-   marks them as failed and adds the reason. As passed tests without points,
-   they would make a count of tests disagree with a count of points. */
+   marks them as failed and adds the reason. If they still counted as passed
+   but earned nothing, the tests passed would not agree with the points. */
 static void settle_idle(const struct kit *kit, struct marks *marks)
 {
     static const char why[] = "  A function that does nothing passes this "

@@ -192,7 +192,7 @@ enum { MOST_BESIDE = 2 };
 static pid_t beside[MOST_BESIDE]; /* started by process_start */
 static int besides;
 
-/* Returns whether process_start did not start this child. */
+/* Returns true if this child was not started by process_start. */
 static bool is_stray(int child)
 {
     for (int i = 0; i < besides; ++i)

@@ -18,8 +18,8 @@ static const char *colour(enum state state)
     return state_wrong(state) ? "\033[31m" : "\033[32m";
 }
 
-/* Flushes the output, so that a long round shows its progress. The kit's
-   tests rely on the columns of this line. */
+/* Prints the line of an exercise and flushes it, so that a long round shows
+   its progress. The kit's tests rely on the columns of this line. */
 void round_line(const struct exercise *e)
 {
     const char *code = colour(e->state);

@@ -57,13 +57,13 @@ struct run {
     double calls;    /* calls of the function; -1: unknown */
 };
 
-/* Runs the program. The order becomes the input of further checks. The
-   result is valid until the next call. Ends the test if the program crashes
-   or does not end in time. */
+/* Runs the program as ordered. Checks that fail then report this order as
+   their input. The result is valid until the next call. Ends the test if
+   the program crashes or does not end in time. */
 const struct run *run_program(const struct run_order *order);
 
-/* Returns the command and its files in one line, as an input of checks, so
-   that a student can repeat a run that failed. */
+/* Returns the command and its files in one line, the form in which checks
+   report it, so that a student can repeat a run that failed. */
 const char *run_text(const struct run_order *order);
 
 /* Finds the remark that begins with `words` and reads up to `count` numbers

@@ -51,7 +51,7 @@ struct sandbox {
 enum sandbox_stage {
     SANDBOX_NOT_BUILT, /* the compiler or the linker refused */
     SANDBOX_TOO_LONG,  /* compiler or linker took too long */
-    SANDBOX_NO_MAIN,   /* the program ended before its main */
+    SANDBOX_NO_MAIN,   /* the program ended before it reached main */
     SANDBOX_STUCK,     /* the program did not reach its main in time */
     SANDBOX_READY
 };

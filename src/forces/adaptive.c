@@ -1,4 +1,4 @@
-/* Adaptive steps of an embedded pair 5(4) and of Radau's method. */
+/* Adaptive steps of an embedded 5(4) pair and of Radau's method. */
 #include "forces/adaptive.h"
 
 #include "forces/largest.h"

@@ -14,10 +14,10 @@ struct impact {
     uint64_t simultaneous; /* contacts at the same time as an earlier one */
     uint64_t grazing;      /* contacts found on paths but not confirmed by
                               the method */
-    double least;          /* of all local minima of the widths of gaps,
-                              the one nearest to 0, m; set it first to the
-                              largest width that counts, or to 0 to skip
-                              the search */
+    double least;          /* local minimum of a gap's width that is
+                              nearest to 0, m; set it first to the largest
+                              width of interest, or to 0 to skip the
+                              search */
     uint64_t parts;        /* parts of steps searched for contacts */
     uint64_t pairs;        /* pairs examined in these parts */
     uint64_t curves;       /* cost of all gaps: number of control points (at

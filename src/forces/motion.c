@@ -146,7 +146,7 @@ static void set_dt_of_contacts(struct motion *m, double dt)
    over the bodies.
 
    Sums are compensated if an earlier run saved their rounding errors (as
-   lines `carry` of the scene), and for methods of order six or more, whose
+   `carry` lines of the scene), and for methods of order six or more, whose
    truncation error is less than the rounding error. They are never
    compensated for adaptive methods. The caller may change s->compensated
    before the first step. */

@@ -35,8 +35,8 @@ struct observables_sort observables_sort(const struct observable *o);
 /* Adds a line to the head of a table for each column. */
 void observables_head(const struct observables *o, struct table *t);
 
-/* Writes the o->columns current values, in the scene's units of length,
-   time and mass. */
+/* Writes the current values of all observables, o->columns numbers, in the
+   scene's units of length, time and mass. */
 void observables_values(const struct observables *o, const struct motion *m,
                         double values[]);
 

@@ -1,5 +1,5 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 21831634 of the lines below */
+/* checksum 3269773515 of the lines below */
 /* Reflects spheres that overlap after a step, and moves them apart. */
 #include "forces/spheres.h"
 
@@ -142,8 +142,8 @@ static double along(const struct spheres *p, const struct contact *c,
     return sum;
 }
 
-/* Moves the bodies apart, and returns the increase of their sum of m x v
-   (in J s). */
+/* Moves the bodies apart, and returns the increase of the sum over both
+   of m x . v (in J s), where x is the position. */
 static double push_apart(const struct spheres *p, const struct contact *c,
                          double wa, double wb, double x[], const double v[])
 {

@@ -116,11 +116,12 @@ void spheres_bounce(struct spheres *p, size_t i, size_t k, double v[]);
    their number. */
 size_t spheres_overlaps(struct spheres *p, const double x[]);
 
-/* Returns the largest depth (in m) by which bodies overlap, or extend
-   beyond a hard wall without moving back. Returns 0 if no body does, or if
-   the scene has no contacts, and INFINITY if memory runs out. Programs
-   refuse scenes with such bodies, or warn: it is unknown where and when the
-   bodies touched, so their motion would depend on the step. */
+/* Returns the largest depth (in m) to which two bodies overlap, or to
+   which a body extends beyond a hard wall unless it is moving back.
+   Returns 0 if no body does, or if the scene has no contacts, and INFINITY
+   if memory runs out. Programs refuse scenes with such bodies, or warn: it
+   is unknown where and when the bodies touched, so their motion would
+   depend on the step. */
 double spheres_depth(const struct scene *s);
 
 /* Counts in p->passed the pairs that moved through each other in the last

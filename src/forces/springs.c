@@ -252,9 +252,9 @@ void springs_free(struct springs *p)
     *p = (struct springs){0};
 }
 
-/* A section of a band. Axes are `bodies` numbers apart in the arrays of
-   positions and velocities, and `row` numbers apart in the array of
-   forces. */
+/* A section of a band. Successive axes are `bodies` numbers apart in the
+   arrays of positions and velocities, and `row` numbers apart in the array
+   of forces. */
 struct stretch {
     const double *rest;
     size_t count, stride, bodies, row;

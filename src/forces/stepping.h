@@ -72,9 +72,9 @@ struct stepping_method {
     bool orbits;         /* drifts follow ellipses; for gravity only */
     bool adaptive;       /* can choose the length of its steps */
     bool raced;          /* tried in the search for the cheapest method */
-    const double *error, *dense; /* [stages], of a pair:
-                                    (8.15, eq:embedded),
-                                    (8.17, eq:dense) */
+    const double *error, *dense; /* [stages] weights of a pair, for
+                                    the error (8.15, eq:embedded)
+                                    and (8.17, eq:dense) */
     const double *node;          /* [stages] of Radau's method */
     const double *weight;        /* [4 * stages] of Radau's method,
                                     explained in methods.c */
@@ -87,7 +87,7 @@ enum stepping_end {
                           x and v are from before the step */
 };
 
-/* The state of a run by steps. Its members may be read. */
+/* The state of a time-stepped run. Callers may read its members. */
 struct stepping {
     const struct stepping_method *method;
     struct stepping_forces forces;

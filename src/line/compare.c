@@ -32,8 +32,8 @@ static void series_of(size_t n, const double x[], double y[],
     }
 }
 
-/* Sets *error to the standard error of the mean of y. If y is a series in
-   time (`serial`), the error is estimated from blocks. The inefficiency,
+/* Sets *error to the standard error of the mean of y. If y is a time
+   series (`serial`), the error is estimated from blocks. The inefficiency,
    block and plateau of *d keep the worst values of all calls. Returns false
    if memory runs out. */
 static bool error_of(size_t n, const double y[], bool serial,

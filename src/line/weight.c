@@ -1,4 +1,5 @@
-/* Adds gravity to the line, a vertical wire with the left wall as floor. */
+/* Adds gravity: the line is a vertical wire, and its left wall is the
+   floor. */
 
 /* Two falling bodies collide at the same time as they would without
    gravity. Only a collision with a body at rest, a floor or a roof, needs a

@@ -32,10 +32,10 @@ double page_run(double until, double events);
    is the time. */
 const double *page_look(void);
 
-/* Functions that only some figures have. page_word returns the name of item
-   `number` of a list, or NULL after the last item. page_array returns more
-   numbers. page_make carries out what the reader chose with the mouse or a
-   menu. */
+/* Functions that only some figures have. page_word returns the name of
+   item `number` of a list, or NULL after the last item. page_array returns
+   another array of numbers. page_make carries out what the reader chose
+   with the mouse or a menu. */
 const char *page_word(double number);
 const double *page_array(double which);
 bool page_make(double number);

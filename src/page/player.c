@@ -23,10 +23,10 @@ bool page_observe(void);
 bool page_change(double what, double value);
 bool page_save(bool table, double every);
 
-/* Parameters. page_begin uses the number of the method, and page_make the
-   values of a scene's keys. The player runs scenes as the program step does
-   (forces/motion.h), but its scene comes from the reader, and its rows
-   become pictures. Saved files are byte for byte those of step. */
+/* Parameters. page_begin reads the index of the method; page_make reads the
+   values of a scene's keys. The player runs a scene as the program `step`
+   does (forces/motion.h), but the reader of the page supplies the scene,
+   and rows are drawn. Saved files are byte for byte those of `step`. */
 double page_number[PAGE_NUMBERS];
 
 static struct scene start, scene; /* initial and present scene */

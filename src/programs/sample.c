@@ -299,10 +299,10 @@ static bool begin_run(struct run *run)
 
 /* Throws until all disks fit. Returns false after a signal, or after
    GIVE_UP failed throws, because no rule predicts whether the disks fit. At
-   an acceptance of 2e-7, a hundred million throws all fail with a
-   probability of e^-20. They take a few seconds. The mean number of throws
-   per sample is the inverse of the acceptance. The numbers of successive
-   samples are independent. */
+   an acceptance of 2e-7, a hundred million throws, which take a few
+   seconds, all fail with a probability of e^-20. The mean number of throws
+   per sample is the inverse of the acceptance. The numbers of throws of
+   successive samples are independent. */
 static bool next_direct(struct run *run)
 {
     uint64_t throws = 1;

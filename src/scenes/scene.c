@@ -522,7 +522,7 @@ static bool store_dashpot(struct reader *r, const double value[],
     return r->scene->axial = true;
 }
 
-/* Stores a law of soft contacts. A line "contact" is then not needed. */
+/* Stores a law of soft contacts. The scene then needs no "contact" line. */
 static bool store_law(struct reader *r, const double value[], size_t count)
 {
     const bool hertz = is_word(r->first, "hertz");

@@ -97,8 +97,8 @@ static void count_contacts(struct means *m, const struct sampling *p)
 }
 
 /* Adds a sample of both sides of (6.5) and of the density of the
-   coordinates. The weight of a coordinate makes the mean of each bin a
-   density. */
+   coordinates. Each coordinate is weighted so that the mean of a bin is
+   a density. */
 static void count_places(struct means *m, const struct sampling *p)
 {
     const size_t count = p->disks.count;

@@ -1379,7 +1379,7 @@ static void compare_step(struct study *s, double dt, bool all,
 }
 
 /* Writes the error of Z and the cost for four packings and seven steps.
-   Located contacts are too slow for packing 0.7. */
+   At packing 0.7, locating each contact in time would take too long. */
 static void study_cost(struct study *s)
 {
     static const double packings[] = {0.1, 0.3, 0.5, 0.7};

@@ -436,8 +436,9 @@ static bool is_digit(char c)
 }
 
 /* Reads an exponent such as e6 and adds it to *scale. Returns false unless
-   the exponent is from -999 to 999. A larger exponent is a mistake, or the
-   number is 0, and it would make the loops of read_count long. */
+   the exponent is from -999 to 999. A larger exponent can only be a
+   mistake or belong to the number 0, and would make the loops of
+   read_count long. */
 static bool read_exponent(const char *text, int *scale)
 {
     char *end;

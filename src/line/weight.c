@@ -1,5 +1,4 @@
-/* Adds gravity: the line is a vertical wire, and its left wall is the
-   floor. */
+/* Adds gravity: the line is a vertical wire, with a floor as left wall. */
 
 /* Two falling bodies collide at the same time as they would without
    gravity. Only a collision with a body at rest, a floor or a roof, needs a

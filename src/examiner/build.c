@@ -140,8 +140,8 @@ static const char *find_line(const char *text, const char *start,
     return NULL;
 }
 
-/* Returns how often `word` occurs in `text`. The blanks in the word "
-   error: " exclude names that end in "error". */
+/* Returns how often `word` occurs in `text`. The blanks in " error: "
+   exclude names that end in "error". */
 static int count(const char *text, const char *word)
 {
     int found = 0;
